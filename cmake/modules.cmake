@@ -1,0 +1,40 @@
+# One static library per module. Headers are found only through the targets that a module names in DEPENDS, so that including
+# against the direction of DESIGN.md section 2 does not compile.
+#
+#   sph_module(<name> [DEPENDS <module or library>...] [STENCIL <source>...])
+#
+# STENCIL names the sources that instantiate terms: they are compiled with SPH_STENCIL_FLAGS.
+function(sph_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;STENCIL")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    if(sources)
+        add_library(${name} STATIC ${sources})
+        target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+        target_link_libraries(${name} PUBLIC ${module_DEPENDS})
+    else()
+        add_library(${name} INTERFACE)
+        target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
+        target_link_libraries(${name} INTERFACE ${module_DEPENDS})
+    endif()
+    if(module_STENCIL)
+        set_source_files_properties(${module_STENCIL} PROPERTIES COMPILE_OPTIONS "${SPH_STENCIL_FLAGS}")
+    endif()
+endfunction()
+
+# An application: one folder, one short main, named as its folder.
+function(sph_application)
+    cmake_parse_arguments(PARSE_ARGV 0 app "" "" "DEPENDS")
+    get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${app_DEPENDS} CLI11::CLI11)
+endfunction()
+
+# A test program from all sources of the folder: sph_test(<name> DEPENDS <module>...)
+function(sph_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${test_DEPENDS} GTest::gtest_main)
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,64 @@
+/// A cloud of particles on disk, `<time>/lagrangian/<cloud>/`, as OpenFOAM and ParaView read it: `positions` and one file per field.
+#pragma once
+#include "CaseError.hpp"
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+enum class FieldClass { label, scalar, vector, symmTensor };
+
+/// What is on disk per particle: 1, 1, 3 or 6 numbers (6 in OpenFOAM's order xx xy xz yy yz zz).
+constexpr int componentsOf(FieldClass c) { return c == FieldClass::vector ? 3 : c == FieldClass::symmTensor ? 6 : 1; }
+
+/// A field in memory, one array per component; read-only view. A null component is written as zeros (z of a 2-D scene).
+struct FieldView
+{
+    std::string name;
+    FieldClass type = FieldClass::scalar;
+    std::vector<const double*> component;
+};
+
+struct CloudField
+{
+    FieldClass type = FieldClass::scalar;
+    std::vector<std::vector<double>> component;
+};
+
+/// A cloud in memory: one array per component of the positions, and the fields by name.
+struct Cloud
+{
+    std::vector<double> x, y, z;
+    std::map<std::string, CloudField> fields;
+    std::size_t size() const { return x.size(); }
+};
+
+enum class WriteFormat { ascii, binary };
+
+struct WriteOptions
+{
+    WriteFormat format = WriteFormat::binary;
+    /// Digits in ascii; 0: the shortest text that reads back to the same number, so that a restart loses nothing.
+    int precision = 0;
+};
+
+/// Writes one cloud, with `<time>/uniform/lagrangian/<cloud>/cloudProperties`, into a time folder that need not exist yet.
+/// A field whose values are all equal is written in compact form, `N{value}`, in ascii.
+void writeCloud(const std::filesystem::path& timeFolder, const std::string& cloud, std::size_t n, const FieldView& positions,
+                const std::vector<FieldView>& fields, const WriteOptions&);
+
+/// Reads `positions` and every field file that is there. Everything that is wrong (unreadable, truncated, wrong class, unequal
+/// lengths, NaN or infinite) is recorded with file, line (ascii) and particle. `caseFolder` makes the paths in messages short.
+Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics&);
+
+bool hasCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud);
+
+/// The one-cell polyMesh around [low, high] that ParaView and OpenFOAM want to see (5 files in constant/polyMesh), and an empty
+/// `<case>.foam` to open.
+void writeBoundingMesh(const std::filesystem::path& caseFolder, const double (&low)[3], const double (&high)[3]);
+
+}
