@@ -1,0 +1,30 @@
+/// Cubic spline (Monaghan & Lattanzio 1985):  W = k ((2 - q)^3 - 4 (1 - q)^3)/4, each bracket where positive,  q = 2 r/H
+///
+/// k = 10/(7 pi h^2) in 2-D, 1/(pi h^3) in 3-D, h = H/2.
+#pragma once
+#include "Vector.hpp"
+#include <numbers>
+
+namespace sph
+{
+
+template<int dim> struct CubicSpline
+{
+    static constexpr auto name = "cubicSpline";
+    double H;
+    double h = 0.5*H, inverseh = 1/h, k = dim == 2 ? 10/(7*std::numbers::pi*h*h) : 1/(std::numbers::pi*h*h*h);
+
+    double W(double r) const
+    {
+        const double q = r*inverseh, a = std::fmax(0.0, 2 - q), b = std::fmax(0.0, 1 - q);
+        return k*(0.25*a*a*a - b*b*b);
+    }
+    double dWdrOverR(double r) const
+    {
+        const double q = r*inverseh, a = std::fmax(0.0, 2 - q);
+        const double outside = -0.75*a*a/std::fmax(q, 0.5), inside = -3 + 2.25*q;
+        return k*inverseh*inverseh*(q < 1 ? inside : outside);
+    }
+};
+
+}

@@ -1,0 +1,28 @@
+/// Wendland C4:  W = k (1 - s)^6 (1 + 6 s + 35/3 s^2),  s = r/H;  k = 9/(pi H^2) in 2-D, 495/(32 pi H^3) in 3-D.
+#pragma once
+#include "Vector.hpp"
+#include <numbers>
+
+namespace sph
+{
+
+template<int dim> struct WendlandC4
+{
+    static constexpr auto name = "wendlandC4";
+    double H;
+    double k = dim == 2 ? 9/(std::numbers::pi*H*H) : 495/(32*std::numbers::pi*H*H*H);
+    double inverseH = 1/H, kPrime = -56.0/3*k/(H*H);
+
+    double W(double r) const
+    {
+        const double s = r*inverseH, a = std::fmax(0.0, 1 - s);
+        return k*sqr(a*a*a)*(1 + 6*s + 35.0/3*s*s);
+    }
+    double dWdrOverR(double r) const
+    {
+        const double s = r*inverseH, a = std::fmax(0.0, 1 - s);
+        return kPrime*sqr(sqr(a))*a*(1 + 5*s);
+    }
+};
+
+}
