@@ -1,0 +1,133 @@
+#include "CommandLine.hpp"
+#include "CaseError.hpp"
+#include "words.hpp"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+
+/// "-name" as the user types it, from any of CLI11's ways to write it.
+std::string typed(const CLI::Option& option)
+{
+    return option.get_lnames().empty() ? "-" + option.get_snames().front() : "-" + option.get_lnames().front();
+}
+
+/// Usage in the layout of OpenFOAM's -help.
+class UsageFormatter : public CLI::Formatter
+{
+    static std::string valueName(const CLI::Option& option)
+    {
+        if (option.get_items_expected_max() == 0) return "";
+        const auto type = option.get_type_name();
+        return type.empty() || type.front() == '<' ? type : "<" + type + ">";
+    }
+
+public:
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override
+    {
+        std::string arguments, lines;
+        for (const auto* option : app->get_options({}))
+        {
+            if (option->get_positional())
+            {
+                const auto shown = fmt::format("<{}>", option->get_name());
+                arguments += option->get_required() ? " " + shown : " [" + shown + "]";
+                lines += fmt::format("  {:<25} {}\n", shown, option->get_description());
+                continue;
+            }
+            const auto left = typed(*option) + (valueName(*option).empty() ? "" : " " + valueName(*option));
+            lines += left.size() > 25 ? fmt::format("  {}\n{:28}{}\n", left, "", option->get_description())
+                                      : fmt::format("  {:<25} {}\n", left, option->get_description());
+        }
+        return fmt::format("\nUsage: {} [OPTIONS]{}\nOptions:\n{}\n{}\n\n", name, arguments, lines, app->get_description());
+    }
+};
+
+/// CLI11 says "--entry: 1 required TEXT missing"; the user typed "-entry".
+std::string withSingleDashes(std::string message)
+{
+    for (auto at = message.find("--"); at != std::string::npos; at = message.find("--", at + 1)) message.erase(at, 1);
+    return message;
+}
+
+[[noreturn]] void refuse(const CLI::App& app, std::string unexpected)
+{
+    if (unexpected.front() != '-') throw CaseError(fmt::format("Unexpected argument \"{}\"", unexpected));
+    std::vector<std::string> known;
+    for (const auto* option : app.get_options({}))
+        if (!option->get_positional()) known.push_back(typed(*option));
+    unexpected = withSingleDashes(unexpected);
+    throw CaseError(fmt::format("Invalid option {}. {}", unexpected, suggestion(unexpected, "options", known)));
+}
+
+}
+
+std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
+{
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    for (auto& a : arguments)
+    {
+        if (a == "--") break;
+        if (a.size() > 2 && a[0] == '-' && std::isalpha(static_cast<unsigned char>(a[1]))) a.insert(0, "-");
+        else if (a.size() > 2 && a[0] == '-' && a[1] == '.') a.insert(1, "0");
+    }
+    return arguments;
+}
+
+int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
+                   const std::function<void(CLI::App&)>& options,
+                   const std::function<int(const std::filesystem::path&)>& body)
+{
+    const auto fail = [&](const std::string& what, const std::string& hint = "")
+    {
+        fmt::print(stderr, "--> FATAL ERROR\n{}\n{}", what, hint);
+        return 1;
+    };
+    std::filesystem::path caseFolder = ".";
+    CLI::App app(description, name);
+    try
+    {
+        app.formatter(std::make_shared<UsageFormatter>());
+        app.set_help_flag("-h,--help", "Print this usage");
+        app.add_option("--case", caseFolder, "Case folder, instead of the current one")->type_name("<dir>");
+        app.allow_extras();
+        options(app);
+
+        auto arguments = openFoamArguments(argc, argv);
+        std::reverse(arguments.begin(), arguments.end());
+        app.parse(arguments);
+        if (const auto rest = app.remaining(); !rest.empty()) refuse(app, rest.front());
+        if (!std::filesystem::is_directory(caseFolder))
+            throw CaseError(fmt::format("There is no case folder \"{}\"", caseFolder.string()));
+    }
+    catch (const CLI::CallForHelp&)
+    {
+        fmt::print("{}", app.help());
+        return 0;
+    }
+    catch (const std::exception& error)
+    {
+        return fail(withSingleDashes(error.what()), fmt::format("See '{} -help' for usage\n", name));
+    }
+
+    try
+    {
+        return body(caseFolder);
+    }
+    catch (const CaseError& error)
+    {
+        return fail(error.what());
+    }
+    catch (const std::exception& error)
+    {
+        return fail(fmt::format("{} stopped unexpectedly: {}", name, error.what()));
+    }
+}
+
+}

@@ -1,0 +1,105 @@
+#include "CommandLine.hpp"
+#include "CaseError.hpp"
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+using namespace sph;
+
+namespace
+{
+
+/// What an application "demo" with an option -entry, a flag -keywords, a number -value and an optional file made of its arguments.
+struct Demo
+{
+    int code = -1;
+    std::string entry, file, caseFolder, out, err;
+    double value = 0;
+    bool keywords = false;
+
+    explicit Demo(std::vector<const char*> arguments, const std::function<void()>& work = [] {})
+    {
+        arguments.insert(arguments.begin(), "demo");
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        code = runApplication(
+            "demo", int(arguments.size()), arguments.data(), "Shows something.",
+            [&](CLI::App& app)
+            {
+                app.add_option("--entry", entry, "Entry to show");
+                app.add_option("--value", value, "A number");
+                app.add_flag("--keywords", keywords, "List keywords");
+                app.add_option("file", file, "File to read");
+            },
+            [&](const std::filesystem::path& folder)
+            {
+                caseFolder = folder.string();
+                work();
+                return 0;
+            });
+        out = testing::internal::GetCapturedStdout();
+        err = testing::internal::GetCapturedStderr();
+    }
+};
+
+}
+
+// Single-dash long options become CLI11's, numbers and what follows "--" stay as typed.
+TEST(CommandLine, mapsSingleDashOptionsAndLeavesNumbersAlone)
+{
+    const char* typed[] = {"demo", "-case", "x", "-n", "4", "-set", "-1.5", "-.5", "-3e-2", "--already", "--", "-raw"};
+    EXPECT_EQ(openFoamArguments(12, typed),
+              (std::vector<std::string>{"--case", "x", "-n", "4", "--set", "-1.5", "-0.5", "-3e-2", "--already", "--", "-raw"}));
+}
+
+// Options, flags, negative values and positional arguments reach the application in the order typed.
+TEST(CommandLine, passesOptionsOn)
+{
+    const Demo demo({"-entry", "a.b", "-value", "-0.25", "system/controlDict", "-keywords", "-case", "/"});
+    EXPECT_EQ(demo.code, 0) << demo.err;
+    EXPECT_EQ(demo.entry, "a.b");
+    EXPECT_EQ(demo.value, -0.25);
+    EXPECT_EQ(demo.file, "system/controlDict");
+    EXPECT_EQ(demo.caseFolder, "/");
+    EXPECT_TRUE(demo.keywords);
+    EXPECT_EQ(Demo({"-value", "-.5"}).value, -0.5);
+    EXPECT_EQ(Demo({}).caseFolder, ".");
+}
+
+// The usage has OpenFOAM's layout, options with a single dash, and the exit code is 0.
+TEST(CommandLine, printsUsageLikeOpenFOAM)
+{
+    const Demo demo({"-help"});
+    EXPECT_EQ(demo.code, 0);
+    EXPECT_EQ(demo.out, "\nUsage: demo [OPTIONS] [<file>]\nOptions:\n"
+                        "  -help                     Print this usage\n"
+                        "  -case <dir>               Case folder, instead of the current one\n"
+                        "  -entry <TEXT>             Entry to show\n"
+                        "  -value <FLOAT>            A number\n"
+                        "  -keywords                 List keywords\n"
+                        "  <file>                    File to read\n"
+                        "\nShows something.\n\n");
+}
+
+// A misspelt option names the one that was meant; so does a missing value and a missing case folder. Exit code 1.
+TEST(CommandLine, explainsMistakes)
+{
+    const Demo misspelt({"-keyword"});
+    EXPECT_EQ(misspelt.code, 1);
+    EXPECT_EQ(misspelt.err, "--> FATAL ERROR\nInvalid option -keyword. Did you mean \"-keywords\"? "
+                            "Known options: -help, -case, -entry, -value, -keywords.\nSee 'demo -help' for usage\n");
+    EXPECT_EQ(Demo({"-entry"}).err, "--> FATAL ERROR\n-entry: 1 required TEXT missing\nSee 'demo -help' for usage\n");
+    EXPECT_EQ(Demo({"a", "b"}).err, "--> FATAL ERROR\nUnexpected argument \"b\"\nSee 'demo -help' for usage\n");
+    EXPECT_EQ(Demo({"-case", "nowhere"}).err,
+              "--> FATAL ERROR\nThere is no case folder \"nowhere\"\nSee 'demo -help' for usage\n");
+}
+
+// Exceptions of the work itself end in exit code 1 and one message; a mistake of the user is told apart from one of the program.
+TEST(CommandLine, catchesExceptionsOfTheWork)
+{
+    const Demo user({}, [] { throw CaseError({"system/controlDict", 12}, "\"deltaT\" must be positive"); });
+    EXPECT_EQ(user.code, 1);
+    EXPECT_EQ(user.err, "--> FATAL ERROR\nsystem/controlDict:12: \"deltaT\" must be positive\n");
+    const Demo program({}, [] { throw std::logic_error("oops"); });
+    EXPECT_EQ(program.code, 1);
+    EXPECT_EQ(program.err, "--> FATAL ERROR\ndemo stopped unexpectedly: oops\n");
+}
