@@ -1,0 +1,36 @@
+/// Surfaces of the region `colour > iso` outside solids, as VTK meshes: triangles in 3-D, lines in 2-D.
+#pragma once
+#include "RegularGrid.hpp"
+#include <vector>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+namespace sph
+{
+
+using Mesh = vtkSmartPointer<vtkPolyData>;
+
+/// The iso-surface (flying edges, Schroeder et al. 2015) as far as it lies in the fluid: it ends at walls, cut by the signed distance
+/// that `geometry` gives at its points, and at the faces of the domain. Triangles are oriented, and point normals point, out
+/// of the region. `smoothingPasses` of Taubin's windowed-sinc filter, which hardly shrinks, before it is cut; 0: none.
+Mesh freeSurface(const RegularGrid&, const std::vector<double>& colour, double iso, const Geometry&, int smoothingPasses);
+
+/// The whole boundary of the region, closed along walls and domain faces: the zero surface of the smaller one of
+/// `length*(colour - iso)` and wall distance. Its edges along the contact line are rounded by part of a step. Without normals.
+Mesh closedSurface(const RegularGrid&, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance,
+                   double length);
+
+/// The walls' own surface within the domain, with normals into the fluid; empty without walls.
+Mesh wallSurface(const RegularGrid&, const std::vector<double>& wallDistance, const Geometry&);
+
+/// The part of the domain's faces (3-D: all six; 2-D: the plane itself) that `inside` is positive on, and `alsoInside` where it is
+/// not empty: where a cut through a body shows its inside. Flat normals out of the domain.
+Mesh cutFaces(const RegularGrid&, const std::vector<double>& inside, const std::vector<double>& alsoInside);
+
+/// Area of the triangles (3-D) or length of the lines (2-D).
+double measure(vtkPolyData*);
+
+/// Integral of x.n/dim over an oriented closed surface: the volume inside, by the divergence theorem.
+double signedVolume(vtkPolyData*);
+
+}

@@ -1,0 +1,47 @@
+/// Pictures of a scene, drawn off screen into a PNG file. Needs a display: see VirtualDisplay.
+#pragma once
+#include "IsoSurface.hpp"
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+struct Camera
+{
+    std::optional<Vector<3>> position, focalPoint;
+    Vector<3> up{0, 1, 0};
+    double zoom = 1;
+};
+
+/// Particles drawn as discs (2-D) or spheres (3-D).
+struct Points
+{
+    std::vector<Vector<3>> position;
+    std::vector<double> value;             ///< what the colour shows
+    double diameter = 0;
+    std::string title;                     ///< of the colour bar; unused for phases
+    std::vector<std::string> phases;       ///< names where `value` is the number of a phase; else a continuous scale
+};
+
+/// What is drawn; an empty mesh or list is left out.
+struct Scene
+{
+    int dimension = 3;
+    Vector<3> low, high;                   ///< the domain, whose outline is drawn
+    Mesh liquid, liquidCuts;               ///< surface, and where the domain's faces cut through it
+    Mesh walls, wallCuts;
+    Mesh contour;                          ///< 2-D surface line
+    Points points;
+    Camera camera;
+    std::array<int, 2> size{1200, 900};    ///< pixels
+    std::string title;
+};
+
+/// Throws CaseError where the file cannot be written.
+void drawPicture(const Scene&, const std::filesystem::path& png);
+
+}

@@ -1,0 +1,47 @@
+/// The regular grid that surfaces are reconstructed on: it fills the domain, with nodes exactly on the domain's faces.
+#pragma once
+#include "Geometry.hpp"
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace sph
+{
+
+/// In a periodic direction the last node is the image of the first. A 2-D grid is one layer of nodes in the plane z = 0.
+struct RegularGrid
+{
+    int dimension = 3;
+    Vector<3> low, step;
+    std::array<int, 3> nodes{1, 1, 1};
+    std::array<bool, 3> periodic{};
+
+    std::size_t size() const { return std::size_t(nodes[0])*nodes[1]*nodes[2]; }
+    std::size_t index(int i, int j, int k) const { return i + std::size_t(nodes[0])*(j + std::size_t(nodes[1])*k); }
+    Vector<3> node(int i, int j, int k) const { return {low.x + i*step.x, low.y + j*step.y, low.z + k*step.z}; }
+    Vector<3> high() const { return node(nodes[0] - 1, nodes[1] - 1, nodes[2] - 1); }
+    double smallestStep() const;
+    double largestStep() const;
+    /// Area (2-D) or volume (3-D) of a cell.
+    double cellVolume() const { return dimension == 2 ? step.x*step.y : step.x*step.y*step.z; }
+
+    /// Number i of direction `axis` brought back into the grid by periodicity; -1 where it lies outside.
+    int wrapped(int axis, int i) const
+    {
+        const int last = nodes[axis] - 1;
+        if (i >= 0 && i <= last) return i;
+        if (!periodic[axis]) return -1;
+        return (i % last + last) % last;
+    }
+};
+
+/// The grid of the domain of `geometry`, whose step in each direction is `spacing` or a little less, so that whole steps fit.
+RegularGrid gridOfDomain(const Geometry& geometry, double spacing);
+
+/// Number of nodes that `gridOfDomain` would make; a double, since a mistaken spacing gives more than integers hold.
+double nodesOfDomain(const Geometry& geometry, double spacing);
+
+/// Signed distance to the walls at each node; empty without walls.
+std::vector<double> wallDistances(const RegularGrid&, const Geometry&);
+
+}

@@ -1,0 +1,65 @@
+#include "SurfaceWriter.hpp"
+#include "CaseError.hpp"
+#include "VtkErrors.hpp"
+#include <array>
+#include <fmt/format.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkSTLWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+
+namespace sph
+{
+
+std::span<const std::string> surfaceFormats()
+{
+    static const std::array<std::string, 3> formats{"vtp", "stl", "obj"};
+    return formats;
+}
+
+bool canHold(const std::string& format, int dimension) { return format != "stl" || dimension == 3; }
+
+namespace
+{
+
+void runWriter(auto* writer, vtkPolyData* mesh, const std::filesystem::path& file)
+{
+    const VtkErrors errors(writer);
+    writer->SetInputData(mesh);
+    writer->SetFileName(file.c_str());
+    writer->Write();
+    errors.throwIfAny(fmt::format("Cannot write {}", file.string()));
+}
+
+}
+
+void writeSurface(vtkPolyData* mesh, const std::filesystem::path& file)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(file.parent_path(), failed);
+    if (failed) throw CaseError(fmt::format("Cannot make the folder {}: {}", file.parent_path().string(), failed.message()));
+    const auto format = file.extension();
+    auto partial = file;
+    partial += ".partial";
+    if (format == ".vtp")
+    {
+        vtkNew<vtkXMLPolyDataWriter> writer;
+        runWriter(writer.Get(), mesh, partial);
+    }
+    else if (format == ".stl")
+    {
+        vtkNew<vtkSTLWriter> writer;
+        writer->SetFileTypeToBinary();
+        runWriter(writer.Get(), mesh, partial);
+    }
+    else if (format == ".obj")
+    {
+        vtkNew<vtkOBJWriter> writer;
+        runWriter(writer.Get(), mesh, partial);
+    }
+    else throw CaseError(fmt::format("No surface format has the extension \"{}\" of {}", format.string(), file.string()));
+    std::filesystem::rename(partial, file, failed);
+    if (failed) throw CaseError(fmt::format("Cannot write {}: {}", file.string(), failed.message()));
+}
+
+}
