@@ -1,0 +1,63 @@
+#include "FieldStore.hpp"
+#include <stdexcept>
+
+namespace sph
+{
+
+template<int dim> void FieldStore<dim>::allocate(const FieldInfo& info, int n)
+{
+    fields_.try_emplace(info.name, Field{info, std::vector<Array>(n, Array(size_, 0.0))});
+}
+
+template<int dim> double* FieldStore<dim>::component(const std::string& name, int c)
+{
+    const auto field = fields_.find(name);
+    if (field == fields_.end()) throw std::logic_error("field \"" + name + "\" is not part of this scene's plan");
+    return field->second.component[c].data();
+}
+
+template<int dim> void FieldStore<dim>::resize(std::size_t n)
+{
+    size_ = n;
+    for (auto& [_, field] : fields_)
+        for (auto& a : field.component)
+        {
+            // The number of images changes a little at each rebuild: some room spares most reallocations.
+            if (n > a.capacity()) a.reserve(n + n/20);
+            a.resize(n, 0.0);
+        }
+}
+
+template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order)
+{
+    Array sorted(order.size());
+    for (auto& [_, field] : fields_)
+    {
+        if (!field.state) continue;
+        for (auto& a : field.component)
+        {
+            for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = a[order[k]];
+            std::copy(sorted.begin(), sorted.end(), a.begin());
+        }
+    }
+}
+
+template<int dim> std::size_t FieldStore<dim>::bytesPerParticle() const
+{
+    std::size_t n = 0;
+    for (const auto& [_, field] : fields_) n += field.component.size()*sizeof(double);
+    return n;
+}
+
+template<int dim> std::size_t FieldStore<dim>::bytes() const
+{
+    std::size_t n = 0;
+    for (const auto& [_, field] : fields_)
+        for (const auto& a : field.component) n += a.capacity()*sizeof(double);
+    return n;
+}
+
+template class FieldStore<2>;
+template class FieldStore<3>;
+
+}

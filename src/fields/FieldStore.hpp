@@ -1,0 +1,75 @@
+/// The arrays of a scene: only those that its plan asked for, one array per component, owned particles first, then images, then
+/// the null particle that pads neighbour lists.
+#pragma once
+#include "fieldTags.hpp"
+#include <array>
+#include <map>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// Begins arrays at cache lines.
+template<class T> struct AlignedAllocator
+{
+    using value_type = T;
+    static constexpr std::align_val_t alignment{64};
+    AlignedAllocator() = default;
+    template<class U> AlignedAllocator(const AlignedAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n*sizeof(T), alignment)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+    friend bool operator==(AlignedAllocator, AlignedAllocator) { return true; }
+};
+using Array = std::vector<double, AlignedAllocator<double>>;
+
+template<int dim> class FieldStore
+{
+public:
+    struct Field
+    {
+        FieldInfo info;
+        std::vector<Array> component;
+        bool state = false;      ///< travels with the particles when they are sorted; derived fields are recomputed instead
+    };
+
+    /// `n` arrays of the current size, filled with 0; asking twice is harmless.
+    void allocate(const FieldInfo& info, int n);
+    template<class F> void allocate(F) { allocate(F::info, fieldComponents<F, dim>); }
+    /// The same, for a field that keeps its values from step to step.
+    template<class F> void allocateState(F)
+    {
+        allocate(F{});
+        fields_.at(F::info.name).state = true;
+    }
+
+    bool has(const std::string& name) const { return fields_.contains(name); }
+    template<class F> bool has(F) const { return has(F::info.name); }
+
+    double* component(const std::string& name, int c);
+    template<class F> std::array<double*, fieldComponents<F, dim>> pointers(F)
+    {
+        std::array<double*, fieldComponents<F, dim>> p;
+        for (int c = 0; c < int(p.size()); ++c) p[c] = component(F::info.name, c);
+        return p;
+    }
+
+    /// Owned particles + images + null particle.
+    void resize(std::size_t n);
+    std::size_t size() const { return size_; }
+
+    /// Brings owned particle order[k] to place k in every state field.
+    void sortState(const std::vector<int>& order);
+
+    const std::map<std::string, Field>& fields() const { return fields_; }
+    std::size_t bytesPerParticle() const;
+    /// Allocated in all, images and spare room included.
+    std::size_t bytes() const;
+
+private:
+    std::map<std::string, Field> fields_;
+    std::size_t size_ = 0;
+};
+
+}

@@ -1,0 +1,66 @@
+/// Field tags: name on disk and in the log, unit, and how an image's value follows from its source's.
+///
+/// The member template `At` carries the symbol of the papers, so that a term writes i.rho and j.rho.
+#pragma once
+#include "Vector.hpp"
+
+namespace sph
+{
+
+/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity: by the wall's velocity rule.
+enum class Image { copied, mirrored, velocity };
+
+struct FieldInfo
+{
+    const char *name, *unit;
+    Image image = Image::copied;
+};
+
+// clang-format off
+struct Position            { static constexpr FieldInfo info{"positions", "m"};                         template<int dim> struct At { Vector<dim> x; }; };
+struct Velocity            { static constexpr FieldInfo info{"U", "m/s", Image::velocity};              template<int dim> struct At { Vector<dim> v; }; };
+struct Mass                { static constexpr FieldInfo info{"m", "kg"};                                template<int dim> struct At { double m; }; };
+struct DynamicViscosity    { static constexpr FieldInfo info{"mu", "Pa s"};                             template<int dim> struct At { double mu; }; };
+struct Phase               { static constexpr FieldInfo info{"phase", "1"};                             template<int dim> struct At { double phase; }; };
+struct Density             { static constexpr FieldInfo info{"rho", "kg/m^3"};                          template<int dim> struct At { double rho; }; };
+struct Volume              { static constexpr FieldInfo info{"V", "m^3"};                               template<int dim> struct At { double V; }; };
+struct Pressure            { static constexpr FieldInfo info{"p", "Pa"};                                template<int dim> struct At { double p; }; };
+struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
+struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored};               template<int dim> struct At { SymmTensor<dim> S; }; };
+struct SmoothedColour      { static constexpr FieldInfo info{"colour", "1"};                            template<int dim> struct At { double colour; }; };
+struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> gradC; }; };
+struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };
+struct Curvature           { static constexpr FieldInfo info{"kappa", "1/m"};                           template<int dim> struct At { double kappa; }; };
+struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Image::mirrored};         template<int dim> struct At { Vector<dim> dvdt; }; };
+struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_p; }; };
+struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
+struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
+struct DensityDiffusionRate{ static constexpr FieldInfo info{"drhodtByDiffusion", "kg/(m^3 s)"};        template<int dim> struct At { double drhodt; }; };
+struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
+struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
+struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
+struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
+// clang-format on
+
+template<class... F> struct Fields
+{
+    static constexpr int count = sizeof...(F);
+};
+
+template<class F, int dim> using At = typename F::template At<dim>;
+template<class F, int dim> constexpr int fieldComponents = sizeof(At<F, dim>)/sizeof(double);
+
+/// `Values<Fields<Density, Pressure>, dim>` has the members rho and p and no other: reading a field that was not declared does not
+/// compile.
+template<class List, int dim> struct Values;
+template<class... F, int dim> struct Values<Fields<F...>, dim> : At<F, dim>...
+{};
+
+/// The one value that a field's At holds.
+constexpr auto unwrap(auto named)
+{
+    auto [value] = named;
+    return value;
+}
+
+}

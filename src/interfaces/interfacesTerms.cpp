@@ -1,0 +1,17 @@
+#include "interfacesTerms.hpp"
+#include "CurvatureForce.hpp"
+#include "InterfaceStress.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> interfacesTerms()
+{
+    return catalogue<dim, InterfaceStress, WallTension, ColourSmoothing, SmoothedColourGradient, InterfaceCurvature, CurvatureSmoothing,
+                     CurvatureForce>();
+}
+
+template Catalogue<2> interfacesTerms<2>();
+template Catalogue<3> interfacesTerms<3>();
+
+}

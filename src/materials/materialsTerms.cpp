@@ -1,0 +1,12 @@
+#include "materialsTerms.hpp"
+#include "Tait.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> materialsTerms() { return catalogue<dim, Tait, TaitOfPhase>(); }
+
+template Catalogue<2> materialsTerms<2>();
+template Catalogue<3> materialsTerms<3>();
+
+}

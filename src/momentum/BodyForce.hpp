@@ -1,0 +1,33 @@
+/// Gravity and a uniform force per volume:  dv/dt = g + f/rho
+///
+/// g [m/s^2]; f [N/m^3], the pressure gradient that drives a periodic flow. Erratum HL1: eq. (1) of Barker et al. lacks rho before g.
+#pragma once
+#include "Coefficients.hpp"
+#include "fieldTags.hpp"
+
+namespace sph
+{
+
+struct Gravity
+{
+    static constexpr auto name = "gravity";
+    using Adds = Acceleration;
+    using ReadsOwn = Fields<Velocity>;
+    Vector<3> g;
+
+    explicit Gravity(const Coefficients& c) : g(c.g) {}
+    auto operator()(const auto& i) const { return in<dimensions(decltype(i.v){})>(g); }
+};
+
+struct BodyForce
+{
+    static constexpr auto name = "bodyForce";
+    using Adds = Acceleration;
+    using ReadsOwn = Fields<Velocity, Density>;
+    Vector<3> f;
+
+    explicit BodyForce(const Coefficients& c) : f(c.bodyForce) {}
+    auto operator()(const auto& i) const { return 1/i.rho*in<dimensions(decltype(i.v){})>(f); }
+};
+
+}

@@ -1,0 +1,74 @@
+/// Acceleration by pressure, in the volumes V = 1/sigma.
+#pragma once
+#include "fieldTags.hpp"
+
+namespace sph
+{
+
+/// Hu & Adams (2006), eq. (8) of Barker et al. (2012):
+///
+///   dv_i/dt = -1/m_i sum_j (p_i V_i^2 + p_j V_j^2) gradW_ij
+///
+/// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/passes and
+/// tutorials/verification/hydrostatic.
+struct HuAdamsPressureSum
+{
+    using Reads = Fields<Pressure, Volume>;
+    using ReadsOwn = Fields<Mass>;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        return -1/i.m*(i.p*sqr(i.V) + j.p*sqr(j.V))*ij.gradW;
+    }
+};
+struct HuAdamsPressure : HuAdamsPressureSum
+{
+    static constexpr auto name = "huAdamsPressure";
+    using Adds = Acceleration;
+};
+/// The same into a field of its own, which the second-order ghost velocity reads.
+struct SeparateHuAdamsPressure : HuAdamsPressureSum
+{
+    static constexpr auto name = "separateHuAdamsPressure";
+    using Provides = PressureAcceleration;
+};
+
+/// The pair's pressure weighed by the densities, Hu & Adams (2007): across an interface p/rho, not p, is what both sides share.
+///
+///   dv_i/dt = -1/m_i sum_j (V_i^2 + V_j^2) (rho_j p_i + rho_i p_j)/(rho_i + rho_j) gradW_ij
+///
+/// Allows the same sound speed in both phases at a density ratio of 1000 (NUMERICS). Conserves linear momentum exactly.
+struct DensityWeightedPressure
+{
+    static constexpr auto name = "densityWeightedPressure";
+    using Adds = Acceleration;
+    using Reads = Fields<Pressure, Volume, Density>;
+    using ReadsOwn = Fields<Mass>;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        return -1/i.m*(sqr(i.V) + sqr(j.V))*(j.rho*i.p + i.rho*j.p)/(i.rho + j.rho)*ij.gradW;
+    }
+};
+
+/// Monaghan (1992), the form of single-phase codes: dv_i/dt = -1/m_i sum_j V_i V_j (p_i + p_j) gradW_ij
+struct MonaghanPressure
+{
+    static constexpr auto name = "monaghanPressure";
+    using Adds = Acceleration;
+    using Reads = Fields<Pressure, Volume>;
+    using ReadsOwn = Fields<Mass>;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1/i.m*i.V*j.V*(i.p + j.p)*ij.gradW; }
+};
+
+/// The separate pressure acceleration as part of the whole.
+struct AddPressure
+{
+    static constexpr auto name = "addPressure";
+    using Adds = Acceleration;
+    using ReadsOwn = Fields<PressureAcceleration>;
+    auto operator()(const auto& i) const { return i.a_p; }
+};
+
+}

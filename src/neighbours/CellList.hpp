@@ -1,0 +1,42 @@
+/// Points sorted into cells, row by row with the last direction fastest: the cells next to one another along it are one run.
+///
+/// Cells are at least `side` wide; where points are so scattered that such cells would outnumber them by far, cells grow, so that
+/// memory is bounded by the number of points whatever the extent of the scene.
+#pragma once
+#include "FieldStore.hpp"
+#include <span>
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class CellList
+{
+public:
+    /// Of `count` points; keeps the capacity of earlier builds.
+    void build(const std::array<const double*, dim>& x, std::size_t count, double side);
+
+    /// Points by cell; the order within a cell is that of the indices.
+    const std::vector<int>& order() const { return order_; }
+    /// Positions in that order.
+    std::array<const double*, dim> sorted() const;
+
+    struct Run
+    {
+        int begin, end;
+    };
+    using Cell = std::array<int, dim>;
+    Cell cellOf(Vector<dim> x) const;
+    /// The runs of sorted points that hold everything within `radius` of any point of the cell, at most (2 radius/side + 3)^(dim - 1).
+    void runsAround(const Cell&, double radius, std::vector<Run>& runs) const;
+
+private:
+    std::array<double, dim> low_{}, width_{};
+    std::array<int, dim> n_{};
+    std::vector<int> begin_, order_, cell_;
+    std::array<Array, dim> sorted_;
+
+    int index(const Cell&) const;
+};
+
+}

@@ -1,0 +1,177 @@
+#include "Images.hpp"
+#include <algorithm>
+#include <limits>
+
+namespace sph
+{
+
+template<int dim>
+Images<dim>::Images(const Geometry& geometry, std::vector<int> groupOfWall, int groups)
+    : geometry_(&geometry), groupOfWall_(std::move(groupOfWall)), ghosts_(groups + 1, 0)
+{}
+
+template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
+{
+    const auto extent = in<dim>(geometry_->high - geometry_->low);
+    Vector<dim> by;
+    fetch(by, [&](int c)
+          { double L = 0; int k = 0; store(extent, [&](int d, double q) { if (k++, d == c) L = q; }); return e.shift[c]*L; });
+    return by;
+}
+
+template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, Feet* feet) const
+{
+    for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
+    {
+        const Foot f = geometry_->patches[e.patch[r]].shape->foot(in3D(x));
+        feet[r] = {in<dim>(f.normal), f.distance, volumeFactor(f)};
+        x = in<dim>(mirrorImage(in3D(x), f));
+    }
+    return x + period(e);
+}
+
+template<int dim>
+void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach, double spacing) const
+{
+    struct Ghost
+    {
+        Entry entry;
+        Vector<dim> x;
+        int wallReflections;
+    };
+    const int patches = int(geometry_->patches.size());
+    if (patches == 0) return;
+
+    const std::size_t chunkSize = 1024;
+    std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1)/chunkSize);
+    #pragma omp parallel for schedule(dynamic)
+    for (std::size_t chunk = 0; chunk < found.size(); ++chunk)
+    {
+        std::vector<Ghost> ghosts;
+        for (std::size_t i = chunk*chunkSize; i < std::min(owned_, (chunk + 1)*chunkSize); ++i)
+        {
+            Vector<dim> x_i;
+            fetch(x_i, [&](int c) { return x[c][i]; });
+            Entry self{int(i), {}, {}};
+            self.patch.fill(-1);
+            ghosts.assign(1, {self, x_i, 0});
+            // Each ghost is mirrored in the walls that its own chain has not used yet: box corners, and the pinch between grains.
+            for (std::size_t g = 0; g < ghosts.size(); ++g)
+            {
+                const Ghost from = ghosts[g];
+                if (from.wallReflections == mostReflections) continue;
+                for (int p : geometry_->near(in3D(from.x)))
+                {
+                    if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
+                    const Foot f = geometry_->patches[p].shape->foot(in3D(from.x));
+                    const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
+                    if (!f.smooth || !onFluidSide || f.distance > reach || volumeFactor(f) <= 0) continue;
+                    Ghost next{from.entry, in<dim>(mirrorImage(in3D(from.x), f)), from.wallReflections + 1};
+                    next.entry.patch[from.wallReflections] = p;
+                    // Walls at right angles give the same corner image in either order.
+                    const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
+                        { return other.wallReflections == next.wallReflections && mag(other.x - next.x) < 0.25*spacing; });
+                    if (!twin) ghosts.push_back(next);
+                }
+            }
+            for (std::size_t g = 1; g < ghosts.size(); ++g) found[chunk].push_back(ghosts[g].entry);
+        }
+    }
+    for (const auto& f : found) entries.insert(entries.end(), f.begin(), f.end());
+}
+
+template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach) const
+{
+    for (int c = 0; c < dim; ++c)
+    {
+        if (!geometry_->periodic[c]) continue;
+        double low = 0, high = 0;
+        store(in<dim>(geometry_->low), [&](int d, double q) { if (d == c) low = q; });
+        store(in<dim>(geometry_->high), [&](int d, double q) { if (d == c) high = q; });
+        const std::size_t before = entries.size();
+        const auto consider = [&](Entry e)
+        {
+            Feet feet[mostReflections];
+            Vector<dim> x_i;
+            fetch(x_i, [&](int d) { return x[d][e.source]; });
+            double q = 0;
+            store(place(e, x_i, feet), [&](int d, double a) { if (d == c) q = a; });
+            if (q < low + reach) { e.shift[c] = 1; entries.push_back(e); }
+            if (q > high - reach) { e.shift[c] = -1; entries.push_back(e); }
+        };
+        for (std::size_t i = 0; i < owned_; ++i)
+            if (x[c][i] < low + reach || x[c][i] > high - reach)
+            {
+                Entry e{int(i), {}, {}};
+                e.patch.fill(-1);
+                consider(e);
+            }
+        for (std::size_t k = 0; k < before; ++k) consider(entries[k]);
+    }
+}
+
+template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned, double reach, double spacing)
+{
+    owned_ = owned;
+    entries_.clear();
+    const auto x = store.pointers(Position{});
+    reflect(entries_, x, reach, spacing);
+    shift(entries_, x, reach);
+
+    const auto group = [&](const Entry& e) { return e.ghost() ? groupOfWall_[geometry_->patches[e.patch[0]].wall] : -1; };
+    std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) { return group(a) < group(b); });
+    firstFoot_.resize(entries_.size());
+    std::size_t feet = 0, k = 0;
+    for (const auto& e : entries_)
+    {
+        firstFoot_[k++] = feet;
+        for (int p : e.patch) feet += p >= 0;
+    }
+    feet_.resize(feet);
+    for (int g = 0; g < int(ghosts_.size()); ++g)
+    {
+        const auto first = std::partition_point(entries_.begin(), entries_.end(), [&](const Entry& e) { return group(e) < g; });
+        ghosts_[g] = long(owned_ + (first - entries_.begin()));
+    }
+    store.resize(nullParticle() + 1);
+    move(store);
+}
+
+template<int dim> void Images<dim>::move(FieldStore<dim>& store)
+{
+    const auto x = store.pointers(Position{});
+    double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
+    #pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+    {
+        const Entry& e = entries_[k];
+        Feet none[mostReflections];
+        Feet* const feet = e.ghost() ? feet_.data() + firstFoot_[k] : none;
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x[c][e.source]; });
+        sph::store(place(e, x_i, feet), [&](int c, double q) { x[c][owned_ + k] = q; });
+        if (weight)
+        {
+            double w = 1;
+            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
+            weight[owned_ + k] = w;
+        }
+    }
+    const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
+    sph::store(low - 1e3*extent, [&](int c, double q) { x[c][nullParticle()] = q; });
+    if (weight)
+    {
+        std::fill_n(weight, owned_, 1.0);
+        weight[nullParticle()] = 1.0;
+    }
+}
+
+template<int dim> std::size_t Images<dim>::bytes() const
+{
+    return entries_.capacity()*sizeof(Entry) + feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(std::size_t);
+}
+
+template class Images<2>;
+template class Images<3>;
+
+}

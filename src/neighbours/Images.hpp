@@ -1,0 +1,134 @@
+/// Images: every particle that is not owned is an image (source, walls, shift) behind the owned ones.
+///
+///   x' = mirror_n(... mirror_1(x)) + shift
+///
+/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), then shifted by periods. Terms see one
+/// contiguous array and never ask what a neighbour is:
+///
+///   owned | periodic images of the fluid | wall ghosts, by group of contact angle | null particle
+///
+/// Before each pass only the fields that the pass reads are refreshed.
+#pragma once
+#include "FieldStore.hpp"
+#include "Geometry.hpp"
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace sph
+{
+
+/// Where an image was mirrored, for the velocity rule: `distance` of the source from the wall [m], `normal` into the fluid at the foot
+/// point, `weight` the volume factor of this one reflection.
+template<int dim> struct Reflection
+{
+    double distance, weight;
+    Vector<dim> normal;
+    int wall;
+    Vector<3> foot;
+};
+
+/// How the velocity of a ghost follows from its source's: a wall model.
+template<int dim> class GhostVelocity
+{
+public:
+    virtual ~GhostVelocity() = default;
+    /// v: velocity of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
+    virtual Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const = 0;
+};
+
+template<int dim> class Images
+{
+public:
+    /// The geometry must outlive the images. `groupOfWall`: contact-angle group of each wall, 0 .. groups - 1.
+    Images(const Geometry&, std::vector<int> groupOfWall, int groups);
+
+    void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
+
+    /// Makes every image within `reach` of the domain or of a wall, of the first `owned` particles, and resizes the store.
+    void build(FieldStore<dim>& store, std::size_t owned, double reach, double spacing);
+
+    /// Positions of the images, their volume factors where the store has them, and the null particle's position.
+    void move(FieldStore<dim>& store);
+
+    /// Values of one field, by the rule that its tag states.
+    template<class F> static void refresh(const Images& images, FieldStore<dim>& store);
+
+    std::size_t owned() const { return owned_; }
+    std::size_t count() const { return entries_.size(); }
+    std::size_t nullParticle() const { return owned_ + entries_.size(); }
+    /// First ghost of each contact-angle group, and one past the last: groups + 1 indices.
+    std::span<const long> ghosts() const { return ghosts_; }
+    std::size_t bytes() const;
+
+    /// Signed distance of a point to the nearest wall [m].
+    double wallDistance(Vector<dim> x) const { return geometry_->distance(in3D(x)); }
+
+private:
+    static constexpr int mostReflections = dim;
+    struct Entry
+    {
+        int source;
+        std::array<int, mostReflections> patch;   ///< -1 from the first that is not used
+        std::array<signed char, dim> shift;
+        bool ghost() const { return patch[0] >= 0; }
+    };
+    /// Foot points of one image as last moved; images mirrored once need one, which is most of them.
+    struct Feet
+    {
+        Vector<dim> normal;
+        double distance, weight;
+    };
+
+    const Geometry* geometry_;
+    std::vector<int> groupOfWall_;
+    std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
+    std::size_t owned_ = 0;
+    std::vector<Entry> entries_;
+    std::vector<Feet> feet_;                      ///< mostReflections for each image from firstGhost on, in order
+    std::vector<std::size_t> firstFoot_;
+    std::vector<long> ghosts_;
+
+    Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet) const;
+    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach, double spacing) const;
+    void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach) const;
+    Vector<dim> period(const Entry&) const;
+};
+
+/// The image's value: mirrored in every wall it was reflected in, shifted by nothing.
+template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store)
+{
+    using Value = decltype(unwrap(At<F, dim>{}));
+    const auto p = store.pointers(F{});
+    [[maybe_unused]] const auto position = store.pointers(Position{});
+    const std::size_t n = images.entries_.size(), owned = images.owned_;
+    #pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < n; ++k)
+    {
+        const Entry& e = images.entries_[k];
+        Value q;
+        fetch(q, [&](int c) { return p[c][e.source]; });
+        if constexpr (F::info.image != Image::copied)
+        {
+            const Feet* feet = images.feet_.data() + images.firstFoot_[k];
+            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
+            {
+                if constexpr (F::info.image == Image::mirrored) q = mirrored(q, feet[r].normal);
+                else
+                {
+                    const Patch& patch = images.geometry_->patches[e.patch[r]];
+                    Vector<dim> x;
+                    fetch(x, [&](int c) { return position[c][e.source]; });
+                    q = (*images.ghostVelocity_)(q, e.source,
+                                                 {feet[r].distance, feet[r].weight, feet[r].normal, patch.wall,
+                                                  in3D(x - feet[r].distance*feet[r].normal)}, r == 0);
+                }
+            }
+        }
+        sph::store(q, [&](int c, double a) { p[c][owned + k] = a; });
+    }
+    // The null particle has W = 0 but its values are computed with: they must be finite.
+    for (double* a : p) a[images.nullParticle()] = owned > 0 ? a[0] : 1.0;
+}
+
+}

@@ -1,0 +1,85 @@
+#include "NeighbourLists.hpp"
+#include "CaseError.hpp"
+#include "select.hpp"
+#include <fmt/format.h>
+
+namespace sph
+{
+
+template<int dim>
+void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius)
+{
+    // Half the radius: 5^dim cells hold 40 % fewer candidates than 3^dim cells of the full radius.
+    cells_.build(x, total, 0.5*radius);
+    chunks_.resize((owned + chunkSize - 1)/chunkSize);
+    const auto sorted = cells_.sorted();
+    const double* position[dim];
+    for (int c = 0; c < dim; ++c) position[c] = sorted[c];
+
+    std::size_t crowded = total;
+    #pragma omp parallel
+    {
+        std::vector<typename CellList<dim>::Run> runs;
+        #pragma omp for schedule(dynamic)
+        for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk)
+        {
+            Chunk& out = chunks_[chunk];
+            out.pairs = 0;
+            unsigned used = 0;
+            typename CellList<dim>::Cell last;
+            last.fill(-1);
+            std::size_t candidates = 0;
+            for (std::size_t i = chunk*chunkSize; i < std::min(owned, (chunk + 1)*chunkSize); ++i)
+            {
+                Vector<dim> x_i;
+                fetch(x_i, [&](int c) { return x[c][i]; });
+                if (const auto cell = cells_.cellOf(x_i); cell != last)
+                {
+                    cells_.runsAround(cell, radius, runs);
+                    last = cell;
+                    candidates = 0;
+                    for (const auto& r : runs) candidates += r.end - r.begin;
+                }
+                if (used + candidates + 2*lanes > out.entries.size()) out.entries.resize(used + used/2 + 8*candidates + 2*lanes);
+                out.begin[i%chunkSize] = used;
+                int* const entries = out.entries.data() + used;
+                int n = 0;
+                for (const auto& r : runs)
+                    n += selectWithin<dim>(position, cells_.order().data(), r.begin, r.end, x_i, sqr(radius), entries + n);
+                out.pairs += n;
+                if (n > mostNeighbours)
+                {
+                    #pragma omp critical
+                    crowded = std::min(crowded, i);
+                    n = mostNeighbours;
+                }
+                while (n%lanes) entries[n++] = int(total);
+                used += n;
+                out.begin[i%chunkSize + 1] = used;
+            }
+        }
+    }
+    if (crowded < total)
+    {
+        Vector<dim> p;
+        fetch(p, [&](int c) { return x[c][crowded]; });
+        const auto q = in3D(p);
+        throw CaseError(fmt::format("particle {} at ({:.6g} {:.6g} {:.6g}) has more than {} neighbours: particles lie on top of one another, "
+                                    "or the kernel support is too many spacings",
+                                    crowded, q.x, q.y, q.z, mostNeighbours));
+    }
+    pairs_ = 0;
+    for (const auto& c : chunks_) pairs_ += c.pairs;
+}
+
+template<int dim> std::size_t NeighbourLists<dim>::bytes() const
+{
+    std::size_t n = 0;
+    for (const auto& c : chunks_) n += sizeof(Chunk) + c.entries.capacity()*sizeof(int);
+    return n;
+}
+
+template class NeighbourLists<2>;
+template class NeighbourLists<3>;
+
+}

@@ -1,0 +1,47 @@
+/// Full neighbour lists of the owned particles, each padded with the null particle to a multiple of the vector lanes.
+///
+/// A list holds the particle itself: sums that include j = i need no extra line, and every difference vanishes. `radius` is the
+/// kernel's support plus a skin.
+#pragma once
+#include "CellList.hpp"
+#include <span>
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class NeighbourLists
+{
+public:
+    static constexpr int lanes = 8;
+    /// More neighbours than this mean particles on top of one another, and end in an error.
+    static constexpr int mostNeighbours = 1024;
+
+    /// Lists the first `owned` of the particles 0 .. total - 1; index `total` is the null particle. Throws CaseError, with the position,
+    /// where a particle has more than mostNeighbours.
+    void build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius);
+
+    std::span<const int> of(std::size_t i) const
+    {
+        const Chunk& c = chunks_[i/chunkSize];
+        return {c.entries.data() + c.begin[i%chunkSize], c.entries.data() + c.begin[i%chunkSize + 1]};
+    }
+    /// Without padding, self included.
+    std::size_t pairs() const { return pairs_; }
+    std::size_t bytes() const;
+
+private:
+    /// Particles listed by one thread at a time into a buffer of their own.
+    static constexpr std::size_t chunkSize = 1024;
+    struct Chunk
+    {
+        std::vector<int> entries;
+        std::array<unsigned, chunkSize + 1> begin;
+        std::size_t pairs;
+    };
+    std::vector<Chunk> chunks_;
+    CellList<dim> cells_;
+    std::size_t pairs_ = 0;
+};
+
+}

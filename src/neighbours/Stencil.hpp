@@ -1,0 +1,101 @@
+/// What one particle shares with its neighbours, computed once and held in the first-level cache.
+///
+///   x_ij = x_i - x_j [m],  r = |x_ij|,  W_ij [1/m^dim],  gradW_ij = (dW/dr) x_ij/r [1/m^(dim + 1)]   (gradient with respect to x_i)
+///
+/// Only here is the kernel known. Besides the geometry the block holds one column for each component that the terms of the pass read
+/// at j, gathered once for all of them: a term's own loop has contiguous loads only. Blocks end on a multiple of 8 lanes with the
+/// null particle (far away, W = 0): no loop has a scalar remainder.
+#pragma once
+#include "Kernel.hpp"
+#include "NeighbourLists.hpp"
+#include "select.hpp"
+#include <span>
+
+namespace sph
+{
+
+/// One pair as a term sees it. Members that a term does not use cost nothing: they are made from the block in place.
+template<int dim> struct Pair
+{
+    Vector<dim> x;
+    double r, W, dWdrOverR;
+    long j;
+    Vector<dim> gradW = dWdrOverR*x;
+};
+
+template<int dim> struct Stencil
+{
+    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2*lanes, maxColumns = 24;
+    using Column = double[capacity];
+
+    int i, n;                                    ///< particle; entries, a multiple of the lanes
+    std::span<const long> ghosts;                ///< images from ghosts[g] to ghosts[g + 1] mirror in walls of contact-angle group g
+    alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
+    alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
+
+    /// `weights`: volume factors of all particles, or null where every wall is plane.
+    template<class K>
+    [[gnu::flatten]] void fill(int particle, std::span<const int> list, const std::array<const double*, dim>& position,
+                               std::span<const double* const> columns, const double* weights, const K kernel, bool readsW, long nullParticle)
+    {
+        i = particle;
+        const double* p[dim];
+        for (int c = 0; c < dim; ++c) p[c] = position[c];
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return p[c][particle]; });
+        n = gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
+        for (; n%lanes; ++n)
+        {
+            j[n] = nullParticle;
+            for (int c = 0; c < dim; ++c) x[c][n] = 0;
+            r[n] = sqr(2*kernel.H);
+        }
+
+        #pragma GCC ivdep
+        for (int t = 0; t < n; ++t)
+        {
+            const double r_ij = std::sqrt(r[t]);
+            r[t] = r_ij;
+            dWdrOverR[t] = kernel.dWdrOverR(r_ij);
+        }
+        if (readsW)
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
+        if (weights)
+        {
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t) dWdrOverR[t] *= weights[j[t]];
+            if (readsW)
+                #pragma GCC ivdep
+                for (int t = 0; t < n; ++t) W[t] *= weights[j[t]];
+        }
+
+        std::size_t c = 0;
+        for (; c + 3 <= columns.size(); c += 3) // three at a time share the load of j: worth about 4 %
+        {
+            const double *const a = columns[c], *const b = columns[c + 1], *const d = columns[c + 2];
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t)
+            {
+                field[c][t] = a[j[t]];
+                field[c + 1][t] = b[j[t]];
+                field[c + 2][t] = d[j[t]];
+            }
+        }
+        for (; c < columns.size(); ++c)
+        {
+            const double* const source = columns[c];
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
+        }
+    }
+
+    Pair<dim> pair(int t) const
+    {
+        Vector<dim> x_ij;
+        fetch(x_ij, [&](int c) { return x[c][t]; });
+        return {x_ij, r[t], W[t], dWdrOverR[t], j[t]};
+    }
+};
+
+}

@@ -1,0 +1,14 @@
+#include "operatorTerms.hpp"
+#include "KernelMoment.hpp"
+#include "ParticleShifting.hpp"
+#include "StressDivergence.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> operatorTerms() { return catalogue<dim, StressDivergence, SecondMoment, ConcentrationGradient>(); }
+
+template Catalogue<2> operatorTerms<2>();
+template Catalogue<3> operatorTerms<3>();
+
+}

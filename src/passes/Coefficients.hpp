@@ -1,0 +1,36 @@
+/// The numbers that terms are built from, read once from the dictionaries of a case. Plain data: terms copy what they need, and
+/// point at the tables, which outlive them.
+#pragma once
+#include "Vector.hpp"
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+struct Coefficients
+{
+    int dimension = 3;
+    double spacing = 0;                      ///< mean particle spacing [m]
+    double support = 0;                      ///< kernel support radius H [m]
+
+    std::vector<std::string> phases;
+    std::vector<double> restDensity;         ///< rho_0 of each phase [kg/m^3]
+    std::vector<double> viscosity;           ///< mu [Pa s]
+    std::vector<double> soundSpeed;          ///< c [m/s]
+    std::vector<double> stiffness;           ///< B = rho_0 c^2/n [Pa]
+    std::vector<double> exponent;            ///< n of the Tait equation; 1 is the linear state
+    double backgroundPressure = 0;           ///< p_b [Pa], the same in all phases
+
+    std::vector<double> surfaceTension;      ///< gamma_kl [N/m], phases x phases
+    std::vector<double> wallTension;         ///< gamma_sk - mean [N/m], contact-angle groups x phases
+
+    Vector<3> g;                             ///< [m/s^2]
+    Vector<3> bodyForce;                     ///< [N/m^3]
+
+    double densityScale = 1;                 ///< makes the mean of sigma V_0 exact (NUMERICS: normalise)
+    double diffusion = 0;                    ///< delta of the density diffusion
+    double wallFilter = 0.1;                 ///< share of the new value in the low-passed wall acceleration, per evaluation
+};
+
+}

@@ -1,0 +1,54 @@
+/// From the selected words to the passes of an evaluation: close, order, merge, allocate, print.
+///
+/// Close: a field that is read and not given by the scene needs exactly one provider; it is added.
+/// Order: local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass.
+#pragma once
+#include "Catalogue.hpp"
+#include <functional>
+#include <iosfwd>
+#include <set>
+
+namespace sph
+{
+
+template<int dim> class Plan
+{
+public:
+    /// `selected` names of terms; `given` names of the fields that the scene brings (its state). The catalogue must outlive the plan.
+    /// Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
+    Plan(const Catalogue<dim>&, const std::vector<std::string>& selected, std::set<std::string> given);
+
+    void allocate(FieldStore<dim>&) const;
+    /// Again after each change of the arrays or the coefficients.
+    void bind(FieldStore<dim>&, const Coefficients&);
+    void evaluate(FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&) const;
+
+    int pairPasses() const;
+    bool has(const std::string& term) const;
+    /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; fields; what was left out.
+    void print(std::ostream&, const FieldStore<dim>&) const;
+
+private:
+    using Entry = CatalogueEntry<dim>;
+    struct Pass
+    {
+        std::vector<const Entry*> entries;
+        std::map<std::string, int> firstColumn;            ///< components read at j, each gathered once
+        std::vector<FieldUse<dim>> columns, refresh;       ///< refresh: those written since images last saw them
+        std::vector<const double*> sources;
+        std::vector<std::unique_ptr<Operation<dim>>> operations;
+        bool readsKernel = false;
+        bool pair() const { return entries[0]->pair; }
+    };
+    const Catalogue<dim>& catalogue_;
+    std::set<std::string> given_;
+    std::vector<const Entry*> chosen_;
+    std::map<const Entry*, std::string> reason_;
+    std::vector<Pass> passes_;
+
+    void close();
+    void order();
+    void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&) const;
+};
+
+}

@@ -1,0 +1,114 @@
+/// Allocating, binding, evaluating and printing a plan.
+#include "Plan.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <ostream>
+
+namespace sph
+{
+
+template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
+{
+    store.allocate(Position{});
+    for (const auto* e : chosen_)
+    {
+        store.allocate(e->result.info, e->result.components);
+        for (const auto* list : {&e->reads, &e->readsOwn})
+            for (const auto& f : *list) store.allocate(f.info, f.components);
+    }
+}
+
+template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
+{
+    std::set<std::string> written = given_; // what adds to a state changes it, and never overwrites it
+    for (auto& pass : passes_)
+    {
+        pass.sources.clear();
+        pass.operations.clear();
+        for (const auto& f : pass.columns)
+            for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.info.name, c));
+        for (const auto* e : pass.entries)
+            pass.operations.push_back(e->bind({store, coefficients, pass.firstColumn, !written.insert(e->result.info.name).second}));
+    }
+}
+
+template<int dim>
+void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists,
+                              const Kernel<dim>& kernel) const
+{
+    const auto pointers = store.pointers(Position{});
+    std::array<const double*, dim> x;
+    std::copy(pointers.begin(), pointers.end(), x.begin());
+    const double* weights = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
+    const long null = long(images.nullParticle());
+    const long n = long(images.owned());
+
+    std::visit([&](const auto& k)
+    {
+        #pragma omp parallel
+        {
+            static thread_local Stencil<dim> stencil;
+            stencil.ghosts = images.ghosts();
+            #pragma omp for schedule(dynamic, 256)
+            for (long i = 0; i < n; ++i)
+            {
+                stencil.fill(int(i), lists.of(i), x, pass.sources, weights, k, pass.readsKernel, null);
+                for (const auto& o : pass.operations) o->gather(stencil);
+            }
+        }
+    }, kernel.choice());
+}
+
+template<int dim>
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists, const Kernel<dim>& kernel) const
+{
+    const std::size_t n = images.owned(), block = 4096;
+    for (const auto& pass : passes_)
+    {
+        for (const auto& f : pass.refresh) f.refresh(images, store);
+        if (pass.pair()) evaluatePairs(pass, store, images, lists, kernel);
+        else
+            #pragma omp parallel for schedule(static)
+            for (std::size_t begin = 0; begin < n; begin += block)
+                for (const auto& o : pass.operations) o->evaluate(begin, std::min(n, begin + block));
+    }
+}
+
+template<int dim> int Plan<dim>::pairPasses() const
+{
+    return int(std::count_if(passes_.begin(), passes_.end(), [](const Pass& p) { return p.pair(); }));
+}
+
+template<int dim> bool Plan<dim>::has(const std::string& term) const
+{
+    return std::any_of(chosen_.begin(), chosen_.end(), [&](const Entry* e) { return e->name == term; });
+}
+
+template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store) const
+{
+    int k = 0;
+    for (const auto& pass : passes_)
+    {
+        out << fmt::format("    pass {} over {}\n", ++k, pass.pair() ? "pairs" : "particles");
+        for (const auto* e : pass.entries) out << fmt::format("        {:<32} -> {:<12} ({})\n", e->name, e->result.info.name, reason_.at(e));
+        if (pass.pair())
+        {
+            out << "        gathers    positions";
+            for (const auto& f : pass.columns) out << ' ' << f.info.name;
+            out << "\n        images     positions";
+            for (const auto& f : pass.refresh) out << ' ' << f.info.name;
+            out << '\n';
+        }
+    }
+    out << "    fields     ";
+    for (const auto& [name, field] : store.fields()) out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
+    out << fmt::format("\n    memory      {} bytes a particle, neighbour lists aside\n    left out   ", store.bytesPerParticle());
+    for (const auto& e : catalogue_)
+        if (!has(e.name)) out << ' ' << e.name;
+    out << '\n';
+}
+
+template class Plan<2>;
+template class Plan<3>;
+
+}

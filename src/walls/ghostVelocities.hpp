@@ -1,0 +1,52 @@
+/// How the velocity of a wall ghost follows from that of the particle it mirrors: what makes a wall stick or slip.
+#pragma once
+#include "Coefficients.hpp"
+#include "Images.hpp"
+
+namespace sph
+{
+
+/// v_g = 2 v_w - v: no slip, first printed order; the paper's rule.
+template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
+{
+    const Geometry& geometry_;
+
+public:
+    explicit ReflectedVelocity(const Geometry& g) : geometry_(g) {}
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+};
+
+/// Second-order no slip (NUMERICS, "mode 4"): the smooth continuation of the flow through the wall, from its momentum balance there.
+///
+///   v_g = v_w - (v - v_w)/sqrt(w) - d^2/nu (a_p + g - dv_w/dt)_t
+///
+/// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu [m^2/s], a_p = -grad p/rho
+/// of the source, low-passed; t the part along the wall. From nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the
+/// even part d^2 v'' that a bare sign change loses. Ghosts of ghosts (corners, pinches) take the curvature factor alone.
+template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
+{
+    const Geometry& geometry_;
+    FieldStore<dim>& store_;
+    Vector<dim> g_;
+    double nu_;
+
+public:
+    SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&);
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    void bind();
+
+private:
+    std::array<const double*, dim> a_{};
+};
+
+/// v_g = v mirrored, relative to the wall: the fluid slides freely.
+template<int dim> class SlippingVelocity : public GhostVelocity<dim>
+{
+    const Geometry& geometry_;
+
+public:
+    explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+};
+
+}
