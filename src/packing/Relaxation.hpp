@@ -1,0 +1,56 @@
+/// Moves particles until their number density is even, walls and periodic faces included.
+///
+/// Each step shifts every particle down the gradient of
+///
+///   P_i = b + sigma_i/<sigma> - 1
+///
+/// by dx_i = -C dx^2 f_i (PairSums.hpp), where b, the bias, is a pressure that all particles share: alone it spreads them evenly
+/// in distance, without it they stop as soon as the kernel sums are even, in whatever arrangement. It is b1 for the first half of
+/// the steps and falls geometrically to b2 in the second. Prototype: scatter at walls 8 % on the lattice, 0.1 % after.
+#pragma once
+#include "Geometry.hpp"
+#include "Kernel.hpp"
+#include "Points.hpp"
+#include <array>
+
+namespace sph
+{
+
+struct RelaxationSettings
+{
+    int steps = 200;
+    std::array<double, 2> bias{1, 0.01};   ///< b1, b2
+    double tolerance = 1e-3;               ///< scatter of sigma/<sigma> within a support of the walls at which to stop
+    double coefficient = 0.3;              ///< C; 0.05..0.8 tried: faster with more, particles at walls jitter above 0.5
+};
+
+/// sum_j V_j W_ij - 1 with V_j = w_j V0: what is missing to a partition of unity.
+struct KernelResidual
+{
+    struct Moments
+    {
+        std::size_t particles = 0;
+        double mean = 0, rms = 0, max = 0; ///< of the residual, of its square, of its magnitude
+        double scatter = 0;                ///< standard deviation: what is left once the mean is normalised away
+    };
+    Moments overall, nearWalls;            ///< all particles; those within a support of a wall
+};
+
+struct RelaxationResult
+{
+    KernelResidual before, after;
+    int steps = 0;
+    double largestShift = 0;               ///< of the last step, in spacings
+    double centreOfMassDrift = 0;          ///< in spacings
+    std::size_t heldBack = 0;              ///< particles that the last step would have put into a wall
+    double closestPair = 0;                ///< [m]
+    std::array<std::size_t, 2> closest{};  ///< the particles of that pair; the same twice where an image of itself is nearest
+};
+
+/// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
+/// neighbours in memory. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// threads.
+template<int dim>
+RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, Points&);
+
+}
