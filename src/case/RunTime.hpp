@@ -1,10 +1,13 @@
 /// Time of a run as controlDict states it: where it starts and stops, when it writes, and how a time folder comes to be.
 #pragma once
 #include "Case.hpp"
+#include "Clock.hpp"
 #include "Cloud.hpp"
+#include "TimeControls.hpp"
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace sph
 {
@@ -27,48 +30,87 @@ public:
     /// Name of the folder that the run starts from; "0.orig" is copied to "0" first where there is no "0".
     const std::string& startName() const { return startName_; }
     double startTime() const { return startTime_; }
-    double endTime() const { return endTime_; }
+    /// Infinite where stopAt is not endTime.
+    double endTime() const { return controls_.end(); }
     long index() const { return index_; }
+    /// The last step taken; before the first, the one that led to the start folder, or deltaT of controlDict.
     double deltaT() const { return deltaT_; }
-    bool adjustTimeStep() const { return adjustTimeStep_; }
-    double maxDeltaT() const { return maxDeltaT_; }
+    bool adjustTimeStep() const { return controls_.adjustTimeStep; }
+    double maxDeltaT() const { return controls_.maxDeltaT; }
 
     /// False once stopAt is satisfied.
     bool running() const;
     /// The step to take: `limit` from stability, shortened (or stretched by at most a tenth) so that write times and the end are hit
-    /// exactly where writeControl is adjustable/adjustableRunTime.
+    /// exactly where writeControl is adjustable/adjustableRunTime. deltaT of controlDict where adjustTimeStep is off.
+    ///
+    /// A restarted run takes the same steps as one that was not stopped, to the last bit, provided that `limit` is the same: the
+    /// answer depends on the exact time, `limit` and controlDict alone (see TimeControls).
     double nextDeltaT(double limit) const;
     void advance(double deltaT);
+    /// The step just taken is the last and is to be written, as by stopAt writeNow: for signals.
+    void stopNow();
     /// True at the times that writeControl asks for, and at the end.
     bool writeTime() const;
 
     /// Writes into `<name>.partial/` beside the final name and renames when `fill` has returned, then purges. `fill` gets the folder
     /// to write into. A failure (full disk) leaves no folder of that name and the last good one whole, and throws CaseError.
     void write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers&);
-    WriteOptions writeOptions() const { return options_; }
+    WriteOptions writeOptions() const { return controls_.writeOptions; }
 
     /// The numbers stored with the folder that the run started from; empty at a fresh start.
     const StateNumbers& restored() const { return restored_; }
 
     /// Looks at controlDict again (runTimeModifiable; by size and modification time) and says in words what changed, or "".
+    /// A file with mistakes changes nothing, and the words say so.
     std::string rereadIfModified();
+    /// The look alone, for ranks that must agree on when to read.
+    bool controlDictModified() const;
+
+    /// For further entries of controlDict, and for `reportUnused` when all that are known have been read.
+    const Dictionary& controlDict() const { return control_; }
+
+    /// Wall and processor time since the start [s], which clockTime, cpuTime and maxClockTime refer to. Ranks of a parallel run
+    /// give those of the master, so that all stop and write together.
+    struct Clocks
+    {
+        std::function<double()> wall, processor;
+    };
+    void useClocks(Clocks);
 
     /// `postProcessing/<function>/<startTime>/<file>`: the stream's path; an existing file of an earlier run from the same start is
     /// kept and `<stem>_<startTime><ext>` is taken instead, as OpenFOAM does.
     std::filesystem::path outputFile(const std::string& function, const std::string& file) const;
 
 private:
-    void read(const Dictionary&);
+    /// Size and modification time to the nanosecond, compared exactly: an edit within a second of the last one is seen.
+    struct FileStamp
+    {
+        long long size = -1, seconds = 0, nanoseconds = 0;
+        friend bool operator==(const FileStamp&, const FileStamp&) = default;
+    };
+    FileStamp stamp() const;
+    void findStart(const Case&);
+    void restore(const Case&);
+    void startAt(const std::string& name, double value);
+    double clock() const;
+    bool writesByClock();
+    void purge();
 
     std::filesystem::path caseFolder_;
     Dictionary control_;
-    std::string startName_;
-    double startTime_ = 0, endTime_ = 0, value_ = 0, deltaT_ = 0, maxDeltaT_ = 0;
+    FileStamp stamp_;
+    TimeControls controls_;
+    Clocks clocks_;
+    std::string startName_ = "0";
+    double startTime_ = 0, value_ = 0, deltaT_ = 0;
     long index_ = 0, startIndex_ = 0;
-    bool adjustTimeStep_ = true;
-    WriteOptions options_;
+    bool scheduled_ = false, stopped_ = false;
+    double clockIndex_ = 0;
+    /// Exact times by the names of their folders: that of the start and those written since.
+    std::map<std::string, double> named_;
+    /// What purgeWrite counts, oldest first.
+    std::vector<std::string> written_;
     StateNumbers restored_;
-    // further members as the implementation needs them
 };
 
 }

@@ -1,0 +1,292 @@
+#include "FieldFile.hpp"
+#include "FoamScanner.hpp"
+#include "MappedFile.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <system_error>
+
+namespace sph
+{
+
+namespace
+{
+
+struct Header
+{
+    std::string className;
+    int classLine = 0;
+    bool binary = false;
+    int labelBits = 32, scalarBits = 64;
+};
+
+/// The number after `key=` in "LSB;label=32;scalar=64".
+int bitsOf(FoamScanner& in, const std::string& arch, const std::string& key, int fallback)
+{
+    const auto at = arch.find(key + "=");
+    if (at == std::string::npos) return fallback;
+    const auto bits = arch.substr(at + key.size() + 1, 2);
+    if (bits != "32" && bits != "64") in.fail(fmt::format("arch \"{}\": {} must be 32 or 64", arch, key));
+    return bits == "32" ? 32 : 64;
+}
+
+void readArch(FoamScanner& in, const std::string& arch, Header& header)
+{
+    if (arch.find("MSB") != std::string::npos) in.fail(fmt::format("arch \"{}\": big-endian data is not supported", arch));
+    header.labelBits = bitsOf(in, arch, "label", 32);
+    header.scalarBits = bitsOf(in, arch, "scalar", 64);
+}
+
+Header readHeader(FoamScanner& in)
+{
+    if (in.peek() == '\0' || in.word() != "FoamFile" || !in.take('{')) in.fail("no FoamFile header: not a field file");
+    Header header;
+    bool hasFormat = false;
+    while (!in.take('}'))
+    {
+        if (in.atEnd()) in.fail("the FoamFile header does not end");
+        const auto key = in.word();
+        const auto value = in.word();
+        const int line = in.line();
+        if (key.empty() || value.empty() || !in.take(';'))
+            throw ScanError(line, fmt::format("FoamFile header: expected \"keyword value;\", found \"{} {}\"", key, value));
+        if (key == "format")
+        {
+            static const std::vector<std::string> known{"ascii", "binary"};
+            if (std::find(known.begin(), known.end(), value) == known.end())
+                throw ScanError(line, fmt::format("format \"{}\" is unknown. {}", value, suggestion(value, "formats", known)));
+            hasFormat = true;
+            header.binary = value == "binary";
+        }
+        if (key == "class") { header.className = value; header.classLine = line; }
+        if (key == "arch") readArch(in, value, header);
+    }
+    if (!hasFormat) in.fail("the FoamFile header has no \"format\"");
+    if (header.className.empty()) in.fail("the FoamFile header has no \"class\"");
+    return header;
+}
+
+FieldClass fieldClass(const Header& header)
+{
+    static const std::vector<std::string> known{"labelField", "scalarField", "vectorField", "symmTensorField"};
+    const auto at = std::find(known.begin(), known.end(), header.className);
+    if (at == known.end())
+        throw ScanError(header.classLine, fmt::format("class \"{}\" is not a field of a cloud. {}", header.className,
+                                                      suggestion(header.className, "classes", known)));
+    return FieldClass(at - known.begin());
+}
+
+/// Reads `N ( value ... )`, `N { value }` or `( value ... )`, and sees to it that nothing follows.
+class ListReader
+{
+    FoamScanner& in_;
+    const Header& header_;
+    bool hasCount_ = false;
+    std::size_t count_ = 0;
+
+public:
+    ListReader(FoamScanner& in, const Header& header) : in_(in), header_(header)
+    {
+        std::int64_t count = 0;
+        if (in_.peek() == '(' && !header.binary) return;
+        if (!in_.integer(count) || count < 0) in_.fail("expected the number of values, found " + in_.found());
+        hasCount_ = true;
+        count_ = std::size_t(count);
+    }
+
+    void expect(std::size_t n, const std::string& field) const
+    {
+        if (hasCount_ && count_ != n) in_.fail(fmt::format("field {} has {} values, positions has {}", field, count_, n));
+    }
+
+    /// `append(i)` reads value i; all of it, or throws. `bytes`: of one value in binary; `repeat(n)`: makes n of the only one.
+    /// Returns how many there are.
+    std::size_t read(std::size_t bytes, const auto& reserve, const auto& append, const auto& repeat)
+    {
+        const auto n = header_.binary ? readBinary(bytes, reserve, append) : readAscii(reserve, append, repeat);
+        if (in_.peek() != '\0' || !in_.atEnd()) in_.fail(fmt::format("unexpected {} after the list", in_.found()));
+        return n;
+    }
+
+private:
+    std::size_t readBinary(std::size_t bytes, const auto& reserve, const auto& append)
+    {
+        // OpenFOAM writes an empty list as its count alone.
+        if (count_ == 0 && in_.peek() == '\0') return 0;
+        if (in_.peek() == '{') in_.fail("a compact list N{value} cannot be in a binary file");
+        if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
+        in_.enterBinary();
+        if (count_ > in_.remaining()/bytes)
+            in_.fail(fmt::format("the file is truncated: {} values need {} bytes, {} are there", count_, count_*bytes, in_.remaining()));
+        reserve(count_);
+        for (std::size_t i = 0; i < count_; ++i) append(i);
+        if (!in_.take(')')) in_.fail(fmt::format("expected ) after {} values, found {}", count_, in_.found()));
+        return count_;
+    }
+
+    std::size_t readAscii(const auto& reserve, const auto& append, const auto& repeat)
+    {
+        if (hasCount_ && in_.take('{'))
+        {
+            append(0);
+            if (!in_.take('}')) in_.fail("expected } after the value, found " + in_.found());
+            repeat(count_);
+            return count_;
+        }
+        if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
+        // A value takes two characters at least: a wrong count must not ask for memory that no file of this size can fill.
+        reserve(std::min(count_, in_.remaining()/2 + 1));
+        std::size_t i = 0;
+        for (; !in_.take(')'); ++i)
+        {
+            if (in_.atEnd()) in_.fail(fmt::format("the file is truncated: it ends after {}", progress(i)));
+            if (hasCount_ && i == count_) in_.fail(fmt::format("expected ) after {} values, found {}", count_, in_.found()));
+            append(i);
+        }
+        if (hasCount_ && i < count_) in_.fail(fmt::format("the list ends after {}", progress(i)));
+        return i;
+    }
+
+    std::string progress(std::size_t i) const
+    {
+        return hasCount_ ? fmt::format("{} of {} values", i, count_) : fmt::format("{} values", i);
+    }
+};
+
+double finite(FoamScanner& in, double value, std::size_t i)
+{
+    if (!std::isfinite(value)) in.fail(fmt::format("the value of particle {} is not finite: {}", i, value));
+    return value;
+}
+
+double asciiNumber(FoamScanner& in, std::size_t i)
+{
+    double value;
+    if (in.number(value)) return finite(in, value, i);
+    if (in.atEnd()) in.fail(fmt::format("the file is truncated in the value of particle {}", i));
+    in.fail(fmt::format("expected a number for particle {}, found {}", i, in.found()));
+}
+
+double asciiLabel(FoamScanner& in, std::size_t i)
+{
+    auto start = in;
+    std::int64_t value;
+    const bool whole = in.integer(value) && (in.atEnd() || !std::strchr(".eE", *in.here()));
+    if (whole) return double(value);
+    if (start.peek() == '\0' && start.atEnd()) start.fail(fmt::format("the file is truncated in the value of particle {}", i));
+    start.fail(fmt::format("expected an integer for particle {}, found {}", i, start.found()));
+}
+
+void bracket(FoamScanner& in, char c, std::size_t i, int components)
+{
+    if (in.take(c)) return;
+    if (in.atEnd()) in.fail(fmt::format("the file is truncated in the value of particle {}", i));
+    in.fail(fmt::format("expected \"{}\" of the {} numbers of particle {}, found {}", c, components, i, in.found()));
+}
+
+double binaryNumber(FoamScanner& in, int bits, std::size_t i)
+{
+    return finite(in, bits == 64 ? in.raw<double>() : double(in.raw<float>()), i);
+}
+
+double binaryLabel(FoamScanner& in, int bits) { return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>()); }
+
+CloudField parseField(std::string_view text, const std::string& name, std::size_t expected)
+{
+    FoamScanner in(text);
+    const auto header = readHeader(in);
+    CloudField field;
+    field.type = fieldClass(header);
+    const int components = componentsOf(field.type);
+    const bool isLabel = field.type == FieldClass::label;
+    field.component.resize(std::size_t(components));
+
+    ListReader list(in, header);
+    list.expect(expected, name);
+    const auto append = [&](std::size_t i)
+    {
+        if (!header.binary && components > 1) bracket(in, '(', i, components);
+        for (auto& values : field.component)
+            values.push_back(header.binary ? (isLabel ? binaryLabel(in, header.labelBits) : binaryNumber(in, header.scalarBits, i))
+                                           : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
+        if (!header.binary && components > 1) bracket(in, ')', i, components);
+    };
+    const auto reserve = [&](std::size_t n) { for (auto& values : field.component) values.reserve(n); };
+    const auto repeat = [&](std::size_t n) { for (auto& values : field.component) values.assign(n, double(values[0])); };
+    const auto bytes = std::size_t(isLabel ? header.labelBits : components*header.scalarBits)/8;
+    const auto n = list.read(bytes, reserve, append, repeat);
+    if (n != expected) in.fail(fmt::format("field {} has {} values, positions has {}", name, n, expected));
+    return field;
+}
+
+Positions parsePositions(std::string_view text)
+{
+    FoamScanner in(text);
+    const auto header = readHeader(in);
+    if (header.className != "Cloud" && !header.className.starts_with("Cloud<"))
+        throw ScanError(header.classLine, fmt::format("class \"{}\" is not that of positions, Cloud<...>", header.className));
+    Positions p;
+    const auto ascii = [&](std::size_t i)
+    {
+        bracket(in, '(', i, 3);
+        for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(asciiNumber(in, i));
+        bracket(in, ')', i, 3);
+        std::int64_t cell;
+        if (!in.integer(cell)) in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
+    };
+    const auto binary = [&](std::size_t i)
+    {
+        const auto bytes = std::size_t(3*header.scalarBits + header.labelBits)/8;
+        if (!in.take('(')) in.fail(fmt::format("expected ( before the position of particle {}, found {}", i, in.found()));
+        if (in.remaining() < bytes) in.fail(fmt::format("the file is truncated in the position of particle {}", i));
+        for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(binaryNumber(in, header.scalarBits, i));
+        binaryLabel(in, header.labelBits);
+        if (!in.take(')')) in.fail(fmt::format("expected ) after the position of particle {}", i));
+    };
+    const auto reserve = [&](std::size_t n) { for (auto* values : {&p.x, &p.y, &p.z}) values->reserve(n); };
+    const auto repeat = [&](std::size_t) { in.fail("positions cannot be a compact list"); };
+    const auto bytes = std::size_t(3*header.scalarBits + header.labelBits)/8 + 2;
+    ListReader list(in, header);
+    list.read(bytes, reserve, [&](std::size_t i) { header.binary ? binary(i) : ascii(i); }, repeat);
+    return p;
+}
+
+template<class Result>
+std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics,
+                              const auto& parse)
+{
+    try
+    {
+        const MappedFile mapped(caseFolder/file);
+        return parse(mapped.text());
+    }
+    catch (const ScanError& e)
+    {
+        diagnostics.error({file, e.line}, e.what());
+    }
+    catch (const std::system_error& e)
+    {
+        diagnostics.error({file, 0}, "cannot be read: " + e.code().message());
+    }
+    return std::nullopt;
+}
+
+}
+
+std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics)
+{
+    return guarded<Positions>(caseFolder, file, diagnostics, parsePositions);
+}
+
+std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
+                                    Diagnostics& diagnostics)
+{
+    const auto name = std::filesystem::path(file).filename().string();
+    return guarded<CloudField>(caseFolder, file, diagnostics,
+                               [&](std::string_view text) { return parseField(text, name, expected); });
+}
+
+}

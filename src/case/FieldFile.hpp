@@ -1,0 +1,24 @@
+/// Reading one file of a cloud: the FoamFile header, then one list, and nothing else.
+#pragma once
+#include "Cloud.hpp"
+#include <optional>
+#include <string>
+
+namespace sph
+{
+
+struct Positions
+{
+    std::vector<double> x, y, z;
+};
+
+/// Both record what is wrong, with file (as given, relative to the case) and line, and then return nothing. Lines are given for
+/// ascii data and for the header; in binary data there are none.
+
+std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics&);
+
+/// `expected`: how many positions there are; a list of another length is an error.
+std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
+                                    Diagnostics&);
+
+}

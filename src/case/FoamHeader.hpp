@@ -1,0 +1,17 @@
+/// The `FoamFile { ... }` block at the head of every file that OpenFOAM and ParaView are to read.
+#pragma once
+#include "Cloud.hpp"
+#include <string>
+
+namespace sph
+{
+
+/// With `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
+std::string foamHeader(WriteFormat, const std::string& className, const std::string& location, const std::string& object);
+
+/// What a time folder will be called once it is whole: its name without the ".partial" it carries while it is written.
+std::string finalName(const std::filesystem::path& timeFolder);
+
+inline constexpr const char* partialSuffix = ".partial";
+
+}

@@ -1,0 +1,80 @@
+/// Tokens of a file in OpenFOAM's syntax, read in place, and the raw bytes of its binary lists.
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace sph
+{
+
+/// What stops the reading of a file, and the line (0 in binary data, which has none).
+struct ScanError : std::runtime_error
+{
+    int line;
+    ScanError(int line_, const std::string& what) : runtime_error(what), line(line_) {}
+};
+
+class FoamScanner
+{
+    const char *begin_, *at_, *end_;
+    bool inBinary_ = false;
+
+    void skipComment();
+
+public:
+    explicit FoamScanner(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
+
+    /// From here on bytes are data: line ends in them mean nothing.
+    void enterBinary() { inBinary_ = true; }
+
+    std::size_t remaining() const { return std::size_t(end_ - at_); }
+    bool atEnd() const { return at_ == end_; }
+    const char* here() const { return at_; }
+    /// Counted only when asked for, which is when something is wrong: newlines cost nothing while all is well.
+    int line() const;
+    [[noreturn]] void fail(const std::string& what) const { throw ScanError(line(), what); }
+
+    /// White space and comments.
+    void skip()
+    {
+        while (at_ != end_ && (static_cast<unsigned char>(*at_) <= ' ' || *at_ == '/'))
+        {
+            if (*at_ != '/') ++at_;
+            else if (at_ + 1 != end_ && (at_[1] == '/' || at_[1] == '*')) skipComment();
+            else return;
+        }
+    }
+    /// The next character after white space, '\0' at the end.
+    char peek()
+    {
+        skip();
+        return at_ == end_ ? '\0' : *at_;
+    }
+    /// Takes that character if it comes next.
+    bool take(char c)
+    {
+        if (peek() != c || at_ == end_) return false;
+        ++at_;
+        return true;
+    }
+    /// What stands here, shortened and quoted for a message; "the end of the file" where nothing does.
+    std::string found();
+
+    /// Up to white space or one of `; { } ( )`, parentheses within a word being part of it; or a quoted string without its quotes.
+    std::string word();
+    /// False, and nothing taken, where no number stands here. May give NaN or infinity.
+    bool number(double&);
+    bool integer(std::int64_t&);
+
+    template<class T> T raw()
+    {
+        T value;
+        std::memcpy(&value, at_, sizeof(T));
+        at_ += sizeof(T);
+        return value;
+    }
+};
+
+}

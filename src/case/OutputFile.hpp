@@ -1,0 +1,50 @@
+/// A file being written through a large buffer. Every failure, above all a full disk, is thrown as CaseError naming file and reason.
+#pragma once
+#include "CaseError.hpp"
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace sph
+{
+
+class OutputFile
+{
+    static constexpr std::size_t capacity_ = 1 << 20;
+    std::filesystem::path path_;
+    std::unique_ptr<char[]> buffer_ = std::make_unique_for_overwrite<char[]>(capacity_);
+    std::size_t used_ = 0;
+    int descriptor_ = -1;
+
+    [[noreturn]] void fail(int reason) const;
+    void send(const char* data, std::size_t size);
+
+public:
+    /// Creates the file, or empties it.
+    explicit OutputFile(const std::filesystem::path&);
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+    /// Drops what has not been flushed: a file is whole only after `close`, which can fail where a destructor must not.
+    ~OutputFile();
+
+    void write(std::string_view);
+    void writeBytes(const void* data, std::size_t size) { write({static_cast<const char*>(data), size}); }
+    /// `precision` significant digits; 0: the shortest text that reads back to the same number.
+    void write(double, int precision);
+    void write(std::int64_t);
+
+    void flush();
+    void close();
+};
+
+/// A whole file at once.
+void writeFile(const std::filesystem::path&, std::string_view text);
+
+/// As std::filesystem::create_directories, with the reason of a failure in a CaseError.
+void createFolders(const std::filesystem::path&);
+
+/// The text of a number: see OutputFile::write.
+std::string shortestText(double);
+
+}

@@ -1,0 +1,264 @@
+#include "RunTime.hpp"
+#include "FoamHeader.hpp"
+#include "OutputFile.hpp"
+#include "TimeFolder.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <utility>
+
+namespace sph
+{
+
+namespace
+{
+
+constexpr const char* controlDictFile = "system/controlDict";
+constexpr const char* originalFolder = "0.orig";
+
+/// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
+void ignoreForeign(const Dictionary& control)
+{
+    for (const auto* key : {"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"})
+        control.ignore(key);
+}
+
+std::string uniformFile(const std::string& time, const std::string& object, const std::string& entries)
+{
+    return foamHeader(WriteFormat::ascii, "dictionary", time + "/uniform", object) + entries;
+}
+
+std::string inWords(const StateNumbers& state)
+{
+    std::string text;
+    for (const auto& [name, value] : state)
+    {
+        if (!std::isfinite(value)) throw CaseError(fmt::format("{} is {}: a run cannot restart from that", name, value));
+        text += fmt::format("{} {};\n", name, shortestText(value));
+    }
+    return text;
+}
+
+}
+
+RunTime::RunTime(const Case& c) : caseFolder_(c.folder()), control_(c.dictionary(controlDictFile))
+{
+    stamp_ = stamp();
+    const auto start = std::make_shared<Clock>();
+    clocks_ = {[start] { return start->clockTime(); }, [] { return Clock::executionTime(); }};
+    ignoreForeign(control_);
+    controls_ = TimeControls::read(control_);
+    deltaT_ = controls_.deltaT;
+    findStart(c);
+    restore(c);
+    startTime_ = value_;
+    startIndex_ = index_;
+    named_[startName_] = value_;
+}
+
+void RunTime::findStart(const Case& c)
+{
+    static const std::vector<std::string> valid{"firstTime", "startTime", "latestTime"};
+    const auto startFrom = control_.choose("startFrom", valid, "latestTime");
+    const double wanted = startFrom == "startTime" ? control_.get<double>("startTime") : control_.get<double>("startTime", 0.0);
+
+    auto names = c.times();
+    const bool hasZero = std::any_of(names.begin(), names.end(), [](const auto& name) { return timeValue(name) == 0; });
+    const bool fromOriginal = !hasZero && c.has(originalFolder);
+    if (fromOriginal)
+        names.insert(std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
+                     "0");
+    if (names.empty())
+        return control_.error("startFrom", "the case has no time folder to start from, and no folder 0.orig to make one of");
+
+    auto chosen = startFrom == "firstTime" ? names.begin() : names.end() - 1;
+    if (startFrom == "startTime")
+    {
+        const auto off = [wanted](const std::string& name) { return std::abs(*timeValue(name) - wanted); };
+        chosen = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+        // As near as the digits of a name written by hand can be expected to be.
+        if (off(*chosen) > 1e-10*std::abs(wanted))
+            return control_.error("startTime", fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
+    }
+    if (fromOriginal && *chosen == "0") copyFolder(caseFolder_, originalFolder, "0");
+    startName_ = *chosen;
+    value_ = *timeValue(startName_);
+}
+
+void RunTime::restore(const Case& c)
+{
+    const auto timeFile = startName_ + "/uniform/time", stateFile = startName_ + "/uniform/sphState";
+    if (!c.has(timeFile)) return;
+    const auto stored = c.dictionary(timeFile);
+    const double exact = stored.get<double>("value");
+    if (!couldBeNamed(exact, startName_))
+    {
+        // Copied from another time, as a packed bed that a new run begins with.
+        c.diagnostics().warning(stored.where("value"), fmt::format("value {} does not belong to a folder named {}: the run starts "
+                                                                   "afresh at {}",
+                                                                   shortestText(exact), startName_, startName_));
+        return;
+    }
+    value_ = exact;
+    index_ = long(stored.get<double>("index", 0.0));
+    if (controls_.adjustTimeStep) deltaT_ = stored.get<double>("deltaT", deltaT_);
+    const auto state = c.dictionaryIfPresent(stateFile);
+    for (const auto& key : state.keys()) restored_[key] = state.get<double>(key);
+}
+
+std::string RunTime::name() const
+{
+    // A name is taken by a time written under it, and by the step before this one: a log then never calls two steps the same.
+    const auto isTaken = [this](const std::string& candidate, int precision)
+    {
+        const auto at = named_.find(candidate);
+        if (at != named_.end() && at->second != value_) return true;
+        return index_ > startIndex_ && candidate == timeName(value_ - deltaT_, controls_.timeFormat, precision);
+    };
+    constexpr int most = std::numeric_limits<double>::max_digits10;
+    int precision = controls_.timePrecision;
+    auto candidate = timeName(value_, controls_.timeFormat, precision);
+    if (index_ == startIndex_) return startName_;
+    while (precision < most && isTaken(candidate, precision)) candidate = timeName(value_, controls_.timeFormat, ++precision);
+    return candidate;
+}
+
+bool RunTime::running() const { return !stopped_ && controls_.before(value_); }
+
+double RunTime::nextDeltaT(double limit) const
+{
+    const double step = controls_.step(value_, limit);
+    if (!(limit > 0)) throw CaseError(fmt::format("at time {} the limit of the time step is {}", name(), limit));
+    if (!std::isfinite(step)) throw CaseError({controlDictFile, 0}, "nothing limits the time step: give maxDeltaT");
+    return step;
+}
+
+void RunTime::advance(double deltaT)
+{
+    const double before = value_;
+    value_ = controls_.advanced(before, deltaT);
+    if (!(value_ > before))
+        throw CaseError(fmt::format("a time step of {} s is too small to advance time {} s", deltaT, shortestText(before)));
+    deltaT_ = deltaT;
+    ++index_;
+    switch (controls_.writeControl)
+    {
+    case WriteControl::none: scheduled_ = false; break;
+    case WriteControl::timeStep: scheduled_ = std::fmod(double(index_), controls_.writeInterval) == 0; break;
+    case WriteControl::runTime:
+    case WriteControl::adjustable: scheduled_ = controls_.writeIndex(value_) > controls_.writeIndex(before); break;
+    case WriteControl::clockTime:
+    case WriteControl::cpuTime: scheduled_ = writesByClock(); break;
+    }
+    if (controls_.stopAt == StopAt::nextWrite) stopped_ |= scheduled_;
+    if (controls_.stopAt == StopAt::writeNow || controls_.stopAt == StopAt::noWriteNow) stopped_ = true;
+    if (clocks_.wall() > controls_.maxClockTime) stopped_ = true;
+}
+
+double RunTime::clock() const { return controls_.writeControl == WriteControl::cpuTime ? clocks_.processor() : clocks_.wall(); }
+
+bool RunTime::writesByClock()
+{
+    const double index = std::floor(clock()/controls_.writeInterval);
+    return index > std::exchange(clockIndex_, index);
+}
+
+void RunTime::useClocks(Clocks clocks) { clocks_ = std::move(clocks); }
+
+void RunTime::stopNow() { stopped_ = true; }
+
+bool RunTime::writeTime() const
+{
+    if (index_ == startIndex_ || controls_.stopAt == StopAt::noWriteNow) return false;
+    return scheduled_ || !running();
+}
+
+void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state)
+{
+    // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
+    if (written_.empty()) removePartialFolders(caseFolder_);
+    const auto time = name();
+    const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
+                                      "deltaT          {};\ndeltaT0         {};\n",
+                                      shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
+    const auto stateText = inWords(state);
+    writeFolder(caseFolder_, time,
+                [&](const std::filesystem::path& folder)
+                {
+                    fill(folder);
+                    createFolders(folder/"uniform");
+                    writeFile(folder/"uniform"/"time", uniformFile(time, "time", timeText));
+                    writeFile(folder/"uniform"/"sphState", uniformFile(time, "sphState", stateText));
+                });
+    named_[time] = value_;
+    std::erase(written_, time);
+    written_.push_back(time);
+    purge();
+}
+
+void RunTime::purge()
+{
+    while (controls_.purgeWrite > 0 && written_.size() > std::size_t(controls_.purgeWrite))
+    {
+        if (written_.front() != startName_ && timeValue(written_.front()) != 0) removeFolder(caseFolder_, written_.front());
+        written_.erase(written_.begin());
+    }
+}
+
+RunTime::FileStamp RunTime::stamp() const
+{
+    struct stat status;
+    if (::stat((caseFolder_/controlDictFile).c_str(), &status) != 0) return {};
+    return {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+bool RunTime::controlDictModified() const
+{
+    if (!controls_.runTimeModifiable) return false;
+    // An editor that writes anew may have taken the file away for a moment: that is no modification yet.
+    const auto now = stamp();
+    return now != FileStamp{} && now != stamp_;
+}
+
+std::string RunTime::rereadIfModified()
+{
+    if (!controlDictModified()) return "";
+    // Before reading: what is changed meanwhile is seen the next time.
+    stamp_ = stamp();
+    const auto mistakes = std::make_shared<Diagnostics>();
+    const auto control = Dictionary::read(caseFolder_, controlDictFile, mistakes);
+    const auto next = TimeControls::read(control);
+    try
+    {
+        mistakes->throwIfAny();
+    }
+    catch (const CaseError& e)
+    {
+        return fmt::format("{} has changed, but not all of it can be understood. The run goes on as before.\n{}", controlDictFile,
+                           e.what());
+    }
+    const auto former = controls_.inWords(), now = next.inWords();
+    std::string changes;
+    for (std::size_t k = 0; k < now.size(); ++k)
+        if (now[k] != former[k])
+            changes += fmt::format("{}{} {} -> {}", changes.empty() ? "" : ", ", now[k].first, former[k].second, now[k].second);
+    controls_ = next;
+    if (!controls_.adjustTimeStep) deltaT_ = controls_.deltaT;
+    // Writes by the clock are counted on from now, whatever the interval was.
+    if (controls_.writeControl == WriteControl::clockTime || controls_.writeControl == WriteControl::cpuTime)
+        clockIndex_ = std::floor(clock()/controls_.writeInterval);
+    return fmt::format("{} has changed: {}", controlDictFile, changes.empty() ? "nothing that matters here" : changes);
+}
+
+std::filesystem::path RunTime::outputFile(const std::string& function, const std::string& file) const
+{
+    const auto folder = caseFolder_/"postProcessing"/function/startName_;
+    createFolders(folder);
+    const auto path = folder/file;
+    if (!std::filesystem::exists(path)) return path;
+    return folder/fmt::format("{}_{}{}", path.stem().string(), startName_, path.extension().string());
+}
+
+}
