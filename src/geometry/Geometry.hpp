@@ -27,17 +27,29 @@ struct Patch
     int wall;                              ///< index into Geometry::walls
 };
 
+class PatchGrid;
+
 struct Geometry
 {
     int dimension = 3;
     Vector<3> low, high;                   ///< the domain; z from -0.5 to 0.5 times anything in 2-D is not used
     std::array<bool, 3> periodic{};
     std::vector<WallProperties> walls;
+    std::vector<Patch> originals;          ///< as given, before repetition
     std::vector<Patch> patches;            ///< all periodic copies that lie within `reach` of the domain
+    double reach = 0;                      ///< [m]
+    std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for `distance`; without it every patch is asked
 
-    /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls.
+    /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count too.
     double distance(const Vector<3>& x) const;
+    /// Of the wall as a rigid body: velocity + omega x (x - origin) [m/s].
+    Vector<3> wallVelocity(int wall, const Vector<3>& x) const;
+    /// Extent of the domain in a coordinate direction [m].
+    double length(int direction) const;
 };
+
+/// Fills `patches` from `originals`, each periodic copy once, and `grid`, for the given reach [m].
+void repeatPeriodically(Geometry&, double reach);
 
 /// Reads constant/geometry:
 ///
@@ -50,11 +62,27 @@ struct Geometry
 ///         lid     { type plane; point (0 1 0); normal (0 -1 0); velocity (1 0 0); }
 ///     }
 ///
-/// Types: plane, box, sphere, cylinder, cone, torus, ellipsoid, sphereBed; those with a choice take `fluid inside|outside;`.
+/// Types, with their entries (lengths in m, angles in degrees):
+///
+///     plane      point normal                        normal into the fluid; of any length, as all directions here
+///     box        min max fluid                       fluid inside: planes, none where a periodic direction lies wholly inside the box
+///     sphere     centre radius fluid                 a circle in 2-D
+///     cylinder   point axis radius fluid             without ends; in 2-D the axis is z and need not be given
+///     cone       apex axis halfAngle fluid           one nappe, without end; 3-D
+///     torus      centre axis ringRadius tubeRadius fluid    3-D
+///     ellipsoid  centre semiAxes fluid               axes along x, y, z; an ellipse in 2-D
+///     sphereBed  lattice radius period origin        spheres in the fluid on all points of the lattice (sphereLattice); `origin`, a
+///                                                    lattice point, is the domain's min unless given
+///     spheres    spheres                             ((x y z r) (x y z r) ...), in the fluid, typically from an included file
+///
+/// `fluid inside|outside` says on which side the fluid is. Every wall takes `contactAngle` (0 to 180) and `velocity`; single shapes
+/// also `omega` [rad/s] with `origin`. Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report.
 /// Patches are repeated over the periodic directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
 
-/// Centres of the spheres of one period cell, sc, bcc, fcc or hcp, and the extent of that cell.
+/// Centres of the spheres of one period cell, and the extent of that cell. The cells of sc (1 sphere), bcc (2) and fcc (4) are cubes
+/// of edge `period`. hcp has `period` for the distance of neighbours in the close-packed layers normal to z, and a cell of
+/// (1, sqrt 3, sqrt 8/3) periods with 4 spheres.
 struct SphereLattice
 {
     std::vector<Vector<3>> centres;

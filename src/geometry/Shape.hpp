@@ -4,9 +4,12 @@
 /// circle). Signs: `distance` is positive on the fluid side, `normal` points into the fluid, and a principal curvature is positive
 /// where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside (erratum HL6).
 #pragma once
+#include "TriangleSurface.hpp"
 #include "Vector.hpp"
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace sph
 {
@@ -17,6 +20,10 @@ struct Foot
     double distance = 0;       ///< [m] > 0 in the fluid
     Vector<3> normal;          ///< unit, into the fluid, at the foot point x - distance*normal
     double k1 = 0, k2 = 0;     ///< principal curvatures at the foot point [1/m]
+
+    /// False where x has no mirror image in this surface: the nearest point lies on an edge, a vertex or an apex, or is not unique
+    /// (centre of a sphere, axis of a torus). Whoever makes images leaves such a point out.
+    bool smooth = true;
 };
 
 /// V'/V of the mirror image of a particle at distance d: prod_i (1 + k_i d)/(1 - k_i d), eq. (18) with signed curvatures.
@@ -36,7 +43,23 @@ struct Box
     Vector<3> low{-infinity, -infinity, -infinity}, high{infinity, infinity, infinity};
 };
 
-/// A smooth surface with a unique nearest point for every x within the reach of a kernel. A shape with corners (box) is several.
+enum class FluidSide
+{
+    inside,
+    outside
+};
+
+/// A shape in the words and numbers of its dictionary entry: enough to write it down and to make it again.
+struct ShapeDescription
+{
+    std::string type;
+    std::vector<std::pair<std::string, Vector<3>>> vectors;   ///< may hold infinities, where the shape does not end
+    std::vector<std::pair<std::string, double>> scalars;
+    bool hasSide = true;                                      ///< false for a plane, whose normal says where the fluid is
+    FluidSide fluid = FluidSide::outside;
+};
+
+/// A smooth surface with a unique nearest point for every x within the reach of a kernel, except where Foot::smooth says otherwise.
 class Shape
 {
 public:
@@ -47,6 +70,22 @@ public:
     /// 1/max|k| over the surface as far as the fluid can see it [m]; infinite for a plane.
     virtual double smallestRadius() const = 0;
     virtual std::unique_ptr<Shape> shifted(const Vector<3>& by) const = 0;
+
+    virtual ShapeDescription description() const = 0;
+    /// True where a shift along coordinate 0, 1 or 2 changes nothing: the shape is its own periodic copy.
+    virtual bool invariantAlong(int direction) const = 0;
+    /// True where the solid does not end (plane, fluid inside): the shape cannot be repeated beside itself.
+    virtual bool enclosesFluid() const = 0;
+    /// Triangles, none longer than about `size`, that cover the surface within the box and may stick out of it.
+    virtual TriangleSurface triangles(const Box& within, double size) const = 0;
+    /// At most the distance between surface and box.
+    virtual double distanceTo(const Box&) const;
 };
+
+/// a/|a|, and a itself where it is a unit vector already: numbers that were written down and read again stay the same.
+inline Vector<3> unitVector(const Vector<3>& a) { return std::abs(dot(a, a) - 1) < 1e-15 ? a : a/mag(a); }
+
+/// The triangles of a shape cut off at the box, with normals into the fluid.
+TriangleSurface triangulate(const Shape&, const Box& within, double size);
 
 }

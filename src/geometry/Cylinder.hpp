@@ -1,0 +1,29 @@
+/// An infinite circular cylinder: d = +-(R - r) with r measured from the axis, one curvature +-1/R (upper sign: fluid inside).
+/// With its axis along z it is the circle of a 2-D scene.
+#pragma once
+#include "Shape.hpp"
+
+namespace sph
+{
+
+class Cylinder : public Shape
+{
+    Vector<3> point_, axis_;
+    double R_;
+    FluidSide fluid_;
+
+public:
+    /// `point` is any point of the axis; the length of `axis` is of no account.
+    Cylinder(const Vector<3>& point, const Vector<3>& axis, double radius, FluidSide);
+
+    Foot foot(const Vector<3>& x) const override;
+    Box bounds() const override;
+    double smallestRadius() const override { return R_; }
+    std::unique_ptr<Shape> shifted(const Vector<3>& by) const override;
+    ShapeDescription description() const override;
+    bool invariantAlong(int direction) const override;
+    bool enclosesFluid() const override { return fluid_ == FluidSide::inside; }
+    TriangleSurface triangles(const Box& within, double size) const override;
+};
+
+}

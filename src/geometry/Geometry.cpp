@@ -1,0 +1,45 @@
+#include "Geometry.hpp"
+#include "PatchGrid.hpp"
+#include "components.hpp"
+#include <algorithm>
+
+namespace sph
+{
+
+namespace
+{
+
+double nearest(const std::vector<Patch>& patches, const Vector<3>& x)
+{
+    double d = Box::infinity;
+    for (const auto& p : patches) d = std::min(d, p.shape->foot(x).distance);
+    return d;
+}
+
+}
+
+double Geometry::distance(const Vector<3>& x) const
+{
+    double d = Box::infinity;
+    if (grid)
+        for (const int p : grid->near(x)) d = std::min(d, patches[p].shape->foot(x).distance);
+    else d = nearest(patches, x);
+    if (d <= reach) return d;
+
+    // No surface within reach: the copies that were made may not hold the nearest one. Those one period further do.
+    for (int i = periodic[0] ? -1 : 0; i <= int(periodic[0]); ++i)
+        for (int k = periodic[1] ? -1 : 0; k <= int(periodic[1]); ++k)
+            for (int l = periodic[2] ? -1 : 0; l <= int(periodic[2]); ++l)
+                d = std::min(d, nearest(patches, x + Vector<3>{i*length(0), k*length(1), l*length(2)}));
+    return d;
+}
+
+Vector<3> Geometry::wallVelocity(int wall, const Vector<3>& x) const
+{
+    const auto& w = walls[wall];
+    return w.velocity + cross(w.omega, x - w.origin);
+}
+
+double Geometry::length(int direction) const { return high.*component(direction) - low.*component(direction); }
+
+}

@@ -1,0 +1,132 @@
+#include "Walls.hpp"
+#include "components.hpp"
+#include "readShapes.hpp"
+#include "readSpace.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace sph
+{
+
+namespace
+{
+
+/// FNV-1a, 64 bits (Fowler, Noll & Vo).
+class Hash
+{
+    std::uint64_t value_ = 14695981039346656037u;
+
+public:
+    void add(const std::string& text)
+    {
+        for (const unsigned char c : text) value_ = (value_ ^ c)*1099511628211u;
+    }
+    std::string hex() const { return fmt::format("{:016x}", value_); }
+};
+
+/// Adds a file and, where an #include names one that exists beside it, that file.
+void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesystem::path>& seen)
+{
+    if (!seen.insert(file.lexically_normal()).second) return;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+    {
+        hash.add(line + '\n');
+        const auto start = line.find_first_not_of(" \t");
+        const bool includes = start != std::string::npos && (line.compare(start, 8, "#include") == 0 || line.compare(start, 9, "#sinclude") == 0);
+        const auto open = line.find('"'), close = line.rfind('"');
+        if (includes && close > open) addFile(hash, file.parent_path()/line.substr(open + 1, close - open - 1), seen);
+    }
+}
+
+std::string text(const Vector<3>& a) { return fmt::format("({} {} {})", a.x, a.y, a.z); }
+
+/// Infinite extents stand for "as far as the domain", which is how the reader makes them infinite again.
+Vector<3> withinDomain(Vector<3> a, const Geometry& g)
+{
+    for (const auto c : coordinates)
+        if (std::isinf(a.*c)) a.*c = a.*c < 0 ? g.low.*c : g.high.*c;
+    return a;
+}
+
+std::string patchText(const Patch& patch, const Geometry& g)
+{
+    const auto d = patch.shape->description();
+    auto line = fmt::format("    {{ wall {}; type {};", g.walls[patch.wall].name, d.type);
+    for (const auto& [key, value] : d.vectors) line += fmt::format(" {} {};", key, text(withinDomain(value, g)));
+    for (const auto& [key, value] : d.scalars) line += fmt::format(" {} {};", key, value);
+    if (d.hasSide) line += d.fluid == FluidSide::inside ? " fluid inside;" : " fluid outside;";
+    return line + " }\n";
+}
+
+}
+
+std::string geometryStamp(const std::filesystem::path& caseFolder, double spacing, double support)
+{
+    Hash hash;
+    std::set<std::filesystem::path> seen;
+    addFile(hash, caseFolder/"constant"/"geometry", seen);
+    hash.add(fmt::format("spacing {} support {}", spacing, support));
+    return hash.hex();
+}
+
+std::string wallsText(const Geometry& g, const std::string& stamp)
+{
+    std::string periodic;
+    for (int k = 0; k < 3; ++k)
+        if (g.periodic[k]) periodic += (periodic.empty() ? "" : " ") + std::string(1, coordinateNames[k]);
+    std::string out = fmt::format("FoamFile\n{{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
+                                  "    location    \"constant\";\n    object      walls;\n}}\n\n"
+                                  "// Made by meshToGhost from constant/geometry: change it there.\n"
+                                  "stamp       \"{}\";\ndimension   {};\n"
+                                  "domain      {{ min {}; max {}; periodic ({}); }}\nreach       {};\n\nwalls\n{{\n",
+                                  stamp, g.dimension, text(g.low), text(g.high), periodic, g.reach);
+    for (const auto& wall : g.walls)
+    {
+        out += fmt::format("    {} {{", wall.name);
+        if (wall.wets) out += fmt::format(" contactAngle {};", wall.contactAngle);
+        out += fmt::format(" velocity {};", text(wall.velocity));
+        if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
+        out += " }\n";
+    }
+    out += "}\n\npatches\n(\n";
+    for (const auto& patch : g.originals) out += patchText(patch, g);
+    return out + ");\n";
+}
+
+Geometry readWalls(const Dictionary& dict, double reach)
+{
+    Geometry g;
+    readSpace(dict, g);
+    g.reach = std::max(reach, dict.get("reach", units::m));
+    wallsStamp(dict);
+    std::vector<std::string> names;
+    const auto walls = dict.subDict("walls");
+    for (const auto& name : walls.keys())
+    {
+        g.walls.push_back(readWallProperties(walls.subDict(name), true));
+        names.push_back(name);
+    }
+    for (const auto& patch : dict.dictionaries("patches"))
+    {
+        const auto name = patch.get<std::string>("wall");
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end())
+        {
+            if (patch.found("wall")) patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
+            continue;
+        }
+        for (auto& shape : readShapes(patch, g)) g.originals.push_back({std::move(shape), int(found - names.begin())});
+    }
+    repeatPeriodically(g, g.reach);
+    return g;
+}
+
+std::string wallsStamp(const Dictionary& dict) { return dict.get<std::string>("stamp"); }
+
+}

@@ -1,0 +1,35 @@
+/// constant/walls: the geometry as the solver loads it, written by meshToGhost.
+///
+/// A dictionary with every number in the shortest form that reads back to the same double:
+///
+///     stamp      "a1b2c3d4e5f60718";          of the source, see geometryStamp
+///     dimension  3;
+///     domain     { min (0 0 0); max (1e-3 1e-3 1e-3); periodic (x y z); }
+///     reach      2.6e-4;                      kernel support for which the walls were checked [m]
+///     walls      { floor { contactAngle 30; velocity (0 0 0); } }
+///     patches    ( { wall floor; type plane; point (0 0 0); normal (0 1 0); } ... )
+///
+/// Patches are single shapes in the words of constant/geometry, before periodic repetition; boxes with fluid inside and beds of
+/// spheres are taken apart. Surfaces that meshToGhost prepares in another way have their own entry beside `patches`.
+#pragma once
+#include "Geometry.hpp"
+#include <filesystem>
+
+namespace sph
+{
+
+/// Identifies what constant/walls was made from: the text of constant/geometry and of the files that it includes, and the
+/// resolution, `spacing` [m] and kernel support in spacings. A different stamp in the file: run meshToGhost again.
+std::string geometryStamp(const std::filesystem::path& caseFolder, double spacing, double support);
+
+/// Text of constant/walls for geometry.originals, with geometry.reach.
+std::string wallsText(const Geometry&, const std::string& stamp);
+
+/// Reads constant/walls. Patches are repeated as far as `reach` [m] outside the domain, or as far as the file says where that is
+/// more.
+Geometry readWalls(const Dictionary&, double reach = 0);
+
+/// The stamp in constant/walls, for comparison with geometryStamp.
+std::string wallsStamp(const Dictionary&);
+
+}
