@@ -1,33 +1,57 @@
 #include "words.hpp"
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <numeric>
-#include <utility>
 
 namespace sph
 {
 
-int distance(const std::string& a, const std::string& b)
+namespace
 {
-    std::vector<int> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 1; i <= a.size(); ++i)
-    {
-        int diagonal = std::exchange(row[0], int(i));
-        for (std::size_t k = 1; k <= b.size(); ++k)
-            diagonal = std::exchange(row[k], std::min({row[k] + 1, row[k - 1] + 1, diagonal + (a[i - 1] != b[k - 1])}));
-    }
-    return row.back();
+
+std::string lower(std::string word)
+{
+    for (auto& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return word;
 }
 
+}
+
+int distance(const std::string& a, const std::string& b)
+{
+    std::vector<int> beforeLast, last(b.size() + 1), row(b.size() + 1);
+    std::iota(last.begin(), last.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+    {
+        row[0] = int(i);
+        for (std::size_t k = 1; k <= b.size(); ++k)
+        {
+            row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + (a[i - 1] != b[k - 1])});
+            if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) row[k] = std::min(row[k], beforeLast[k - 2] + 1);
+        }
+        beforeLast = last;
+        last = row;
+    }
+    return last.back();
+}
+
+/// A third of the letters may be wrong, three at most: of two short words ("dx", "dt") neither is a slip of the other. A word that is
+/// the beginning of one known word alone ("cubic" of "cubicSpline") means that one.
 std::string nearest(const std::string& word, std::span<const std::string> known)
 {
     const std::string* best = nullptr;
-    int least = std::max(1, std::min(3, int(word.size())/2)) + 1;
+    const auto meant = lower(word);
+    int least = std::min(3, int(word.size())/3) + 1;
     for (const auto& k : known)
-        if (const int d = distance(word, k); d < least) { least = d; best = &k; }
-    return best ? *best : "";
+        if (const int d = distance(meant, lower(k)); d < least) { least = d; best = &k; }
+    if (best) return *best;
+
+    int begins = 0;
+    for (const auto& k : known)
+        if (word.size() > 2 && lower(k).starts_with(meant)) { ++begins; best = &k; }
+    return begins == 1 ? *best : "";
 }
 
 std::string list(std::span<const std::string> words)

@@ -7,10 +7,10 @@
 namespace sph
 {
 
-/// Letters to change, insert or drop to get from a to b (Levenshtein).
+/// Letters to change, insert, drop or swap with their neighbour to get from a to b (Damerau's distance, each letter edited once).
 int distance(const std::string& a, const std::string& b);
 
-/// The word of `known` that was probably meant by `word`, or an empty string where none is near.
+/// The word of `known` that was probably meant by `word`, capitals apart, or an empty string where none is near.
 std::string nearest(const std::string& word, std::span<const std::string> known);
 
 /// `Did you mean "x"? Known <things>: a, b, c.` with the question only where a word is near.

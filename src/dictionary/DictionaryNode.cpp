@@ -1,0 +1,137 @@
+#include "DictionaryNode.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+using Node = Dictionary::Node;
+
+std::shared_ptr<Node> Node::child(const std::string& key, const Location& at)
+{
+    auto node = std::make_shared<Node>();
+    node->name = name + "." + key;
+    node->keyword = key;
+    node->where = at;
+    node->diagnostics = diagnostics;
+    node->parent = this;
+    return node;
+}
+
+DictionaryEntry* Node::findExact(const std::string& key)
+{
+    for (auto& e : entries)
+        if (e.keyword == key) return &e;
+    return nullptr;
+}
+
+DictionaryEntry* Node::find(const std::string& key)
+{
+    if (auto* exact = findExact(key)) return exact;
+    for (auto e = entries.rbegin(); e != entries.rend(); ++e)
+        if (e->pattern && std::regex_match(key, *e->pattern)) return &*e;
+    return nullptr;
+}
+
+/// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator.
+DictionaryEntry* Node::descend(const std::string& path)
+{
+    if (auto* entry = find(path)) return entry;
+    for (auto dot = path.find('.'); dot != path.npos; dot = path.find('.', dot + 1))
+        if (auto* entry = find(path.substr(0, dot)); entry && entry->dictionary)
+            if (auto* inner = entry->dictionary->descend(path.substr(dot + 1)))
+            {
+                entry->used = true;
+                return inner;
+            }
+    return nullptr;
+}
+
+DictionaryEntry* Node::findScoped(const std::string& path)
+{
+    if (path.starts_with(':'))
+    {
+        auto* top = this;
+        while (top->parent) top = top->parent;
+        return top->descend(path.substr(1));
+    }
+    if (path.starts_with('.'))
+    {
+        auto* scope = this;
+        std::size_t dots = 1;
+        for (; dots < path.size() && path[dots] == '.'; ++dots)
+            if (scope) scope = scope->parent;
+        return scope ? scope->descend(path.substr(dots)) : nullptr;
+    }
+    for (auto* scope = this; scope; scope = scope->parent)
+        if (auto* entry = scope->descend(path)) return entry;
+    return nullptr;
+}
+
+void Node::add(DictionaryEntry entry, InputMode mode)
+{
+    if (entry.dictionary) entry.dictionary->parent = this;
+    auto* before = findExact(entry.keyword);
+    if (!before)
+    {
+        entries.push_back(std::move(entry));
+        return;
+    }
+    const auto previous = fmt::format("\"{}\" is given twice, first in {}", entry.keyword, toString(before->where));
+    switch (mode)
+    {
+        case InputMode::protect: return;
+        case InputMode::warn: diagnostics->warning(entry.where, previous + ", which is kept"); return;
+        case InputMode::error: diagnostics->error(entry.where, previous); return;
+        case InputMode::merge:
+            if (before->dictionary && entry.dictionary)
+            {
+                for (auto& inner : entry.dictionary->entries) before->dictionary->add(std::move(inner), mode);
+                before->dictionary->end = entry.dictionary->end;
+                before->begin = entry.begin;
+                before->end = entry.end;
+                return;
+            }
+            break;
+        case InputMode::overwrite: break;
+    }
+    // Overriding a macro's or an included file's value is the usual way to vary a base case; the same keyword twice in one block is
+    // most likely a slip.
+    if (mode == InputMode::merge && !before->copied && !entry.copied && before->where.file == entry.where.file &&
+        before->where.line != entry.where.line)
+        diagnostics->warning(entry.where, previous + "; the last one counts");
+    const bool pattern = before->pattern != nullptr;
+    entry.used = entry.used || before->used;
+    *before = std::move(entry);
+    // Among patterns the last one wins, so a repeated pattern counts as new.
+    if (pattern) std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+}
+
+void Node::mergeCopies(const Node& other)
+{
+    const auto originals = other.entries; // the two may be the same dictionary
+    for (auto copy : originals)
+    {
+        copy.copied = true;
+        copy.used = copy.ignored = false;
+        const auto duplicate = [&](std::shared_ptr<Node>& inner)
+        {
+            auto own = child(inner->keyword, inner->where);
+            own->end = inner->end;
+            own->mergeCopies(*inner);
+            inner = own;
+        };
+        if (copy.dictionary) duplicate(copy.dictionary);
+        for (auto& token : copy.value)
+            if (token.dictionary) duplicate(token.dictionary);
+        add(std::move(copy), InputMode::merge);
+    }
+}
+
+void Node::lookUp(const std::string& key)
+{
+    visited = true;
+    if (std::find(lookedUp.begin(), lookedUp.end(), key) == lookedUp.end()) lookedUp.push_back(key);
+}
+
+}

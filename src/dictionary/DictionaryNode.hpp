@@ -1,0 +1,73 @@
+/// What a Dictionary is a handle on: the parsed entries, their place in the files, and what was looked up.
+#pragma once
+#include "Token.hpp"
+#include <regex>
+#include <vector>
+
+namespace sph
+{
+
+/// What happens to an entry whose keyword is there already, as OpenFOAM's #inputMode.
+enum class InputMode
+{
+    merge,     ///< sub-dictionaries merge, other values are replaced
+    overwrite, ///< replaced
+    protect,   ///< the first stays
+    warn,      ///< the first stays, with a warning
+    error      ///< an error
+};
+
+struct DictionaryEntry
+{
+    std::string keyword;
+    Location where;
+    /// Macros expanded. Empty for a sub-dictionary.
+    std::vector<Token> value;
+    std::shared_ptr<Dictionary::Node> dictionary = nullptr;
+    /// Set where the keyword was written in quotes: it then stands for all keywords that it matches.
+    std::shared_ptr<const std::regex> pattern = nullptr;
+
+    /// The text of the value (or of `{ .. }`) in the file `where.file`.
+    std::size_t begin = 0, end = 0;
+    /// Came by `$base;`: the text belongs to another entry.
+    bool copied = false;
+    /// Came from a file that the dictionary includes, and which may serve other dictionaries as well.
+    bool included = false;
+    bool used = false, ignored = false;
+};
+
+struct Dictionary::Node
+{
+    std::string name, keyword;
+    Location where;
+    std::shared_ptr<Diagnostics> diagnostics;
+    /// Valid while parsing alone: macros search the enclosing dictionaries.
+    Node* parent = nullptr;
+    std::vector<DictionaryEntry> entries;
+    /// Place of the closing brace, or the end of the file, in the text.
+    std::size_t end = 0;
+
+    /// Stands for a dictionary that is missing, which was reported: what is missing in it is not reported again.
+    bool missing = false;
+    /// Some look-up reached it, so that its entries are the program's business.
+    bool visited = false;
+    std::vector<std::string> lookedUp;
+
+    std::shared_ptr<Node> child(const std::string& key, const Location&);
+
+    DictionaryEntry* findExact(const std::string& key);
+    /// The entry of that keyword, or the last pattern that matches it.
+    DictionaryEntry* find(const std::string& key);
+    /// As a macro names it: `a` and `a.b` here or in an enclosing dictionary, `:a.b` from the top, `..a` one up, `...a` two up.
+    DictionaryEntry* findScoped(const std::string& name);
+
+    void add(DictionaryEntry, InputMode);
+    /// Adds copies of the entries of another dictionary; they remember where they were written.
+    void mergeCopies(const Node&);
+    void lookUp(const std::string& key);
+
+private:
+    DictionaryEntry* descend(const std::string& name);
+};
+
+}
