@@ -1,5 +1,6 @@
 #include "FluidSpace.hpp"
-#include "axes.hpp"
+#include "PatchGrid.hpp"
+#include "components.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,8 +20,8 @@ bool crosses(const Box& b, const Geometry& g, int axis)
     for (int k = 0; k < g.dimension; ++k)
         if (k != axis)
         {
-            const double slack = roundOff*(component(g.high, k) - component(g.low, k));
-            if (component(b.low, k) > component(g.low, k) + slack || component(b.high, k) < component(g.high, k) - slack)
+            const double slack = roundOff*(g.high.*component(k) - g.low.*component(k));
+            if (b.low.*component(k) > g.low.*component(k) + slack || b.high.*component(k) < g.high.*component(k) - slack)
                 return false;
         }
     return true;
@@ -32,7 +33,7 @@ double fractionAbove(double d, const Vector<3>& n, const Vector<3>& edge, int di
 {
     std::array<double, 3> m{};
     double sum = 0;
-    for (int k = 0; k < dimension; ++k) sum += m[k] = std::fabs(component(n, k))*component(edge, k);
+    for (int k = 0; k < dimension; ++k) sum += m[k] = std::fabs(n.*component(k))*edge.*component(k);
     if (d >= sum/2) return 1;
     if (d <= -sum/2) return 0;
 
@@ -68,14 +69,18 @@ double fluidIn(const Geometry& g, const Vector<3>& centre, const Vector<3>& edge
     if (halvings == 0)
     {
         double fraction = 1;
-        for (const auto& patch : g.patches)
+        const auto cut = [&](const Patch& patch)
         {
             const Foot f = patch.shape->foot(centre);
-            if (std::fabs(f.distance) > halfDiagonal) continue;
+            if (std::fabs(f.distance) > halfDiagonal) return;
             // On average over the cell the surface bends away from its tangent plane by (k1 + k2)/2 h^2/12.
             const double h2 = dot(edge, edge)/g.dimension;
             fraction *= fractionAbove(f.distance - (f.k1 + f.k2)*h2/24, f.normal, edge, g.dimension);
-        }
+        };
+        if (g.grid && halfDiagonal <= g.reach)
+            for (const int p : g.grid->near(centre)) cut(g.patches[p]);
+        else
+            for (const auto& patch : g.patches) cut(patch);
         return fraction*whole;
     }
     double sum = 0;
@@ -96,8 +101,8 @@ double quadrature(const Geometry& g, const Box& box, double coarsest, int halvin
     Vector<3> edge;
     for (int k = 0; k < g.dimension; ++k)
     {
-        n[k] = std::max(1L, std::lround(std::ceil(component(length, k)/coarsest)));
-        component(edge, k) = component(length, k)/n[k];
+        n[k] = std::max(1L, std::lround(std::ceil(length.*component(k)/coarsest)));
+        edge.*component(k) = length.*component(k)/n[k];
     }
     const long cells = n[0]*n[1]*n[2];
     std::vector<double> part(cells);
@@ -123,8 +128,8 @@ bool isBoxAroundBalls(const Geometry& g, const Box& box, const std::vector<Ball>
         const Box b = patch.shape->bounds();
         bool isFace = false;
         for (int k = 0; k < g.dimension; ++k)
-            isFace |= component(b.low, k) == component(b.high, k) && crosses(b, g, k)
-                      && (component(b.low, k) <= component(box.low, k) || component(b.high, k) >= component(box.high, k));
+            isFace |= b.low.*component(k) == b.high.*component(k) && crosses(b, g, k)
+                      && (b.low.*component(k) <= box.low.*component(k) || b.high.*component(k) >= box.high.*component(k));
         if (!isFace) return false;
     }
     const Vector<3> length = g.high - g.low;
@@ -133,8 +138,8 @@ bool isBoxAroundBalls(const Geometry& g, const Box& box, const std::vector<Ball>
         for (int k = 0; k < g.dimension; ++k)
         {
             if (g.periodic[k]) continue;
-            const double c = component(balls[a].centre, k), r = balls[a].radius*(1 - roundOff);
-            if (c - r < component(box.low, k) || c + r > component(box.high, k)) return false;
+            const double c = balls[a].centre.*component(k), r = balls[a].radius*(1 - roundOff);
+            if (c - r < box.low.*component(k) || c + r > box.high.*component(k)) return false;
         }
         for (std::size_t b = a; b < balls.size(); ++b)
         {
@@ -162,12 +167,12 @@ Box fluidBox(const Geometry& g)
         const Box b = patch.shape->bounds();
         for (int k = 0; k < g.dimension; ++k)
         {
-            const double at = component(b.low, k);
-            if (at != component(b.high, k) || !crosses(b, g, k)) continue;
-            if (at <= component(g.low, k) || at >= component(g.high, k)) continue;
-            const double sense = component(patch.shape->foot(0.5*(g.low + g.high)).normal, k);
-            if (sense > 0) component(box.low, k) = std::max(component(box.low, k), at);
-            if (sense < 0) component(box.high, k) = std::min(component(box.high, k), at);
+            const double at = b.low.*component(k);
+            if (at != b.high.*component(k) || !crosses(b, g, k)) continue;
+            if (at <= g.low.*component(k) || at >= g.high.*component(k)) continue;
+            const double sense = patch.shape->foot(0.5*(g.low + g.high)).normal.*component(k);
+            if (sense > 0) box.low.*component(k) = std::max(box.low.*component(k), at);
+            if (sense < 0) box.high.*component(k) = std::min(box.high.*component(k), at);
         }
     }
     return box;
@@ -205,8 +210,8 @@ std::vector<Ball> ballsInCell(const Geometry& g)
         for (int k = 0; k < g.dimension; ++k)
             if (g.periodic[k])
             {
-                const double L = component(length, k), low = component(g.low, k);
-                double& c = component(ball->centre, k);
+                const double L = length.*component(k), low = g.low.*component(k);
+                double& c = ball->centre.*component(k);
                 c -= L*std::floor((c - low)/L + roundOff);
             }
         const bool known = std::any_of(balls.begin(), balls.end(), [&](const Ball& b)
@@ -231,18 +236,6 @@ FluidVolume fluidVolume(const Geometry& g, double finest)
     const double coarsest = finest*(1 << halvings);
     const double fine = quadrature(g, box, coarsest, halvings), coarse = quadrature(g, box, coarsest, halvings - 1);
     return {fine, std::fabs(fine - coarse), false};
-}
-
-Foot nearestFoot(const Geometry& g, const Vector<3>& x)
-{
-    Foot nearest;
-    nearest.distance = Box::infinity;
-    for (const auto& patch : g.patches)
-    {
-        const Foot f = patch.shape->foot(x);
-        if (f.distance < nearest.distance) nearest = f;
-    }
-    return nearest;
 }
 
 }

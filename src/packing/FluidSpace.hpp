@@ -34,7 +34,4 @@ struct FluidVolume
 /// error is the difference to cells of twice that size.
 FluidVolume fluidVolume(const Geometry&, double finest);
 
-/// The foot point on the nearest patch; distance +infinity where there is none.
-Foot nearestFoot(const Geometry&, const Vector<3>& x);
-
 }

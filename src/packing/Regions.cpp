@@ -1,5 +1,5 @@
 #include "Regions.hpp"
-#include "axes.hpp"
+#include "components.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +13,7 @@ Vector<3> shortest(const Geometry& g, const Vector<3>& x, const Vector<3>& to)
 {
     Vector<3> d = x - to;
     for (int k = 0; k < g.dimension; ++k)
-        if (g.periodic[k])
-        {
-            const double L = component(g.high, k) - component(g.low, k);
-            component(d, k) -= L*std::round(component(d, k)/L);
-        }
+        if (g.periodic[k]) d.*component(k) -= g.length(k)*std::round(d.*component(k)/g.length(k));
     return d;
 }
 
@@ -51,7 +47,7 @@ Region box(const Dictionary& dict, const Geometry& g)
 {
     const auto low = dict.get<Vector<3>>("min"), high = dict.get<Vector<3>>("max");
     for (int k = 0; k < g.dimension; ++k)
-        if (component(low, k) > component(high, k)) dict.error("max", "max lies below min: the box is inside out");
+        if (low.*component(k) > high.*component(k)) dict.error("max", "max lies below min: the box is inside out");
     const bool hasDepth = g.dimension == 3;
     return [=](const Vector<3>& x)
     {

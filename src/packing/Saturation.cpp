@@ -1,11 +1,12 @@
 #include "Saturation.hpp"
-#include "FluidSpace.hpp"
-#include "axes.hpp"
+#include "PatchGrid.hpp"
+#include "components.hpp"
 #include "noise.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <utility>
 
 namespace sph
 {
@@ -16,12 +17,19 @@ namespace
 std::pair<double, double> twoNearest(const Geometry& g, const Vector<3>& x)
 {
     double first = Box::infinity, second = Box::infinity;
-    for (const auto& patch : g.patches)
+    const auto look = [&](const Patch& patch)
     {
         const double d = patch.shape->foot(x).distance;
         if (d < first) second = std::exchange(first, d);
         else second = std::min(second, d);
-    }
+    };
+    if (g.grid)
+        for (const int p : g.grid->near(x)) look(g.patches[p]);
+    if (second <= g.reach && g.grid) return {first, second};
+
+    // The grid answers for patches within its reach alone.
+    first = second = Box::infinity;
+    for (const auto& patch : g.patches) look(patch);
     return {first, second};
 }
 
@@ -32,11 +40,7 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
     {
         Vector<3> d = x - c;
         for (int k = 0; k < g.dimension; ++k)
-            if (g.periodic[k])
-            {
-                const double L = component(g.high, k) - component(g.low, k);
-                component(d, k) -= L*std::round(component(d, k)/L);
-            }
+            if (g.periodic[k]) d.*component(k) -= g.length(k)*std::round(d.*component(k)/g.length(k));
         nearest = std::min(nearest, dot(d, d));
     }
     return nearest;

@@ -1,7 +1,9 @@
 #include "WallImages.hpp"
-#include "axes.hpp"
+#include "PatchGrid.hpp"
+#include "components.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sph
 {
@@ -26,24 +28,21 @@ struct WallImages::Chunk
     std::vector<int> near, nearCount;
 };
 
-WallImages::WallImages(const Geometry& geometry) : geometry_(geometry)
+WallImages::WallImages(const Geometry& geometry) : geometry_(geometry), all_(geometry.patches.size())
 {
-    for (const auto& patch : geometry.patches) bounds_.push_back(patch.shape->bounds());
+    std::iota(all_.begin(), all_.end(), 0);
 }
 
-double WallImages::distanceToBounds(int patch, const Vector<3>& x) const
+std::span<const int> WallImages::candidates(const Vector<3>& x, double reach) const
 {
-    const Box& b = bounds_[patch];
-    const auto outside = [](double a, double low, double high) { return std::max({low - a, a - high, 0.0}); };
-    const double dx = outside(x.x, b.low.x, b.high.x), dy = outside(x.y, b.low.y, b.high.y);
-    const double dz = geometry_.dimension == 3 ? outside(x.z, b.low.z, b.high.z) : 0;
-    return std::sqrt(dx*dx + dy*dy + dz*dz);
+    if (geometry_.grid && reach <= geometry_.reach*(1 + 1e-12)) return geometry_.grid->near(x);
+    return all_;
 }
 
 bool WallImages::isWithin(double reach, const Vector<3>& x) const
 {
     for (int k = 0; k < geometry_.dimension; ++k)
-        if (component(x, k) < component(geometry_.low, k) - reach || component(x, k) > component(geometry_.high, k) + reach)
+        if (x.*component(k) < geometry_.low.*component(k) - reach || x.*component(k) > geometry_.high.*component(k) + reach)
             return false;
     return true;
 }
@@ -51,12 +50,10 @@ bool WallImages::isWithin(double reach, const Vector<3>& x) const
 void WallImages::reflect(Chunk& chunk, const Image& parent, int reflections, const Vector<3>& x, double factor,
                          const Vector<3>& previousNormal, double reach) const
 {
-    const int patches = int(geometry_.patches.size());
     const double coincident = 1e-7*reach;
-    for (int p = 0; p < patches; ++p)
+    for (const int p : candidates(x, reach))
     {
         if (reflections > 0 && p == parent.patch[reflections - 1]) continue;
-        if (distanceToBounds(p, x) >= reach) continue;
         const Foot foot = geometry_.patches[p].shape->foot(x);
         if (!foot.smooth || foot.distance <= 0 || foot.distance >= reach) continue;
         if (reflections > 0 && dot(foot.normal, previousNormal) > mostAlignedNormals) continue;
@@ -68,9 +65,8 @@ void WallImages::reflect(Chunk& chunk, const Image& parent, int reflections, con
             // A foot point that lies in the solid of another patch is no part of the wall.
             const Vector<3> footPoint = x - foot.distance*foot.normal;
             bool isWall = true;
-            for (int q = 0; isWall && q < patches; ++q)
-                if (q != p && distanceToBounds(q, footPoint) < reach)
-                    isWall = geometry_.patches[q].shape->foot(footPoint).distance > -coincident;
+            for (const int q : candidates(footPoint, reach))
+                isWall &= q == p || geometry_.patches[q].shape->foot(footPoint).distance > -coincident;
             if (!isWall) continue;
         }
 
@@ -96,7 +92,7 @@ void WallImages::build(const Points& points, std::size_t n, double reach)
     const Vector<3> length = geometry_.high - geometry_.low;
     std::array<int, 3> copies{};
     for (int k = 0; k < geometry_.dimension; ++k)
-        if (geometry_.periodic[k]) copies[k] = int(std::ceil(reach/component(length, k)));
+        if (geometry_.periodic[k]) copies[k] = int(std::ceil(reach/geometry_.length(k)));
 
     const std::size_t chunks = (n + chunkSize - 1)/chunkSize;
     std::vector<Chunk> chunk(chunks);
@@ -106,9 +102,8 @@ void WallImages::build(const Points& points, std::size_t n, double reach)
         {
             const Vector<3> x = points[i];
             const std::size_t nearBefore = chunk[c].near.size();
-            for (int p = 0; p < int(geometry_.patches.size()); ++p)
-                if (distanceToBounds(p, x) < reach && std::fabs(geometry_.patches[p].shape->foot(x).distance) < reach)
-                    chunk[c].near.push_back(p);
+            for (const int p : candidates(x, reach))
+                if (geometry_.patches[p].shape->foot(x).distance < reach) chunk[c].near.push_back(p);
             chunk[c].nearCount.push_back(int(chunk[c].near.size() - nearBefore));
 
             chunk[c].at.clear();

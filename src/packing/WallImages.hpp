@@ -50,10 +50,11 @@ private:
     void reflect(Chunk&, const Image&, int reflections, const Vector<3>& x, double factor, const Vector<3>& previousNormal,
                  double reach) const;
     bool isWithin(double reach, const Vector<3>& x) const;
-    double distanceToBounds(int patch, const Vector<3>& x) const;
+    /// Patches that may be within reach of x, and others.
+    std::span<const int> candidates(const Vector<3>& x, double reach) const;
 
     const Geometry& geometry_;
-    std::vector<Box> bounds_;
+    std::vector<int> all_;
     std::size_t n_ = 0;
     std::vector<Image> images_;
     std::vector<int> near_;

@@ -18,24 +18,24 @@ inline Geometry emptyBox(int dimension, Vector<3> high, std::array<bool, 3> peri
     return g;
 }
 
-inline void add(Geometry& g, const Shape& shape) { g.patches.push_back({std::shared_ptr<Shape>(shape.shifted({})), 0}); }
+inline void add(Geometry& g, const Shape& shape) { g.originals.push_back({std::shared_ptr<Shape>(shape.shifted({})), 0}); }
 
-/// A ball in a periodic cube of edge 1, with the copies around it.
-inline Geometry cubicBed(double radius)
+/// A ball in a periodic cube of edge 1.
+inline Geometry cubicBed(double radius, double reach)
 {
     Geometry g = emptyBox(3, {1, 1, 1}, {true, true, true});
-    for (int k = -1; k <= 1; ++k)
-        for (int j = -1; j <= 1; ++j)
-            for (int i = -1; i <= 1; ++i) add(g, Sphere({i + 0.5, j + 0.5, k + 0.5}, radius, FluidSide::outside));
+    add(g, Sphere({0.5, 0.5, 0.5}, radius, FluidSide::outside));
+    repeatPeriodically(g, reach);
     return g;
 }
 
 /// A channel between planes at y = 0 and y = height, periodic along x (and z).
-inline Geometry channel(int dimension, double length, double height)
+inline Geometry channel(int dimension, double length, double height, double reach)
 {
     Geometry g = emptyBox(dimension, {length, height, length}, {true, false, dimension == 3});
     add(g, Plane({0, 0, 0}, {0, 1, 0}));
     add(g, Plane({0, height, 0}, {0, -1, 0}));
+    repeatPeriodically(g, reach);
     return g;
 }
 

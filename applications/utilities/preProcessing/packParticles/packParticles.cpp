@@ -1,0 +1,37 @@
+/// Fills the space between the walls with particles: see src/packing.
+#include "CommandLine.hpp"
+#include "Packing.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace
+{
+/// writeFormat and writePrecision of controlDict; binary where there is none.
+sph::WriteOptions writeOptions(const sph::Case& c)
+{
+    static const std::vector<std::string> formats{"ascii", "binary"};
+    const auto control = c.dictionaryIfPresent("system/controlDict");
+    sph::WriteOptions options;
+    if (control.choose("writeFormat", formats, "binary") == "ascii") options.format = sph::WriteFormat::ascii;
+    return options;
+}
+}
+
+int main(int argc, char** argv)
+{
+    std::string time = "0";
+    return sph::runApplication(
+        "packParticles", argc, argv, "Fills the space between the walls of a case with particles (system/packParticlesDict).",
+        [&](CLI::App& app) { app.add_option("--time", time, "Time folder to write (default 0)")->type_name("<name>"); },
+        [&](const std::filesystem::path& caseFolder)
+        {
+            const sph::Case theCase(caseFolder);
+            const auto options = writeOptions(theCase);
+            const auto plan = sph::readPackingPlan(theCase);
+            const auto packing = sph::pack(plan);
+            sph::writePacking(theCase, time, plan, packing, options);
+            for (const auto& line : theCase.diagnostics().warnings()) fmt::print("Warning: {}\n", line);
+            fmt::print("{}\nWritten to {}/lagrangian/sph\n\nEnd\n", sph::report(plan, packing), time);
+            return 0;
+        });
+}

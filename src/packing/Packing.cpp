@@ -1,0 +1,187 @@
+#include "Packing.hpp"
+#include "components.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+/// Particles nearer than this, in spacings, are one particle twice: no kernel sum can tell them apart.
+constexpr double coincidence = 0.05;
+
+/// Indices are 32 bits wide, images included.
+constexpr double mostPlaces = 1e9;
+
+std::string text(const Vector<3>& a) { return fmt::format("({:.6g} {:.6g} {:.6g})", a.x, a.y, a.z); }
+
+void checkSpacing(const PackingPlan& plan, const Box& box)
+{
+    const auto& g = plan.geometry;
+    const double spacing = plan.lattice.spacing;
+    double places = 1;
+    for (int k = 0; k < g.dimension; ++k)
+    {
+        const double gap = box.high.*component(k) - box.low.*component(k);
+        if (!(gap > 0))
+            throw CaseError(plan.spacingAt, fmt::format("the walls leave no fluid along {}: see constant/geometry", coordinateNames[k]));
+        if (spacing > gap*(1 + 1e-6))
+            throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
+                                                        coordinateNames[k]));
+        places *= gap/spacing;
+    }
+    if (places > mostPlaces)
+        throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m makes {:.2g} particles; at most {:.2g} are possible", spacing,
+                                                    places, mostPlaces));
+}
+
+Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& packing)
+{
+    auto lattice = makeLattice(plan.lattice, plan.geometry.dimension, box, plan.geometry.periodic);
+    packing.layers = lattice.layers;
+    packing.fittedSpacing = lattice.fittedSpacing;
+    const long n = long(lattice.points.size());
+    std::vector<char> isFluid(n);
+#pragma omp parallel for schedule(static)
+    for (long i = 0; i < n; ++i) isFluid[i] = plan.geometry.distance(lattice.points[i]) > 0;
+
+    Points places;
+    for (long i = 0; i < n; ++i)
+        if (isFluid[i]) places.add(lattice.points[i]);
+    if (places.size() == 0)
+        throw CaseError(plan.spacingAt, fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
+                                                    "no fluid, or its gaps are narrower than the spacing",
+                                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
+    return places;
+}
+
+template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, Points& points)
+{
+    RelaxationSettings atRest;
+    atRest.steps = 0;
+    return relax<dim>(plan.geometry, Kernel<dim>(plan.kernel, plan.support), V0, plan.lattice.spacing,
+                      plan.relaxation.value_or(atRest), points);
+}
+
+void checkDistances(const PackingPlan& plan, const Packing& packing)
+{
+    const auto& [i, j] = packing.relaxation.closest;
+    const double r = packing.relaxation.closestPair;
+    if (r < coincidence*plan.lattice.spacing)
+        throw CaseError(plan.latticeAt, fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
+                                                    r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
+}
+
+void wrap(const Geometry& g, Points& points)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        Vector<3> x = points[i];
+        for (int k = 0; k < g.dimension; ++k)
+        {
+            const auto c = component(k);
+            if (!g.periodic[k]) continue;
+            if (x.*c < g.low.*c) x.*c += g.length(k);
+            if (x.*c >= g.high.*c) x.*c -= g.length(k);
+        }
+        points.set(i, x);
+    }
+}
+
+/// The phase of each place, and the velocity that its rule gives.
+struct Occupation
+{
+    std::vector<int> phase;
+    std::vector<const Vector<3>*> U;
+};
+
+Occupation occupy(const PackingPlan& plan, const Points& places)
+{
+    const std::size_t n = places.size();
+    Occupation o{std::vector<int>(n, plan.fill.empty() ? 0 : FillRule::noPhase), std::vector<const Vector<3>*>(n, nullptr)};
+    for (std::size_t i = 0; i < n; ++i)
+        for (const auto& rule : plan.fill)
+            if (rule.region(places[i]))
+            {
+                o.phase[i] = rule.phase;
+                if (rule.U) o.U[i] = &*rule.U;
+            }
+    return o;
+}
+
+void share(const Saturation& saturation, const Geometry& g, const Points& places, Occupation& o)
+{
+    Points filled;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (o.phase[i] != FillRule::noPhase) filled.add(places[i]);
+    const auto holds = place(saturation, g, filled);
+    std::size_t k = 0;
+    for (auto& phase : o.phase)
+        if (phase != FillRule::noPhase) phase = holds[k++] ? saturation.phase : saturation.gas;
+}
+
+void checkPhases(const PackingPlan& plan, const Packing& packing)
+{
+    Diagnostics errors;
+    for (std::size_t k = 0; k < plan.phases.size(); ++k)
+        if (packing.phases[k].particles == 0 && !plan.allowEmpty)
+            errors.error(plan.phases[k].where, fmt::format("phase {} has no particles: no region of system/packParticlesDict puts it "
+                                                           "anywhere. If that is meant, write there: allowEmpty yes;",
+                                                           plan.phases[k].name));
+    errors.throwIfAny();
+    if (packing.points.size() == 0) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
+}
+}
+
+Packing pack(const PackingPlan& plan)
+{
+    const auto& g = plan.geometry;
+    Packing packing;
+    const Box box = fluidBox(g);
+    checkSpacing(plan, box);
+    packing.balls = ballsInCell(g);
+    packing.points = placesBetweenWalls(plan, box, packing);
+    packing.volume = fluidVolume(g, plan.lattice.spacing/4);
+    packing.particleVolume = packing.volume.value/double(packing.points.size());
+    const Vector<3> length = box.high - box.low;
+    packing.porosity = packing.volume.value/(length.x*length.y*(g.dimension == 3 ? length.z : 1));
+
+    packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
+                                          : relaxIn<2>(plan, packing.particleVolume, packing.points);
+    checkDistances(plan, packing);
+    wrap(g, packing.points);
+
+    auto occupation = occupy(plan, packing.points);
+    if (plan.saturation) share(*plan.saturation, g, packing.points, occupation);
+
+    const Points places = std::move(packing.points);
+    packing.points = {};
+    packing.phases.resize(plan.phases.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const int phase = occupation.phase[i];
+        if (phase == FillRule::noPhase)
+        {
+            ++packing.leftEmpty;
+            continue;
+        }
+        const double rho = plan.phases[phase].rho, mass = rho*packing.particleVolume;
+        packing.points.add(places[i]);
+        packing.phase.push_back(phase);
+        packing.rho.push_back(rho);
+        packing.mass.push_back(mass);
+        Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
+        if (g.dimension == 2) U.z = 0;
+        packing.velocity.add(U);
+        ++packing.phases[phase].particles;
+        packing.phases[phase].mass += mass;
+    }
+    checkPhases(plan, packing);
+    if (plan.saturation)
+        packing.saturation = double(packing.phases[plan.saturation->phase].particles)/double(packing.points.size());
+    return packing;
+}
+
+}

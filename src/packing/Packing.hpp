@@ -1,0 +1,91 @@
+/// From the dictionaries of a case to particles with phase, mass and velocity: what packParticles does.
+#pragma once
+#include "Case.hpp"
+#include "Cloud.hpp"
+#include "FluidSpace.hpp"
+#include "InitialVelocity.hpp"
+#include "Lattice.hpp"
+#include "Regions.hpp"
+#include "Relaxation.hpp"
+#include "Saturation.hpp"
+#include <optional>
+
+namespace sph
+{
+
+struct PhaseToPack
+{
+    std::string name;
+    double rho;                            ///< rest density [kg/m^3]
+    Location where;
+};
+
+/// `{ region ..; phase ..; U (..); }`: the last rule that contains a particle decides.
+struct FillRule
+{
+    static constexpr int noPhase = -1;     ///< `phase none`: no particle there (free surface)
+    Region region;
+    int phase;
+    std::optional<Vector<3>> U;
+};
+
+/// All that the dictionaries say, checked.
+struct PackingPlan
+{
+    Geometry geometry;
+    LatticeSpec lattice;
+    std::string kernel;
+    double support = 0;                    ///< H [m]
+    std::optional<RelaxationSettings> relaxation;
+    std::vector<PhaseToPack> phases;
+    std::vector<FillRule> fill;
+    std::optional<Saturation> saturation;
+    std::optional<VelocityField> velocity;
+    bool allowEmpty = false;
+    Location spacingAt, latticeAt;
+
+    /// For the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
+    double bedPeriod = 0, g = 0, surfaceTension = 0;
+};
+
+/// Reads constant/geometry, constant/phaseProperties, constant/g, system/sphSchemes (`resolution`) and system/packParticlesDict
+/// (every entry has a default, and the file may be missing). Throws CaseError with all mistakes.
+PackingPlan readPackingPlan(const Case&);
+
+struct PackedPhase
+{
+    std::size_t particles = 0;
+    double mass = 0;                       ///< [kg]; [kg/m] in 2-D
+};
+
+struct Packing
+{
+    Points points;
+    std::vector<double> phase;             ///< index into PackingPlan::phases
+    std::vector<double> mass;              ///< [kg]
+    std::vector<double> rho;
+    Points velocity;
+
+    FluidVolume volume;                    ///< of the space between the walls
+    double particleVolume = 0;             ///< the same for all: volume over places
+    double porosity = 1;                   ///< share of the fluid's box that walls leave to the fluid
+    std::vector<Ball> balls;
+    std::array<long, 3> layers{};
+    Vector<3> fittedSpacing;
+    RelaxationResult relaxation;
+    std::vector<PackedPhase> phases;
+    std::size_t leftEmpty = 0;             ///< places without a particle, by `phase none` or because no region covers them
+    double saturation = 0;                 ///< reached
+};
+
+/// Fills the whole space between the walls, relaxes it, and then gives the places to phases or leaves them empty, so that a free
+/// surface does not spread. Throws CaseError where there are no particles, a phase has none, or two particles coincide.
+Packing pack(const PackingPlan&);
+
+/// What the user is told.
+std::string report(const PackingPlan&, const Packing&);
+
+/// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`.
+void writePacking(const Case&, const std::string& time, const PackingPlan&, const Packing&, const WriteOptions&);
+
+}

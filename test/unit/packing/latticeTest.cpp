@@ -1,0 +1,92 @@
+#include "Lattice.hpp"
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace sph;
+
+namespace
+{
+double closestPair(const Points& p)
+{
+    double closest = 1e300;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) closest = std::min(closest, mag(p[i] - p[j]));
+    return closest;
+}
+}
+
+// A channel of 0.1 m at a spacing of 0.01 m holds ten layers half a spacing off its walls; positions exact to round-off.
+TEST(Lattice, fillsAChannelWithWholeLayersAtHalfSpacings)
+{
+    const auto lattice = makeLattice({"cubic", 0.01, 0, 1}, 2, {{0, 0, 0}, {0.05, 0.1, 0}}, {true, false, false});
+    EXPECT_EQ(lattice.layers, (std::array<long, 3>{5, 10, 1}));
+    ASSERT_EQ(lattice.points.size(), 50u);
+    const auto [low, high] = std::minmax_element(lattice.points.y.begin(), lattice.points.y.end());
+    EXPECT_NEAR(*low, 0.005, 1e-15);
+    EXPECT_NEAR(*high, 0.095, 1e-15);
+    EXPECT_NEAR(lattice.fittedSpacing.y, 0.01, 1e-15);
+}
+
+// A length of 10.4 spacings is filled with the nearest whole number of layers, ten, and the spacing grows by 4 %.
+TEST(Lattice, stretchesToWholeNumbersOfLayers)
+{
+    const auto lattice = makeLattice({"cubic", 0.1, 0, 1}, 3, {{0, 0, 0}, {1.04, 1, 0.96}}, {true, true, true});
+    EXPECT_EQ(lattice.layers, (std::array<long, 3>{10, 10, 10}));
+    EXPECT_NEAR(lattice.fittedSpacing.x, 0.104, 1e-15);
+    EXPECT_NEAR(lattice.fittedSpacing.z, 0.096, 1e-15);
+}
+
+// All lattices of one spacing have the same number of particles per volume (to the stretching, under 3 % here), and the distance to
+// the nearest neighbour that the lattice has at unit density: 1, (4/3)^(1/4), 2^(1/6), 3^(1/2)/4^(1/3).
+TEST(Lattice, haveTheDensityOfTheirSpacing)
+{
+    struct Case
+    {
+        const char* type;
+        int dimension;
+        double nearest;
+    };
+    for (const auto& [type, dimension, nearest] : {Case{"cubic", 3, 1}, Case{"hexagonal", 2, std::pow(4.0/3, 0.25)},
+                                                   Case{"fcc", 3, std::pow(2.0, 1.0/6)}, Case{"bcc", 3, std::sqrt(3.0)/std::cbrt(4.0)}})
+    {
+        const double edge = dimension == 2 ? 30 : 10;
+        const auto lattice = makeLattice({type, 1, 0, 1}, dimension, {{0, 0, 0}, {edge, edge, edge}}, {true, true, true});
+        EXPECT_NEAR(lattice.points.size()/std::pow(edge, dimension), 1, 0.12) << type;
+        const auto h = lattice.fittedSpacing;
+        EXPECT_NEAR(h.x*h.y*(dimension == 3 ? h.z : 1)*double(lattice.points.size()), std::pow(edge, dimension), 1e-9) << type;
+        EXPECT_NEAR(closestPair(lattice.points), nearest, 0.05) << type;
+    }
+}
+
+// Periodic directions of lattices with two layers a cell get an even number of layers, so that the pattern continues across them.
+TEST(Lattice, hexagonalRowsAreEvenWherePeriodic)
+{
+    for (const double height : {9.0, 10.0, 11.0})
+    {
+        const auto lattice = makeLattice({"hexagonal", 1, 0, 1}, 2, {{0, 0, 0}, {10, height, 0}}, {true, true, false});
+        EXPECT_EQ(lattice.layers[0]%2, 0);
+        EXPECT_EQ(lattice.layers[1]%2, 0);
+        EXPECT_EQ(long(lattice.points.size()), lattice.layers[0]*lattice.layers[1]/2);
+    }
+}
+
+// Jitter moves no particle farther than asked, moves nearly all of them, and repeats with its seed.
+TEST(Lattice, jitterIsBoundedAndRepeatable)
+{
+    const Box box{{0, 0, 0}, {5, 5, 5}};
+    const auto still = makeLattice({"cubic", 1, 0, 1}, 3, box, {}), one = makeLattice({"cubic", 1, 0.1, 7}, 3, box, {}),
+               same = makeLattice({"cubic", 1, 0.1, 7}, 3, box, {}), other = makeLattice({"cubic", 1, 0.1, 8}, 3, box, {});
+    EXPECT_EQ(one.points.x, same.points.x);
+    EXPECT_NE(one.points.x, other.points.x);
+    double largest = 0, sum = 0;
+    for (std::size_t i = 0; i < still.points.size(); ++i)
+    {
+        largest = std::max(largest, std::fabs(one.points.y[i] - still.points.y[i]));
+        sum += one.points.y[i] - still.points.y[i];
+    }
+    EXPECT_LE(largest, 0.1);
+    EXPECT_GT(largest, 0.09);
+    // mean of 125 uniform numbers of standard deviation 0.058: four of its standard errors
+    EXPECT_NEAR(sum/125, 0, 0.021);
+}

@@ -1,0 +1,182 @@
+#include "Lattice.hpp"
+#include "Relaxation.hpp"
+#include "WallImages.hpp"
+#include "handMadeGeometry.hpp"
+#include "FluidSpace.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <omp.h>
+
+using namespace sph;
+
+namespace
+{
+constexpr double supportInSpacings = 2.6;
+
+Points fluidPlaces(const Geometry& g, const LatticeSpec& spec)
+{
+    const auto lattice = makeLattice(spec, g.dimension, fluidBox(g), g.periodic);
+    Points points;
+    for (std::size_t i = 0; i < lattice.points.size(); ++i)
+        if (g.distance(lattice.points[i]) > 0) points.add(lattice.points[i]);
+    return points;
+}
+
+template<int dim> RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& points, const char* kernel = "wendlandC2")
+{
+    RelaxationSettings settings;
+    settings.steps = steps;
+    settings.tolerance = 0;
+    const double V0 = fluidVolume(g, spacing/4).value/double(points.size());
+    return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings*spacing), V0, spacing, settings, points);
+}
+
+double radiusFor(double solidFraction) { return std::cbrt(solidFraction*3/(4*std::numbers::pi)); }
+}
+
+// Simple cubic bed, solid fraction 0.343, 16 spacings a period. Prototype: scatter at walls 8 % on the lattice, 0.1 % after 200 steps
+// with the bias falling from 1 to 0.01. Measured here 5.8 % and 0.10 %; the limit allows half as much again.
+TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
+{
+    const double spacing = 1.0/16;
+    const auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
+    ASSERT_EQ(points.size(), 2720u);
+    const auto r = relaxed<3>(g, spacing, 200, points);
+    EXPECT_GT(r.before.nearWalls.scatter, 0.05);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.0015);
+    EXPECT_LT(r.after.overall.scatter, 0.0015);
+    // the constant that is left is the kernel's own, 0.7-1 % at this support
+    EXPECT_NEAR(r.after.overall.mean, 0.007, 0.003);
+    EXPECT_GT(r.closestPair, 0.7*spacing);
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
+}
+
+// Touching spheres (0.5236): no particle may end up in a grain, near the contacts least of all, and scatter still falls twentyfold.
+TEST(Relaxation, keepsParticlesOutOfTouchingSpheres)
+{
+    const double spacing = 1.0/16;
+    const auto g = cubicBed(0.5, 3*spacing);
+    auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
+    const auto r = relaxed<3>(g, spacing, 200, points);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.05*r.before.nearWalls.scatter);
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0) << points[i].x << ' ' << points[i].y;
+}
+
+// The forces are antisymmetric: without walls the centre of mass stays, to round-off, although every particle moves.
+TEST(Relaxation, leavesTheCentreOfMass)
+{
+    const double spacing = 1.0/12;
+    const Geometry g = emptyBox(3, {1, 1, 1}, {true, true, true});
+    auto points = fluidPlaces(g, {"cubic", spacing, 0.2, 3});
+    const auto r = relaxed<3>(g, spacing, 60, points);
+    EXPECT_LT(r.after.overall.scatter, 0.05*r.before.overall.scatter);
+    EXPECT_LT(r.centreOfMassDrift, 1e-10);
+}
+
+// A full lattice between planes is even already: images complete every kernel sum, in the corners of a box too, so that the residual
+// is the same everywhere to round-off and nothing moves.
+TEST(Relaxation, findsNothingToDoInChannelsAndBoxes)
+{
+    const double spacing = 0.1;
+    const auto slit = channel(2, 1, 1, 0.3);
+    auto points = fluidPlaces(slit, {"cubic", spacing, 0, 1});
+    ASSERT_EQ(points.size(), 100u);
+    auto r = relaxed<2>(slit, spacing, 0, points);
+    EXPECT_LT(r.before.overall.scatter, 1e-7);
+
+    Geometry room = emptyBox(3, {1, 1, 1}, {});
+    for (const Vector<3>& n : {Vector<3>{1, 0, 0}, Vector<3>{0, 1, 0}, Vector<3>{0, 0, 1}})
+    {
+        add(room, Plane({0, 0, 0}, n));
+        add(room, Plane({1, 1, 1}, -n));
+    }
+    repeatPeriodically(room, 0.3);
+    points = fluidPlaces(room, {"cubic", spacing, 0, 1});
+    ASSERT_EQ(points.size(), 1000u);
+    r = relaxed<3>(room, spacing, 0, points);
+    EXPECT_LT(r.before.overall.scatter, 1e-7);
+    EXPECT_EQ(r.before.nearWalls.particles, 1000u - 4*4*4u);
+}
+
+// A 60 degree fluid wedge needs third reflections (AB and BA differ, ABA and BAB coincide): none is counted twice. A point on its
+// bisector has exactly five images, as in the kaleidoscope.
+TEST(WallImages, fillAWedgeOfSixtyDegreesOnce)
+{
+    Geometry g = emptyBox(2, {1, 1, 0}, {});
+    g.low = {-1, -1, 0};
+    const double angle = std::numbers::pi/3;
+    add(g, Plane({0, 0, 0}, {0, 1, 0}));
+    add(g, Plane({0, 0, 0}, {std::sin(angle), -std::cos(angle), 0}));
+    repeatPeriodically(g, 0.5);
+    Points points;
+    points.add({0.1*std::cos(0.4), 0.1*std::sin(0.4), 0});
+    WallImages images(g);
+    images.build(points, 1, 0.5);
+    EXPECT_EQ(images.size(), 5u);
+    std::vector<double> factor;
+    images.refresh(points, factor);
+    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NEAR(mag(points[i]), 0.1, 1e-12);
+}
+
+// The image of a particle at distance d outside a sphere of radius R has the volume factor ((R - d)/(R + d))^2 and lies d inside.
+TEST(WallImages, reflectInASphereWithItsVolumeFactor)
+{
+    Geometry g = emptyBox(3, {4, 4, 4}, {});
+    add(g, Sphere({2, 2, 2}, 1, FluidSide::outside));
+    repeatPeriodically(g, 0.5);
+    Points points;
+    points.add({3.2, 2, 2});
+    WallImages images(g);
+    images.build(points, 1, 0.5);
+    ASSERT_EQ(images.size(), 1u);
+    std::vector<double> factor;
+    images.refresh(points, factor);
+    EXPECT_NEAR(points.x[1], 2.8, 1e-12);
+    EXPECT_NEAR(factor[1], sqr(0.8/1.2), 1e-12);
+}
+
+// The same bits with one thread and with two: every particle sums its own list in the list's order.
+TEST(Relaxation, doesNotDependOnTheNumberOfThreads)
+{
+    const double spacing = 1.0/12;
+    const auto g = cubicBed(0.45, 3*spacing);
+    std::vector<Points> results;
+    const int threads = omp_get_max_threads();
+    for (const int n : {1, 2})
+    {
+        omp_set_num_threads(n);
+        auto points = fluidPlaces(g, {"cubic", spacing, 0.1, 5});
+        relaxed<3>(g, spacing, 50, points);
+        results.push_back(points);
+    }
+    omp_set_num_threads(threads);
+    EXPECT_EQ(results[0].x, results[1].x);
+    EXPECT_EQ(results[0].y, results[1].y);
+    EXPECT_EQ(results[0].z, results[1].z);
+}
+
+// The cubic spline lets particles pair; relaxing with it must not (0.31 spacings when pushed with its own gradient).
+TEST(Relaxation, doesNotPairWithTheCubicSpline)
+{
+    const double spacing = 1.0/16;
+    const auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
+    const auto r = relaxed<3>(g, spacing, 200, points, "cubicSpline");
+    EXPECT_GT(r.closestPair, 0.6*spacing);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.003);
+}
+
+// A circle in a periodic square, hexagonal start: the same laws in 2-D.
+TEST(Relaxation, worksInTwoDimensions)
+{
+    const double spacing = 1.0/24;
+    Geometry g = emptyBox(2, {1, 1, 0}, {true, true, false});
+    add(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3, FluidSide::outside));
+    repeatPeriodically(g, 3*spacing);
+    auto points = fluidPlaces(g, {"hexagonal", spacing, 0, 1});
+    const auto r = relaxed<2>(g, spacing, 200, points);
+    EXPECT_GT(r.before.nearWalls.scatter, 0.03);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.005);
+}
