@@ -6,7 +6,6 @@
 #include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkFlyingEdges2D.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -229,8 +228,6 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> triangles;
     vtkNew<vtkDoubleArray> first, second;
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
     const auto addFace = [&](int axis, bool high)
     {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -244,9 +241,6 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
                 n[v] = b;
                 const auto x = grid.node(n[0], n[1], n[2]);
                 points->InsertNextPoint(x.x, x.y, x.z);
-                double normal[3] = {0, 0, 0};
-                normal[axis] = high ? 1 : -1;
-                normals->InsertNextTuple(normal);
                 const auto node = grid.index(n[0], n[1], n[2]);
                 first->InsertNextValue(inside[node]);
                 second->InsertNextValue(alsoInside.empty() ? 1 : alsoInside[node]);
@@ -271,7 +265,6 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
     vtkNew<vtkPolyData> mesh;
     mesh->SetPoints(points);
     mesh->SetPolys(triangles);
-    mesh->GetPointData()->SetNormals(normals);
     if (alsoInside.empty()) return clippedBy(mesh, first);
     second->SetName("alsoInside");
     mesh->GetPointData()->AddArray(second);

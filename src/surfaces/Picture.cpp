@@ -58,7 +58,7 @@ vtkSmartPointer<vtkActor> actorOf(vtkPolyData* mesh, const Colour& colour)
     mapper->ScalarVisibilityOff();
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(colour.data());
+    actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     actor->GetProperty()->SetInterpolationToPhong();
     return actor;
 }
@@ -168,7 +168,7 @@ void addColourBar(vtkRenderer* renderer, const Points& points, vtkScalarsToColor
     bar->UnconstrainedFontSizeOn();
     for (auto* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
     {
-        text->SetColor(ink.data());
+        text->SetColor(ink[0], ink[1], ink[2]);
         text->SetFontFamilyToArial();
         text->SetFontSize(16*oversampling);
         text->ItalicOff();
@@ -185,27 +185,26 @@ void addLegend(vtkRenderer* renderer, const Scene& scene)
     {
         auto colour = phaseColours[k % std::size(phaseColours)];
         const double top = scene.size[1] - 60 - 28*double(k);
-        const auto write = [&](const std::string& text, double x, const Colour& c, bool bold)
+        const auto write = [&](const std::string& text, double x, const Colour& c)
         {
             vtkNew<vtkTextActor> actor;
             actor->SetInput(text.c_str());
             actor->SetPosition(oversampling*x, oversampling*top);
             actor->GetTextProperty()->SetFontFamilyToArial();
             actor->GetTextProperty()->SetFontSize(18*oversampling);
-            actor->GetTextProperty()->SetColor(c.data());
-            actor->GetTextProperty()->SetBold(bold);
+            actor->GetTextProperty()->SetColor(c[0], c[1], c[2]);
             renderer->AddActor2D(actor);
         };
         vtkNew<vtkTextActor> patch;
         patch->SetInput("    ");
         patch->SetPosition(oversampling*(scene.size[0] - 150), oversampling*top);
         patch->GetTextProperty()->SetFontSize(18*oversampling);
-        patch->GetTextProperty()->SetBackgroundColor(colour.data());
+        patch->GetTextProperty()->SetBackgroundColor(colour[0], colour[1], colour[2]);
         patch->GetTextProperty()->SetBackgroundOpacity(1);
         patch->GetTextProperty()->FrameOn();
-        patch->GetTextProperty()->SetFrameColor(ink.data());
+        patch->GetTextProperty()->SetFrameColor(ink[0], ink[1], ink[2]);
         renderer->AddActor2D(patch);
-        write(scene.points.phases[k], scene.size[0] - 110, ink, false);
+        write(scene.points.phases[k], scene.size[0] - 110, ink);
     }
 }
 
@@ -267,7 +266,7 @@ void addTitle(vtkRenderer* renderer, const Scene& scene)
     title->SetPosition(24*oversampling, (scene.size[1] - 44)*oversampling);
     title->GetTextProperty()->SetFontFamilyToArial();
     title->GetTextProperty()->SetFontSize(22*oversampling);
-    title->GetTextProperty()->SetColor(ink.data());
+    title->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
     renderer->AddActor2D(title);
 }
 
@@ -302,7 +301,7 @@ void setCamera(vtkRenderer* renderer, const Scene& scene)
     {
         double bounds[6] = {scene.low.x, scene.high.x, scene.low.y, scene.high.y, scene.low.z, scene.high.z};
         renderer->ResetCamera(bounds);
-        camera->Zoom(1.35);
+        camera->Zoom(1.12);
     }
     camera->Zoom(wish.zoom);
     renderer->ResetCameraClippingRange();

@@ -1,0 +1,188 @@
+#include "SurfaceRun.hpp"
+#include "EnclosedVolume.hpp"
+#include "PhaseCloud.hpp"
+#include "SurfaceWriter.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+
+/// `phases (water air);`, or one phase where the case names none.
+std::vector<std::string> phasesOf(const Case& folder)
+{
+    const auto phases =
+        folder.dictionaryIfPresent("constant/phaseProperties").get<std::vector<std::string>>("phases", std::vector<std::string>{});
+    return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
+}
+
+SurfaceCase describe(const Case& folder, double spacing, int dimension)
+{
+    SurfaceCase scene;
+    scene.spacing = spacing;
+    scene.phases = phasesOf(folder);
+    const auto gravity = folder.dictionaryIfPresent("constant/g").get<Vector<3>>("value", Vector<3>{});
+    if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity/mag(gravity);
+    return scene;
+}
+
+}
+
+SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(folder)
+{
+    const auto geometryDict = folder.dictionary("constant/geometry");
+    const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
+    const double spacing = folder.dictionary("system/sphSchemes").subDict("resolution").getPositive("spacing", units::m);
+    folder.diagnostics().throwIfAny();
+    geometry_ = readGeometry(geometryDict, 3*spacing);
+    scene_ = describe(folder, spacing, geometry_.dimension);
+    folder.diagnostics().throwIfAny();
+    settings_ = readSurfaceSettings(dict, scene_, geometry_);
+    dict.reportUnused();
+    folder.diagnostics().throwIfAny();
+    if (!phase.empty())
+    {
+        const auto found = std::ranges::find(scene_.phases, phase);
+        if (found == scene_.phases.end())
+            throw CaseError(fmt::format("-phase: \"{}\" is unknown. {}", phase, suggestion(phase, "phases", scene_.phases)));
+        settings_.phases = {int(found - scene_.phases.begin())};
+    }
+    grid_ = gridOfDomain(geometry_, settings_.gridSpacing);
+    wallDistance_ = wallDistances(grid_, geometry_);
+}
+
+std::vector<std::string> SurfaceRun::phaseNames() const
+{
+    std::vector<std::string> names;
+    for (const int phase : settings_.phases) names.push_back(scene_.phases[phase]);
+    return names;
+}
+
+std::string SurfaceRun::output(const std::string& time, const std::string& file) const
+{
+    return fmt::format("postProcessing/reconstructSurface/{}/{}", time, file);
+}
+
+SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase, const std::string& time, bool write,
+                                      std::vector<double>& colour, std::vector<std::string>& written) const
+{
+    const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
+    colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
+    const auto free = freeSurface(grid_, colour, settings_.iso, geometry_, settings_.smoothing);
+    const auto enclosed = enclosedVolume(grid_, colour, settings_.iso, wallDistance_);
+
+    SurfaceReport report;
+    report.phase = scene_.phases[phase];
+    report.particles = std::ranges::count(particles.inPhase, 1);
+    report.area = measure(free);
+    report.volume = enclosed.volume;
+    report.pieces = enclosed.pieces;
+    report.particleVolume = particles.phaseVolume();
+    if (!write) return report;
+
+    const auto mesh = settings_.closed ? closedSurface(grid_, colour, settings_.iso, wallDistance_, settings_.support) : free;
+    for (const auto& format : settings_.formats)
+    {
+        written.push_back(output(time, fmt::format("{}.{}", report.phase, format)));
+        writeSurface(mesh, case_.folder()/written.back());
+    }
+    return report;
+}
+
+Scene SurfaceRun::emptyScene(const std::string& time) const
+{
+    const auto& picture = settings_.picture;
+    Scene scene;
+    scene.dimension = geometry_.dimension;
+    scene.low = geometry_.low;
+    scene.high = geometry_.high;
+    scene.camera = picture.camera;
+    scene.size = picture.size;
+    const auto shownTime = picture.showTime ? fmt::format("Time = {} s", time) : "";
+    scene.title = picture.title + (picture.title.empty() || shownTime.empty() ? "" : "      ") + shownTime;
+    return scene;
+}
+
+void SurfaceRun::showWalls(Scene& scene) const
+{
+    if (wallDistance_.empty()) return;
+    auto solid = wallDistance_;
+    for (auto& d : solid) d = -d;
+    scene.wallCuts = cutFaces(grid_, solid, {});
+    if (geometry_.dimension == 3) scene.walls = wallSurface(grid_, wallDistance_, geometry_);
+}
+
+void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour) const
+{
+    const auto surface = freeSurface(grid_, colour, settings_.iso, geometry_, settings_.picture.smoothing);
+    if (geometry_.dimension == 2)
+    {
+        scene.contour = surface;
+        return;
+    }
+    auto excess = colour;
+    for (auto& c : excess) c -= settings_.iso;
+    scene.liquid = surface;
+    scene.liquidCuts = cutFaces(grid_, excess, wallDistance_);
+}
+
+void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
+{
+    const auto& picture = settings_.picture;
+    auto field = picture.colourBy;
+    if (field.empty()) field = scene_.phases.size() > 1 || !cloud.fields.contains("U") ? "phase" : "U";
+    auto& points = scene.points;
+    const bool byPhase = field == "phase";
+    const auto values = byPhase && !cloud.fields.contains("phase")
+                            ? std::vector<double>(cloud.size())
+                            : colouringValues(cloud, field, picture.whereColourBy, case_.diagnostics());
+    case_.diagnostics().throwIfAny();
+    if (byPhase) points.phases = scene_.phases;
+    const auto type = cloud.fields.contains(field) ? cloud.fields.at(field).type : FieldClass::scalar;
+    points.title = type == FieldClass::vector ? "|" + field + "|" : field;
+    points.diameter = scene_.spacing;
+    for (std::size_t p = 0; p < cloud.size(); ++p)
+    {
+        const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
+        if (geometry_.dimension == 3 && std::fabs(dot(x - picture.planePoint, picture.planeNormal)) > 0.5*scene_.spacing) continue;
+        points.position.push_back(x);
+        points.value.push_back(values[p]);
+    }
+}
+
+TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pictures) const
+{
+    auto& diagnostics = case_.diagnostics();
+    const auto cloud = readCloud(case_.folder(), time, settings_.cloud, diagnostics);
+    diagnostics.throwIfAny();
+    const double uniformVolume = std::pow(scene_.spacing, geometry_.dimension);
+    const auto folder = fmt::format("{}/lagrangian/{}", time, settings_.cloud);
+    const auto& picture = settings_.picture;
+
+    TimeResult result;
+    for (const int phase : settings_.phases)
+    {
+        std::vector<double> colour;
+        if (surfaces || (pictures && picture.surface))
+        {
+            const auto particles = phaseParticles(cloud, phase, uniformVolume, folder, diagnostics);
+            diagnostics.throwIfAny();
+            result.surfaces.push_back(reconstruct(particles, phase, time, surfaces, colour, result.written));
+        }
+        if (!pictures) continue;
+        auto scene = emptyScene(time);
+        if (picture.walls) showWalls(scene);
+        if (picture.surface) showSurface(scene, colour);
+        if (picture.particles) showParticles(scene, cloud);
+        result.written.push_back(output(time, scene_.phases[phase] + ".png"));
+        drawPicture(scene, case_.folder()/result.written.back());
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,62 @@
+/// Surfaces and pictures of the times of one case.
+#pragma once
+#include "Case.hpp"
+#include "Cloud.hpp"
+#include "Geometry.hpp"
+#include "SurfaceSettings.hpp"
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// What is told of a surface, in SI units; area and volume are length and area in 2-D.
+struct SurfaceReport
+{
+    std::string phase;
+    std::size_t particles = 0;
+    double area = 0, volume = 0, particleVolume = 0;
+    int pieces = 0;
+    /// Of the enclosed volume from that of the particles.
+    double differencePercent() const { return particleVolume > 0 ? 100*(volume/particleVolume - 1) : 0; }
+};
+
+struct TimeResult
+{
+    std::vector<SurfaceReport> surfaces;
+    std::vector<std::string> written;      ///< files, relative to the case
+};
+
+class SurfaceRun
+{
+    const Case& case_;
+    SurfaceCase scene_;
+    Geometry geometry_;
+    SurfaceSettings settings_;
+    RegularGrid grid_;
+    std::vector<double> wallDistance_;     ///< once for all times; of the grid
+
+    std::string output(const std::string& time, const std::string& file) const;
+    SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
+                              std::vector<std::string>& written) const;
+    Scene emptyScene(const std::string& time) const;
+    void showWalls(Scene&) const;
+    void showSurface(Scene&, const std::vector<double>& colour) const;
+    void showParticles(Scene&, const Cloud&) const;
+
+public:
+    /// Reads constant/geometry, system/sphSchemes, constant/phaseProperties, constant/g and system/reconstructSurfaceDict; all
+    /// mistakes are thrown together. `phase` replaces the phases of the dictionary unless it is empty.
+    SurfaceRun(const Case&, const std::string& phase);
+
+    const Geometry& geometry() const { return geometry_; }
+    const RegularGrid& grid() const { return grid_; }
+    const SurfaceSettings& settings() const { return settings_; }
+    std::vector<std::string> phaseNames() const;
+
+    /// Writes surfaces and pictures of one time into postProcessing/reconstructSurface/<time>.
+    TimeResult process(const std::string& time, bool surfaces, bool pictures) const;
+};
+
+}

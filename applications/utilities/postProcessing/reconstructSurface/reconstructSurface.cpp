@@ -1,0 +1,107 @@
+/// The surface of a phase from its particles: meshes, their area and volume, and pictures.
+#include "CommandLine.hpp"
+#include "OutputTable.hpp"
+#include "SurfaceRun.hpp"
+#include "VirtualDisplay.hpp"
+#include "timeSelection.hpp"
+#include "words.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <optional>
+
+namespace
+{
+
+struct Options
+{
+    std::string times, phase;
+    bool latestTime = false, pictures = false, noSurface = false;
+};
+
+std::vector<std::string> chosenTimes(const sph::Case& folder, const sph::SurfaceSettings& settings, const Options& options)
+{
+    std::vector<std::string> times;
+    for (const auto& time : folder.times())
+        if (sph::hasCloud(folder.folder(), time, settings.cloud)) times.push_back(time);
+    if (times.empty())
+        throw sph::CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", folder.folder().string(), settings.cloud));
+    if (options.latestTime) return {times.back()};
+    return sph::selectTimes(times, options.times);
+}
+
+/// Columns of surfaces.dat; the phase is part of a column's name where there are several.
+std::vector<std::string> columns(const std::vector<std::string>& phases)
+{
+    std::vector<std::string> names;
+    for (const auto& phase : phases)
+        for (const auto* name : {"area", "volume", "particleVolume", "difference%", "pieces"})
+            names.push_back(phases.size() > 1 ? fmt::format("{}.{}", phase, name) : name);
+    return names;
+}
+
+std::vector<double> row(const std::vector<sph::SurfaceReport>& surfaces)
+{
+    std::vector<double> values;
+    for (const auto& s : surfaces)
+        values.insert(values.end(), {s.area, s.volume, s.particleVolume, s.differencePercent(), double(s.pieces)});
+    return values;
+}
+
+int run(const std::filesystem::path& path, const Options& options)
+{
+    const sph::Case folder(path);
+    const sph::SurfaceRun surfaceRun(folder, options.phase);
+    for (const auto& warning : folder.diagnostics().warnings()) fmt::print(stderr, "--> Warning: {}\n", warning);
+    const auto times = chosenTimes(folder, surfaceRun.settings(), options);
+    const auto& n = surfaceRun.grid().nodes;
+    fmt::print("Grid of {} x {} x {} nodes, {:.4g} m apart; kernel {} of radius {:.4g} m\n\n", n[0], n[1], n[2],
+               surfaceRun.grid().largestStep(), surfaceRun.settings().kernel, surfaceRun.settings().support);
+
+    std::optional<sph::VirtualDisplay> display;
+    if (options.pictures) display.emplace();
+    std::optional<sph::OutputTable> table;
+    const int dimension = surfaceRun.geometry().dimension;
+    if (!options.noSurface)
+    {
+        const auto dat = folder.folder()/"postProcessing"/"reconstructSurface"/times.front()/"surfaces.dat";
+        std::filesystem::create_directories(dat.parent_path());
+        table.emplace(dat, std::vector<std::string>{fmt::format("Surfaces of {}: area [m^{}], volume [m^{}], connected pieces",
+                                                                sph::list(surfaceRun.phaseNames()), dimension - 1, dimension)},
+                      columns(surfaceRun.phaseNames()));
+    }
+    for (const auto& time : times)
+    {
+        fmt::print("Time = {}\n", time);
+        const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
+        for (const auto& s : result.surfaces)
+            fmt::print("    {}: {} particles, area {:.5g} m^{}, volume {:.5g} m^{} ({:+.2f} % of the particles' {:.5g}), {} piece{}\n", s.phase,
+                       s.particles, s.area, dimension - 1, s.volume, dimension, s.differencePercent(), s.particleVolume, s.pieces,
+                       s.pieces == 1 ? "" : "s");
+        for (const auto& file : result.written) fmt::print("    {}\n", file);
+        if (table) table->row(std::stod(time), row(result.surfaces));
+        std::fflush(stdout);
+    }
+    fmt::print("\nEnd\n");
+    return 0;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    Options options;
+    return sph::runApplication(
+        "reconstructSurface", argc, argv,
+        "Reconstructs the surface of a phase from its particles, as told by system/reconstructSurfaceDict (optional), into\n"
+        "postProcessing/reconstructSurface.",
+        [&](CLI::App& app)
+        {
+            auto* time = app.add_option("--time", options.times, "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");
+            time->type_name("<ranges>");
+            app.add_flag("--latestTime", options.latestTime, "The last time only")->excludes(time);
+            app.add_option("--phase", options.phase, "This phase only")->type_name("<name>");
+            app.add_flag("--picture", options.pictures, "Draw <time>/<phase>.png");
+            app.add_flag("--noSurface", options.noSurface, "Write no surface: pictures only");
+        },
+        [&](const std::filesystem::path& folder) { return run(folder, options); });
+}
