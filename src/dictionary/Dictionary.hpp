@@ -92,6 +92,9 @@ public:
     /// Declares an entry, and all below it, as none of this program's business.
     void ignore(const std::string& key) const;
 
+    /// For the tools of this module that print and edit dictionaries.
+    Node& node() const { return *node_; }
+
 private:
     explicit Dictionary(std::shared_ptr<Node> node) : node_(std::move(node)) {}
     std::shared_ptr<Node> node_;

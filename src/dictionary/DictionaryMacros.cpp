@@ -142,7 +142,9 @@ std::vector<Token> DictionaryParser::eval(Dictionary::Node& scope, const Token& 
     }
     catch (const ExpressionError& e)
     {
-        error(directive.line, fmt::format("#eval: {}", e.what()));
+        const auto first = text.text.find_first_not_of(" \t\n"), last = text.text.find_last_not_of(" \t\n");
+        const auto shown = first == std::string::npos ? "" : text.text.substr(first, last - first + 1);
+        error(directive.line, fmt::format("#eval \"{}\": {}", shown, e.what()));
         return {numberToken(1, directive)};
     }
 }

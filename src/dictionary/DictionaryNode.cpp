@@ -87,6 +87,10 @@ void Node::add(DictionaryEntry entry, InputMode mode)
             if (before->dictionary && entry.dictionary)
             {
                 for (auto& inner : entry.dictionary->entries) before->dictionary->add(std::move(inner), mode);
+                if (entry.copied || (!before->copied && entry.where.file != before->where.file)) return;
+                // New entries would be written into the last block of the text that is this dictionary's own.
+                before->where = before->copied ? entry.where : before->where;
+                before->copied = false;
                 before->dictionary->end = entry.dictionary->end;
                 before->begin = entry.begin;
                 before->end = entry.end;

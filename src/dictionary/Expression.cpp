@@ -93,12 +93,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const
-    {
-        const auto first = text_.find_first_not_of(" \t\n"), last = text_.find_last_not_of(" \t\n");
-        throw ExpressionError(fmt::format("{} in the expression \"{}\"", what,
-                                          first == text_.npos ? "" : text_.substr(first, last - first + 1)));
-    }
+    [[noreturn]] static void fail(const std::string& what) { throw ExpressionError(what); }
 
     bool atEnd()
     {
@@ -117,7 +112,7 @@ private:
         if (!accept(s)) fail(fmt::format("expected \"{}\" {}", s, atEnd() ? "at the end" : "before \"" + text_.substr(at_) + "\""));
     }
 
-    double scalar(const ExpressionValue& a) const
+    static double scalar(const ExpressionValue& a)
     {
         if (a.vector) fail("a vector stands where a number is needed");
         return a.scalar;
@@ -250,14 +245,14 @@ private:
                              suggestion(name, "functions", functionNames())));
         expect("(");
         std::vector<ExpressionValue> arguments;
-        while (!sees(")"))
+        while (!atEnd() && !sees(")"))
         {
             if (!arguments.empty()) expect(",");
             arguments.push_back(conditional());
         }
         expect(")");
         const std::size_t expected = name == "mag" ? 1 : name == "vector" ? 3 : function->second.arguments;
-        if (arguments.size() != expected) fail(fmt::format("{}() takes {} arguments, found {},", name, expected, arguments.size()));
+        if (arguments.size() != expected) fail(fmt::format("{}() takes {} arguments, found {}", name, expected, arguments.size()));
         if (name == "mag") return {arguments[0].vector ? mag(*arguments[0].vector) : std::fabs(arguments[0].scalar)};
         Arguments values;
         for (const auto& a : arguments) values.push_back(scalar(a));

@@ -213,8 +213,9 @@ private:
         if (t.text.empty()) error(t.line, "'$' is not followed by a name");
         if (t.text.find('$') != t.text.npos || isWordCharacter(peek()))
         {
-            const auto rest = wordHere();
-            error(t.line, fmt::format("\"${}{}\": a macro must stand alone, it is not replaced inside a word", t.text, rest));
+            wordHere();
+            const auto whole = text_.substr(t.begin, at_ - t.begin);
+            error(t.line, fmt::format("\"{}\": a macro must stand alone, it is not replaced inside a word", whole));
         }
     }
 

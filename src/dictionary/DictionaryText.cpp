@@ -1,0 +1,178 @@
+#include "DictionaryText.hpp"
+#include "DictionaryNode.hpp"
+#include "DictionaryParser.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace sph
+{
+
+namespace
+{
+
+using Node = Dictionary::Node;
+using Path = std::vector<DictionaryEntry*>;
+
+std::string keywordText(const DictionaryEntry& e) { return e.pattern ? fmt::format("\"{}\"", e.keyword) : e.keyword; }
+
+/// The entries on the way to `path`, the one it names last; empty where it is missing. Keywords may hold dots themselves.
+Path walk(Node& node, const std::string& path, bool patterns)
+{
+    const auto find = [&](const std::string& key) { return patterns ? node.find(key) : node.findExact(key); };
+    if (auto* entry = find(path)) return {entry};
+    for (auto dot = path.find_first_of("./:"); dot != path.npos; dot = path.find_first_of("./:", dot + 1))
+        if (auto* entry = find(path.substr(0, dot)); entry && entry->dictionary)
+            if (auto rest = walk(*entry->dictionary, path.substr(dot + 1), patterns); !rest.empty())
+            {
+                rest.insert(rest.begin(), entry);
+                return rest;
+            }
+    return {};
+}
+
+std::string withoutLeadingColon(const std::string& path) { return path.starts_with(':') ? path.substr(1) : path; }
+
+DictionaryEntry& require(const Dictionary& dictionary, const std::string& path)
+{
+    const auto found = walk(dictionary.node(), withoutLeadingColon(path), true);
+    if (!found.empty()) return *found.back();
+    const auto dot = path.find_last_of("./:");
+    auto* parent = &dictionary.node();
+    if (dot != path.npos && dot > 0)
+        if (const auto outer = walk(*parent, withoutLeadingColon(path.substr(0, dot)), true); !outer.empty() && outer.back()->dictionary)
+            parent = outer.back()->dictionary.get();
+    std::vector<std::string> known;
+    for (const auto& e : parent->entries) known.push_back(e.keyword);
+    throw CaseError(parent->where, fmt::format("there is no entry \"{}\". {}", path,
+                                               suggestion(dot == path.npos ? path : path.substr(dot + 1), "entries", known)));
+}
+
+std::string entriesText(const Node&, int indent);
+
+std::string valueText(const DictionaryEntry& e, int indent)
+{
+    const auto block = [&](const Node& node, int by)
+    { return fmt::format("{{\n{}{:{}}}}", entriesText(node, by + 4), "", by); };
+    if (e.dictionary) return block(*e.dictionary, indent);
+
+    std::string text;
+    for (const auto& token : e.value)
+    {
+        const bool tight = text.empty() || text.ends_with('(') || text.ends_with('{') || token.is(')') || token.is('}') || token.is('{');
+        if (!tight) text += ' ';
+        text += token.dictionary ? token.text + (token.text.empty() ? "" : " ") + block(*token.dictionary, indent) : toString(token);
+    }
+    return text;
+}
+
+/// In foamDictionary's layout.
+std::string entryText(const DictionaryEntry& e, int indent)
+{
+    const auto keyword = keywordText(e);
+    if (e.dictionary) return fmt::format("{:{}}{}\n{:{}}{}\n", "", indent, keyword, "", indent, valueText(e, indent));
+    return fmt::format("{:{}}{:<15} {};\n", "", indent, keyword, valueText(e, indent));
+}
+
+std::string entriesText(const Node& node, int indent)
+{
+    std::string text;
+    for (const auto& e : node.entries) text += entryText(e, indent);
+    return text;
+}
+
+void checkValue(const std::string& value)
+{
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const bool block = value.find_first_not_of(" \t\n") != value.npos && value[value.find_first_not_of(" \t\n")] == '{';
+    // Macros depend on where the value will stand: their names are checked when the dictionary is read.
+    std::string text = value;
+    std::replace(text.begin(), text.end(), '$', '_');
+    const auto d = Dictionary::parse("value " + text + (block ? "\n" : ";\n"), "", diagnostics);
+    if (!diagnostics->ok() || d.keys().size() != 1)
+        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it",
+                                    value));
+}
+
+/// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file.
+std::size_t placeOfNewEntry(const std::string& text, const Node& node)
+{
+    auto at = std::min(node.end, text.size());
+    const auto line = text.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+    if (line != text.npos && line < at && text[line] == '\n') at = line + 1;
+    return at;
+}
+
+}
+
+std::string valueText(const Dictionary& dictionary, const std::string& path) { return valueText(require(dictionary, path), 0); }
+
+std::string entryText(const Dictionary& dictionary, const std::string& path)
+{
+    return path.empty() ? entriesText(dictionary.node(), 0) : entryText(require(dictionary, path), 0);
+}
+
+std::vector<std::string> keywords(const Dictionary& dictionary, const std::string& path)
+{
+    const auto* node = &dictionary.node();
+    if (!path.empty())
+    {
+        const auto& entry = require(dictionary, path);
+        if (!entry.dictionary) throw CaseError(entry.where, fmt::format("\"{}\" is not a dictionary", path));
+        node = entry.dictionary.get();
+    }
+    std::vector<std::string> all;
+    for (const auto& e : node->entries) all.push_back(keywordText(e));
+    return all;
+}
+
+void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path, const std::string& value)
+{
+    checkValue(value);
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
+    diagnostics->throwIfAny();
+    auto text = readText(caseFolder/file).value();
+
+    const auto checkOwn = [&](const Path& entries)
+    {
+        for (const auto* e : entries)
+            if (e->copied || e->where.file != file)
+                throw CaseError(e->where, fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
+                                                      "give it a line of its own in \"{}\" first", e->keyword, path, file));
+    };
+    const auto name = withoutLeadingColon(path);
+    if (const auto found = walk(dictionary.node(), name, false); !found.empty())
+    {
+        checkOwn(found);
+        const auto& e = *found.back();
+        // "keyword;" has no value to replace: one is put behind the keyword.
+        text.replace(e.begin, e.end - e.begin, e.begin == e.end ? " " + value : value);
+    }
+    else
+    {
+        const auto dot = name.find_last_of("./:");
+        const auto outer = dot == name.npos ? Path{} : walk(dictionary.node(), name.substr(0, dot), false);
+        if (dot != name.npos && (outer.empty() || !outer.back()->dictionary))
+            throw CaseError({file, 0}, fmt::format("there is no dictionary \"{}\" to add \"{}\" to", name.substr(0, dot),
+                                                   name.substr(dot + 1)));
+        checkOwn(outer);
+        const auto& node = outer.empty() ? dictionary.node() : *outer.back()->dictionary;
+        const auto at = placeOfNewEntry(text, node);
+        const bool ownLine = at == 0 || text[at - 1] == '\n';
+        const auto line = fmt::format("{:{}}{:<15} {};{}", "", ownLine ? 4*outer.size() : std::size_t(1),
+                                      dot == name.npos ? name : name.substr(dot + 1), value, ownLine ? "\n" : " ");
+        text.insert(at, line);
+    }
+
+    const auto whole = caseFolder/file, part = std::filesystem::path(whole.string() + ".part");
+    std::ofstream out(part, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw CaseError({file, 0}, "this file cannot be written");
+    std::filesystem::permissions(part, std::filesystem::status(whole).permissions());
+    std::filesystem::rename(part, whole);
+}
+
+}
