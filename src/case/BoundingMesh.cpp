@@ -12,7 +12,7 @@ namespace
 
 void writeMeshFile(const std::filesystem::path& caseFolder, const char* className, const char* object, const std::string& list)
 {
-    writeFile(caseFolder/"constant"/"polyMesh"/object,
+    writeFile(caseFolder / "constant" / "polyMesh" / object,
               foamHeader(WriteFormat::ascii, className, "constant/polyMesh", object) + list);
 }
 
@@ -21,9 +21,13 @@ void thicken(double (&low)[3], double (&high)[3])
 {
     double longest = 0;
     for (int k = 0; k < 3; ++k) longest = std::max(longest, high[k] - low[k]);
-    const double half = longest > 0 ? 0.5*longest : 0.5;
+    const double half = longest > 0 ? 0.5 * longest : 0.5;
     for (int k = 0; k < 3; ++k)
-        if (!(high[k] - low[k] > 1e-6*longest)) { low[k] -= half; high[k] += half; }
+        if (!(high[k] - low[k] > 1e-6 * longest))
+        {
+            low[k] -= half;
+            high[k] += half;
+        }
 }
 
 }
@@ -35,7 +39,7 @@ void writeBoundingMesh(const std::filesystem::path& caseFolder, const double (&l
     std::copy(high, high + 3, corner[1]);
     thicken(corner[0], corner[1]);
 
-    createFolders(caseFolder/"constant"/"polyMesh");
+    createFolders(caseFolder / "constant" / "polyMesh");
     std::string points = "8\n(\n";
     for (int k = 0; k < 8; ++k)
         points += fmt::format("({} {} {})\n", shortestText(corner[k & 1][0]), shortestText(corner[k >> 1 & 1][1]),
@@ -49,8 +53,9 @@ void writeBoundingMesh(const std::filesystem::path& caseFolder, const double (&l
                   "1\n(\n    box\n    {\n        type            patch;\n        nFaces          6;\n"
                   "        startFace       0;\n    }\n)\n");
 
-    const auto name = std::filesystem::weakly_canonical(std::filesystem::absolute(caseFolder)/".").parent_path().filename();
-    writeFile(caseFolder/((name.empty() ? "case" : name.string()) + ".foam"), "");
+    const auto whole = std::filesystem::weakly_canonical(std::filesystem::absolute(caseFolder));
+    const auto name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    writeFile(caseFolder / ((name.empty() ? "case" : name.string()) + ".foam"), "");
 }
 
 }

@@ -20,7 +20,7 @@ Case::Case(const std::filesystem::path& folder) : folder_(folder)
 bool Case::has(const std::string& file) const
 {
     std::error_code ignored;
-    return std::filesystem::exists(folder_/file, ignored);
+    return std::filesystem::exists(folder_ / file, ignored);
 }
 
 Dictionary Case::dictionary(const std::string& file) const { return Dictionary::read(folder_, file, diagnostics_); }

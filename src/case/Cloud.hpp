@@ -10,7 +10,13 @@
 namespace sph
 {
 
-enum class FieldClass { label, scalar, vector, symmTensor };
+enum class FieldClass
+{
+    label,
+    scalar,
+    vector,
+    symmTensor
+};
 
 /// What is on disk per particle: 1, 1, 3 or 6 numbers (6 in OpenFOAM's order xx xy xz yy yz zz).
 constexpr int componentsOf(FieldClass c) { return c == FieldClass::vector ? 3 : c == FieldClass::symmTensor ? 6 : 1; }
@@ -37,7 +43,11 @@ struct Cloud
     std::size_t size() const { return x.size(); }
 };
 
-enum class WriteFormat { ascii, binary };
+enum class WriteFormat
+{
+    ascii,
+    binary
+};
 
 struct WriteOptions
 {

@@ -30,7 +30,8 @@ std::string cloudFolder(const std::string& time, const std::string& cloud) { ret
 
 }
 
-Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics& diagnostics)
+Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud,
+                Diagnostics& diagnostics)
 {
     const auto folder = cloudFolder(time, cloud);
     Cloud result;
@@ -40,11 +41,13 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
     result.x = std::move(positions->x);
     result.y = std::move(positions->y);
     result.z = std::move(positions->z);
-    for (const auto& name : fieldsIn(caseFolder/folder))
+    for (const auto& name : fieldsIn(caseFolder / folder))
     {
         const auto file = folder + "/" + name;
-        if (name.ends_with(".gz")) diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
-        else if (auto field = readField(caseFolder, file, result.size(), diagnostics)) result.fields[name] = std::move(*field);
+        if (name.ends_with(".gz"))
+            diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
+        else if (auto field = readField(caseFolder, file, result.size(), diagnostics))
+            result.fields[name] = std::move(*field);
     }
     return result;
 }
@@ -52,7 +55,7 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
 bool hasCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud)
 {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(caseFolder/cloudFolder(time, cloud)/"positions", ignored);
+    return std::filesystem::is_regular_file(caseFolder / cloudFolder(time, cloud) / "positions", ignored);
 }
 
 }

@@ -18,10 +18,14 @@ const char* classOf(FieldClass type)
 {
     switch (type)
     {
-    case FieldClass::label: return "labelField";
-    case FieldClass::scalar: return "scalarField";
-    case FieldClass::vector: return "vectorField";
-    case FieldClass::symmTensor: return "symmTensorField";
+    case FieldClass::label:
+        return "labelField";
+    case FieldClass::scalar:
+        return "scalarField";
+    case FieldClass::vector:
+        return "vectorField";
+    case FieldClass::symmTensor:
+        return "symmTensorField";
     }
     return "";
 }
@@ -62,9 +66,12 @@ void writeValue(OutputFile& file, const FieldView& field, std::size_t i, int pre
 {
     switch (field.type)
     {
-    case FieldClass::label: return file.write(std::int64_t(labelOf(field, i)));
-    case FieldClass::scalar: return file.write(valueOf(field, 0, i), precision);
-    default: return writeTuple(file, field, i, precision);
+    case FieldClass::label:
+        return file.write(std::int64_t(labelOf(field, i)));
+    case FieldClass::scalar:
+        return file.write(valueOf(field, 0, i), precision);
+    default:
+        return writeTuple(file, field, i, precision);
     }
 }
 
@@ -78,7 +85,7 @@ void writeBinary(OutputFile& file, const FieldView& field, std::size_t i)
     double value[6];
     const int components = componentsOf(field.type);
     for (int c = 0; c < components; ++c) value[c] = valueOf(field, c, i);
-    file.writeBytes(value, std::size_t(components)*sizeof(double));
+    file.writeBytes(value, std::size_t(components) * sizeof(double));
 }
 
 /// OpenFOAM writes an empty binary list without its parentheses and ParaView wants them: both read an empty ascii list.
@@ -89,7 +96,7 @@ void writeField(const std::filesystem::path& folder, const std::string& location
 {
     assert(int(field.component.size()) == componentsOf(field.type));
     const auto format = formatFor(n, options);
-    OutputFile file(folder/field.name);
+    OutputFile file(folder / field.name);
     file.write(foamHeader(format, classOf(field.type), location, field.name));
     file.write(std::int64_t(n));
     if (format == WriteFormat::binary)
@@ -123,7 +130,7 @@ void writePositions(const std::filesystem::path& folder, const std::string& loca
                     const WriteOptions& options)
 {
     const auto format = formatFor(n, options);
-    OutputFile file(folder/"positions");
+    OutputFile file(folder / "positions");
     file.write(foamHeader(format, "Cloud<passiveParticle>", location, "positions"));
     file.write(std::int64_t(n));
     file.write("\n(\n");
@@ -154,18 +161,19 @@ void writeCloud(const std::filesystem::path& timeFolder, const std::string& clou
 {
     assert(positions.type == FieldClass::vector && positions.component.size() == 3);
     const auto time = finalName(timeFolder);
-    const auto folder = timeFolder/"lagrangian"/cloud;
+    const auto folder = timeFolder / "lagrangian" / cloud;
     const auto location = fmt::format("{}/lagrangian/{}", time, cloud);
     createFolders(folder);
     writePositions(folder, location, n, positions, options);
     for (const auto& field : fields) writeField(folder, location, n, field, options);
 
     // Without `geometry positions;` OpenFOAM's tools look for barycentric coordinates and silently read no particles.
-    const auto properties = timeFolder/"uniform"/"lagrangian"/cloud;
+    const auto properties = timeFolder / "uniform" / "lagrangian" / cloud;
     createFolders(properties);
-    writeFile(properties/"cloudProperties",
-              foamHeader(WriteFormat::ascii, "dictionary", fmt::format("{}/uniform/lagrangian/{}", time, cloud), "cloudProperties") +
-                  fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n", n));
+    writeFile(
+        properties / "cloudProperties",
+        foamHeader(WriteFormat::ascii, "dictionary", fmt::format("{}/uniform/lagrangian/{}", time, cloud), "cloudProperties") +
+            fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n", n));
 }
 
 }

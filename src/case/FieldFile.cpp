@@ -61,7 +61,11 @@ Header readHeader(FoamScanner& in)
             hasFormat = true;
             header.binary = value == "binary";
         }
-        if (key == "class") { header.className = value; header.classLine = line; }
+        if (key == "class")
+        {
+            header.className = value;
+            header.classLine = line;
+        }
         if (key == "arch") readArch(in, value, header);
     }
     if (!hasFormat) in.fail("the FoamFile header has no \"format\"");
@@ -119,8 +123,9 @@ private:
         if (in_.peek() == '{') in_.fail("a compact list N{value} cannot be in a binary file");
         if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
         in_.enterBinary();
-        if (count_ > in_.remaining()/bytes)
-            in_.fail(fmt::format("the file is truncated: {} values need {} bytes, {} are there", count_, count_*bytes, in_.remaining()));
+        if (count_ > in_.remaining() / bytes)
+            in_.fail(fmt::format("the file is truncated: {} values need {:.0f} bytes, {} are there", count_,
+                                 double(count_) * double(bytes), in_.remaining()));
         reserve(count_);
         for (std::size_t i = 0; i < count_; ++i) append(i);
         if (!in_.take(')')) in_.fail(fmt::format("expected ) after {} values, found {}", count_, in_.found()));
@@ -138,7 +143,7 @@ private:
         }
         if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
         // A value takes two characters at least: a wrong count must not ask for memory that no file of this size can fill.
-        reserve(std::min(count_, in_.remaining()/2 + 1));
+        reserve(std::min(count_, in_.remaining() / 2 + 1));
         std::size_t i = 0;
         for (; !in_.take(')'); ++i)
         {
@@ -192,7 +197,10 @@ double binaryNumber(FoamScanner& in, int bits, std::size_t i)
     return finite(in, bits == 64 ? in.raw<double>() : double(in.raw<float>()), i);
 }
 
-double binaryLabel(FoamScanner& in, int bits) { return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>()); }
+double binaryLabel(FoamScanner& in, int bits)
+{
+    return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>());
+}
 
 CloudField parseField(std::string_view text, const std::string& name, std::size_t expected)
 {
@@ -210,13 +218,20 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
     {
         if (!header.binary && components > 1) bracket(in, '(', i, components);
         for (auto& values : field.component)
-            values.push_back(header.binary ? (isLabel ? binaryLabel(in, header.labelBits) : binaryNumber(in, header.scalarBits, i))
-                                           : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
+            values.push_back(header.binary
+                                 ? (isLabel ? binaryLabel(in, header.labelBits) : binaryNumber(in, header.scalarBits, i))
+                                 : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
         if (!header.binary && components > 1) bracket(in, ')', i, components);
     };
-    const auto reserve = [&](std::size_t n) { for (auto& values : field.component) values.reserve(n); };
-    const auto repeat = [&](std::size_t n) { for (auto& values : field.component) values.assign(n, double(values[0])); };
-    const auto bytes = std::size_t(isLabel ? header.labelBits : components*header.scalarBits)/8;
+    const auto reserve = [&](std::size_t n)
+    {
+        for (auto& values : field.component) values.reserve(n);
+    };
+    const auto repeat = [&](std::size_t n)
+    {
+        for (auto& values : field.component) values.assign(n, double(values[0]));
+    };
+    const auto bytes = std::size_t(isLabel ? header.labelBits : components * header.scalarBits) / 8;
     const auto n = list.read(bytes, reserve, append, repeat);
     if (n != expected) in.fail(fmt::format("field {} has {} values, positions has {}", name, n, expected));
     return field;
@@ -235,22 +250,27 @@ Positions parsePositions(std::string_view text)
         for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(asciiNumber(in, i));
         bracket(in, ')', i, 3);
         std::int64_t cell;
-        if (!in.integer(cell)) in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
+        if (!in.integer(cell))
+            in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
     };
     const auto binary = [&](std::size_t i)
     {
-        const auto bytes = std::size_t(3*header.scalarBits + header.labelBits)/8;
+        const auto bytes = std::size_t(3 * header.scalarBits + header.labelBits) / 8;
         if (!in.take('(')) in.fail(fmt::format("expected ( before the position of particle {}, found {}", i, in.found()));
         if (in.remaining() < bytes) in.fail(fmt::format("the file is truncated in the position of particle {}", i));
         for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(binaryNumber(in, header.scalarBits, i));
         binaryLabel(in, header.labelBits);
         if (!in.take(')')) in.fail(fmt::format("expected ) after the position of particle {}", i));
     };
-    const auto reserve = [&](std::size_t n) { for (auto* values : {&p.x, &p.y, &p.z}) values->reserve(n); };
+    const auto reserve = [&](std::size_t n)
+    {
+        for (auto* values : {&p.x, &p.y, &p.z}) values->reserve(n);
+    };
     const auto repeat = [&](std::size_t) { in.fail("positions cannot be a compact list"); };
-    const auto bytes = std::size_t(3*header.scalarBits + header.labelBits)/8 + 2;
+    const auto bytes = std::size_t(3 * header.scalarBits + header.labelBits) / 8 + 2;
     ListReader list(in, header);
-    list.read(bytes, reserve, [&](std::size_t i) { header.binary ? binary(i) : ascii(i); }, repeat);
+    list.read(
+        bytes, reserve, [&](std::size_t i) { header.binary ? binary(i) : ascii(i); }, repeat);
     return p;
 }
 
@@ -260,7 +280,7 @@ std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std
 {
     try
     {
-        const MappedFile mapped(caseFolder/file);
+        const MappedFile mapped(caseFolder / file);
         return parse(mapped.text());
     }
     catch (const ScanError& e)

@@ -17,7 +17,8 @@ constexpr std::size_t longestNumber = 64;
 char* print(char* at, double value, int precision)
 {
     const auto end = at + longestNumber;
-    return (precision > 0 ? std::to_chars(at, end, value, std::chars_format::general, precision) : std::to_chars(at, end, value)).ptr;
+    return (precision > 0 ? std::to_chars(at, end, value, std::chars_format::general, precision) : std::to_chars(at, end, value))
+        .ptr;
 }
 }
 

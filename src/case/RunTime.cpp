@@ -21,7 +21,8 @@ constexpr const char* originalFolder = "0.orig";
 /// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
 void ignoreForeign(const Dictionary& control)
 {
-    for (const auto* key : {"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"})
+    for (const auto* key :
+         {"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"})
         control.ignore(key);
 }
 
@@ -68,8 +69,9 @@ void RunTime::findStart(const Case& c)
     const bool hasZero = std::any_of(names.begin(), names.end(), [](const auto& name) { return timeValue(name) == 0; });
     const bool fromOriginal = !hasZero && c.has(originalFolder);
     if (fromOriginal)
-        names.insert(std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
-                     "0");
+        names.insert(
+            std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
+            "0");
     if (names.empty())
         return control_.error("startFrom", "the case has no time folder to start from, and no folder 0.orig to make one of");
 
@@ -79,8 +81,9 @@ void RunTime::findStart(const Case& c)
         const auto off = [wanted](const std::string& name) { return std::abs(*timeValue(name) - wanted); };
         chosen = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
         // As near as the digits of a name written by hand can be expected to be.
-        if (off(*chosen) > 1e-10*std::abs(wanted))
-            return control_.error("startTime", fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
+        if (off(*chosen) > 1e-10 * std::abs(wanted))
+            return control_.error("startTime",
+                                  fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
     }
     if (fromOriginal && *chosen == "0") copyFolder(caseFolder_, originalFolder, "0");
     startName_ = *chosen;
@@ -96,9 +99,10 @@ void RunTime::restore(const Case& c)
     if (!couldBeNamed(exact, startName_))
     {
         // Copied from another time, as a packed bed that a new run begins with.
-        c.diagnostics().warning(stored.where("value"), fmt::format("value {} does not belong to a folder named {}: the run starts "
-                                                                   "afresh at {}",
-                                                                   shortestText(exact), startName_, startName_));
+        c.diagnostics().warning(stored.where("value"),
+                                fmt::format("value {} does not belong to a folder named {}: the run starts "
+                                            "afresh at {}",
+                                            shortestText(exact), startName_, startName_));
         return;
     }
     value_ = exact;
@@ -145,12 +149,20 @@ void RunTime::advance(double deltaT)
     ++index_;
     switch (controls_.writeControl)
     {
-    case WriteControl::none: scheduled_ = false; break;
-    case WriteControl::timeStep: scheduled_ = std::fmod(double(index_), controls_.writeInterval) == 0; break;
+    case WriteControl::none:
+        scheduled_ = false;
+        break;
+    case WriteControl::timeStep:
+        scheduled_ = std::fmod(double(index_), controls_.writeInterval) == 0;
+        break;
     case WriteControl::runTime:
-    case WriteControl::adjustable: scheduled_ = controls_.writeIndex(value_) > controls_.writeIndex(before); break;
+    case WriteControl::adjustable:
+        scheduled_ = controls_.writeIndex(value_) > controls_.writeIndex(before);
+        break;
     case WriteControl::clockTime:
-    case WriteControl::cpuTime: scheduled_ = writesByClock(); break;
+    case WriteControl::cpuTime:
+        scheduled_ = writesByClock();
+        break;
     }
     if (controls_.stopAt == StopAt::nextWrite) stopped_ |= scheduled_;
     if (controls_.stopAt == StopAt::writeNow || controls_.stopAt == StopAt::noWriteNow) stopped_ = true;
@@ -161,7 +173,7 @@ double RunTime::clock() const { return controls_.writeControl == WriteControl::c
 
 bool RunTime::writesByClock()
 {
-    const double index = std::floor(clock()/controls_.writeInterval);
+    const double index = std::floor(clock() / controls_.writeInterval);
     return index > std::exchange(clockIndex_, index);
 }
 
@@ -188,9 +200,9 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                 [&](const std::filesystem::path& folder)
                 {
                     fill(folder);
-                    createFolders(folder/"uniform");
-                    writeFile(folder/"uniform"/"time", uniformFile(time, "time", timeText));
-                    writeFile(folder/"uniform"/"sphState", uniformFile(time, "sphState", stateText));
+                    createFolders(folder / "uniform");
+                    writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
+                    writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
                 });
     named_[time] = value_;
     std::erase(written_, time);
@@ -210,7 +222,7 @@ void RunTime::purge()
 RunTime::FileStamp RunTime::stamp() const
 {
     struct stat status;
-    if (::stat((caseFolder_/controlDictFile).c_str(), &status) != 0) return {};
+    if (::stat((caseFolder_ / controlDictFile).c_str(), &status) != 0) return {};
     return {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
@@ -248,17 +260,17 @@ std::string RunTime::rereadIfModified()
     if (!controls_.adjustTimeStep) deltaT_ = controls_.deltaT;
     // Writes by the clock are counted on from now, whatever the interval was.
     if (controls_.writeControl == WriteControl::clockTime || controls_.writeControl == WriteControl::cpuTime)
-        clockIndex_ = std::floor(clock()/controls_.writeInterval);
+        clockIndex_ = std::floor(clock() / controls_.writeInterval);
     return fmt::format("{} has changed: {}", controlDictFile, changes.empty() ? "nothing that matters here" : changes);
 }
 
 std::filesystem::path RunTime::outputFile(const std::string& function, const std::string& file) const
 {
-    const auto folder = caseFolder_/"postProcessing"/function/startName_;
+    const auto folder = caseFolder_ / "postProcessing" / function / startName_;
     createFolders(folder);
-    const auto path = folder/file;
+    const auto path = folder / file;
     if (!std::filesystem::exists(path)) return path;
-    return folder/fmt::format("{}_{}{}", path.stem().string(), startName_, path.extension().string());
+    return folder / fmt::format("{}_{}{}", path.stem().string(), startName_, path.extension().string());
 }
 
 }

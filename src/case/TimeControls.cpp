@@ -35,7 +35,8 @@ int digits(const Dictionary& d, const std::string& key, int fallback)
 {
     const int value = d.get<int>(key, fallback);
     constexpr int most = std::numeric_limits<double>::max_digits10;
-    if (d.found(key) && (value < 1 || value > most)) d.error(key, fmt::format("{} must be 1 to {} digits, found {}", key, most, value));
+    if (d.found(key) && (value < 1 || value > most))
+        d.error(key, fmt::format("{} must be 1 to {} digits, found {}", key, most, value));
     return std::clamp(value, 0, most);
 }
 
@@ -51,7 +52,8 @@ double readInterval(const Dictionary& d, WriteControl control)
     if (control == WriteControl::none) return d.getPositive("writeInterval", units::s, 1.0);
     if (control != WriteControl::timeStep) return d.getPositive("writeInterval", units::s);
     const double steps = d.getPositive("writeInterval", units::none);
-    if (steps != std::floor(steps)) d.error("writeInterval", fmt::format("writeInterval must be a number of steps, found {}", steps));
+    if (steps != std::floor(steps))
+        d.error("writeInterval", fmt::format("writeInterval must be a number of steps, found {}", steps));
     return std::max(1.0, std::floor(steps));
 }
 
@@ -60,7 +62,8 @@ WriteOptions readOptions(const Dictionary& d)
     WriteOptions options;
     options.format = WriteFormat(chosen(d, "writeFormat", formatWords, "ascii"));
     options.precision = digits(d, "writePrecision", 0);
-    if (options.format == WriteFormat::ascii && options.precision > 0 && options.precision < std::numeric_limits<double>::max_digits10)
+    if (options.format == WriteFormat::ascii && options.precision > 0 &&
+        options.precision < std::numeric_limits<double>::max_digits10)
         d.diagnostics().warning(d.where("writePrecision"),
                                 fmt::format("{} digits lose the last ones of each number, and a restart from such files goes on "
                                             "slightly differently. Without writePrecision nothing is lost.",
@@ -76,8 +79,10 @@ TimeControls TimeControls::read(const Dictionary& d)
     TimeControls c;
     c.stopAt = StopAt(chosen(d, "stopAt", stopWords, "endTime"));
     // Otherwise endTime stands for later: the run stops at a write, as in OpenFOAM.
-    if (c.stopAt == StopAt::endTime) c.endTime = d.get<double>("endTime");
-    else d.get<double>("endTime", 0.0);
+    if (c.stopAt == StopAt::endTime)
+        c.endTime = d.get<double>("endTime");
+    else
+        d.get<double>("endTime", 0.0);
 
     c.adjustTimeStep = d.get<bool>("adjustTimeStep", true);
     // The limits decide adjusted steps alone: nothing is left for deltaT to say.
@@ -118,20 +123,20 @@ std::vector<std::pair<std::string, std::string>> TimeControls::inWords() const
 
 double TimeControls::writeIndex(double t) const
 {
-    const double k = t/writeInterval;
-    return std::floor(k + sameTime + 4*roundOff*std::abs(k));
+    const double k = t / writeInterval;
+    return std::floor(k + sameTime + 4 * roundOff * std::abs(k));
 }
 
 double TimeControls::end() const
 {
     if (!fitsSteps() || !std::isfinite(endTime)) return endTime;
-    const double write = std::round(endTime/writeInterval)*writeInterval;
-    return std::abs(write - endTime) <= sameTime*writeInterval + 4*roundOff*std::abs(endTime) ? write : endTime;
+    const double write = std::round(endTime / writeInterval) * writeInterval;
+    return std::abs(write - endTime) <= sameTime * writeInterval + 4 * roundOff * std::abs(endTime) ? write : endTime;
 }
 
 double TimeControls::nextTarget(double t) const
 {
-    return fitsSteps() ? std::min((writeIndex(t) + 1)*writeInterval, end()) : infinity;
+    return fitsSteps() ? std::min((writeIndex(t) + 1) * writeInterval, end()) : infinity;
 }
 
 double TimeControls::step(double t, double limit) const
@@ -140,9 +145,9 @@ double TimeControls::step(double t, double limit) const
     const double longest = std::min(limit, maxDeltaT);
     const double left = nextTarget(t) - t;
     // At the most a tenth beyond the limit rather than a step of almost nothing behind it; maxDeltaT is never passed.
-    if (left <= std::min(1.1*limit, maxDeltaT)) return left;
+    if (left <= std::min(1.1 * limit, maxDeltaT)) return left;
     // Two equal steps rather than a long one and a short one.
-    return left < 2*longest ? 0.5*left : longest;
+    return left < 2 * longest ? 0.5 * left : longest;
 }
 
 double TimeControls::advanced(double t, double dt) const
@@ -150,14 +155,14 @@ double TimeControls::advanced(double t, double dt) const
     const double sum = t + dt;
     if (!adjustTimeStep)
     {
-        const double n = std::round(t/deltaT);
-        const bool onGrid = dt == deltaT && std::abs(t - n*deltaT) <= 1e-6*deltaT;
-        return onGrid ? (n + 1)*deltaT : sum;
+        const double n = std::round(t / deltaT);
+        const bool onGrid = dt == deltaT && std::abs(t - n * deltaT) <= 1e-6 * deltaT;
+        return onGrid ? (n + 1) * deltaT : sum;
     }
     const double target = nextTarget(t);
-    return std::abs(sum - target) <= sameTime*dt + 4*roundOff*std::abs(t) ? target : sum;
+    return std::abs(sum - target) <= sameTime * dt + 4 * roundOff * std::abs(t) ? target : sum;
 }
 
-bool TimeControls::before(double t) const { return adjustTimeStep ? t < end() : t < endTime - 0.5*deltaT; }
+bool TimeControls::before(double t) const { return adjustTimeStep ? t < end() : t < endTime - 0.5 * deltaT; }
 
 }

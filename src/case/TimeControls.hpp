@@ -16,8 +16,22 @@
 namespace sph
 {
 
-enum class StopAt { endTime, writeNow, noWriteNow, nextWrite };
-enum class WriteControl { none, timeStep, runTime, adjustable, clockTime, cpuTime };
+enum class StopAt
+{
+    endTime,
+    writeNow,
+    noWriteNow,
+    nextWrite
+};
+enum class WriteControl
+{
+    none,
+    timeStep,
+    runTime,
+    adjustable,
+    clockTime,
+    cpuTime
+};
 
 struct TimeControls
 {

@@ -70,18 +70,18 @@ struct Partial
 
 void writeFolder(const fs::path& parent, const std::string& name, const std::function<void(const fs::path&)>& fill)
 {
-    const Partial partial{parent/(name + partialSuffix)};
+    const Partial partial{parent / (name + partialSuffix)};
     removeAll(partial.folder);
     createFolders(partial.folder);
     fill(partial.folder);
-    moveIntoPlace(partial.folder, parent/name);
+    moveIntoPlace(partial.folder, parent / name);
 }
 
 void removeFolder(const fs::path& parent, const std::string& name)
 {
-    if (!fs::exists(parent/name)) return;
-    const Partial partial{parent/(name + partialSuffix)};
-    moveTo(parent/name, partial.folder);
+    if (!fs::exists(parent / name)) return;
+    const Partial partial{parent / (name + partialSuffix)};
+    moveTo(parent / name, partial.folder);
     removeAll(partial.folder);
 }
 
@@ -96,12 +96,12 @@ void removePartialFolders(const fs::path& parent)
 
 void copyFolder(const fs::path& parent, const std::string& from, const std::string& to)
 {
-    const Partial partial{parent/fmt::format("{}.{}{}", to, ::getpid(), partialSuffix)};
+    const Partial partial{parent / fmt::format("{}.{}{}", to, ::getpid(), partialSuffix)};
     std::error_code reason;
-    fs::copy(parent/from, partial.folder, fs::copy_options::recursive, reason);
-    if (reason) fail(parent/to, "cannot be copied from " + from, reason);
-    fs::rename(partial.folder, parent/to, reason);
-    if (reason && !fs::is_directory(parent/to)) fail(parent/to, "cannot be copied from " + from, reason);
+    fs::copy(parent / from, partial.folder, fs::copy_options::recursive, reason);
+    if (reason) fail(parent / to, "cannot be copied from " + from, reason);
+    fs::rename(partial.folder, parent / to, reason);
+    if (reason && !fs::is_directory(parent / to)) fail(parent / to, "cannot be copied from " + from, reason);
 }
 
 }

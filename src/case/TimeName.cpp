@@ -13,9 +13,12 @@ std::string timeName(double value, TimeFormat format, int precision)
     if (value == 0) value = 0;
     switch (format)
     {
-    case TimeFormat::general: return fmt::format("{:.{}g}", value, precision);
-    case TimeFormat::fixed: return fmt::format("{:.{}f}", value, precision);
-    case TimeFormat::scientific: return fmt::format("{:.{}e}", value, precision);
+    case TimeFormat::general:
+        return fmt::format("{:.{}g}", value, precision);
+    case TimeFormat::fixed:
+        return fmt::format("{:.{}f}", value, precision);
+    case TimeFormat::scientific:
+        return fmt::format("{:.{}e}", value, precision);
     }
     return "";
 }

@@ -6,7 +6,12 @@
 namespace sph
 {
 
-enum class TimeFormat { general, fixed, scientific };
+enum class TimeFormat
+{
+    general,
+    fixed,
+    scientific
+};
 
 std::string timeName(double value, TimeFormat, int precision);
 

@@ -1,0 +1,178 @@
+#include "Cloud.hpp"
+#include "temporaryCase.hpp"
+#include <cstring>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+
+// The header takes 6 lines: the count stands in line 7.
+std::string header(const std::string& className, const std::string& format = "ascii")
+{
+    return "FoamFile\n{\nformat " + format + ";\nclass " + className + ";\nobject any;\n}\n";
+}
+
+const std::string threePositions = header("Cloud<passiveParticle>") + "3\n(\n(0 0 0) 0\n(1 0 0) 0\n(2 0 0) 0\n)\n";
+
+std::string raw(const std::vector<double>& values)
+{
+    std::string text(values.size() * sizeof(double), '\0');
+    std::memcpy(text.data(), values.data(), text.size());
+    return text;
+}
+
+/// What reading says of a cloud of three particles with this file as its field U.
+std::string ofField(const std::string& text)
+{
+    const TemporaryCase c;
+    c.write("0/lagrangian/sph/positions", threePositions);
+    c.write("0/lagrangian/sph/U", text);
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    return messages(diagnostics);
+}
+
+std::string ofPositions(const std::string& text)
+{
+    const TemporaryCase c;
+    c.write("0/lagrangian/sph/positions", text);
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    return messages(diagnostics);
+}
+
+/// Binary data has no telling what is found in it.
+std::string start(const std::string& text, std::size_t length) { return text.substr(0, length); }
+
+const std::string U = "0/lagrangian/sph/U", P = "0/lagrangian/sph/positions";
+
+}
+
+// Each test: a file with one mistake, and the exact words, with file and line, that the user reads.
+
+TEST(CloudErrors, nameAMissingCloud)
+{
+    const TemporaryCase c;
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    EXPECT_EQ(messages(diagnostics), P + ": cannot be read: No such file or directory");
+}
+
+TEST(CloudErrors, nameWhatIsWrongWithTheHeader)
+{
+    EXPECT_EQ(ofField(""), U + ":1: no FoamFile header: not a field file");
+    EXPECT_EQ(ofField("3(1 2 3)"), U + ":1: no FoamFile header: not a field file");
+    EXPECT_EQ(ofField("FoamFile\n{\nclass scalarField;\n}\n3{1}\n"), U + ":4: the FoamFile header has no \"format\"");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat ascii;\n}\n3{1}\n"), U + ":4: the FoamFile header has no \"class\"");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat ascii;\n"), U + ":4: the FoamFile header does not end");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat ascii\nclass scalarField;\n}\n"),
+              U + ":3: FoamFile header: expected \"keyword value;\", found \"format ascii\"");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat asci;\n"),
+              U + ":3: format \"asci\" is unknown. Did you mean \"ascii\"? Known formats: ascii, binary.");
+    EXPECT_EQ(ofField("FoamFile\n{\narch \"MSB;label=32;scalar=64\";\n"),
+              U + ":3: arch \"MSB;label=32;scalar=64\": big-endian data is not supported");
+    EXPECT_EQ(ofField("FoamFile\n{\narch \"LSB;label=16;scalar=64\";\n"),
+              U + ":3: arch \"LSB;label=16;scalar=64\": label must be 32 or 64");
+}
+
+TEST(CloudErrors, nameAWrongClass)
+{
+    EXPECT_EQ(ofField(header("vectorFeld") + "3{(0 0 0)}\n"),
+              U + ":4: class \"vectorFeld\" is not a field of a cloud. Did you mean \"vectorField\"? "
+                  "Known classes: labelField, scalarField, vectorField, symmTensorField.");
+    EXPECT_EQ(ofPositions(header("vectorField") + "3{(0 0 0)}\n"),
+              P + ":4: class \"vectorField\" is not that of positions, Cloud<...>");
+}
+
+TEST(CloudErrors, nameUnequalLengths)
+{
+    EXPECT_EQ(ofField(header("scalarField") + "2\n(\n1\n2\n)\n"), U + ":7: field U has 2 values, positions has 3");
+    EXPECT_EQ(ofField(header("scalarField") + "999999999999{1}\n"), U + ":7: field U has 999999999999 values, positions has 3");
+    EXPECT_EQ(ofField(header("scalarField") + "(1 2)\n"), U + ":8: field U has 2 values, positions has 3");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n2\n)\n"), U + ":11: the list ends after 2 of 3 values");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n2\n3\n4\n)\n"), U + ":12: expected ) after 3 values, found \"4\"");
+}
+
+TEST(CloudErrors, nameATruncatedFile)
+{
+    EXPECT_EQ(ofField(header("scalarField")), U + ":7: expected the number of values, found the end of the file");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n"), U + ":8: expected ( and the values, found the end of the file");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n2\n"), U + ":11: the file is truncated: it ends after 2 of 3 values");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0"),
+              U + ":10: the file is truncated in the value of particle 1");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0 0"),
+              U + ":10: the file is truncated in the value of particle 1");
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "9000000000000000000\n(\n(0 0 0) 0\n"),
+              P + ":10: the file is truncated: it ends after 1 of 9000000000000000000 values");
+    EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2})),
+              U + ": the file is truncated: 3 values need 24 bytes, 16 are there");
+    EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3})),
+              U + ": expected ) after 3 values, found the end of the file");
+    EXPECT_EQ(ofPositions(header("Cloud<p>", "binary") + "9000000000000000000\n(\n"),
+              P + ": the file is truncated: 9000000000000000000 values need 270000000000000000000 bytes, 1 are there");
+}
+
+TEST(CloudErrors, nameWhatFollowsTheList)
+{
+    EXPECT_EQ(ofField(header("scalarField") + "3{1}\n\n4{2}\n"), U + ":9: unexpected \"4{2}\" after the list");
+    EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3}) + ")x"), U + ": unexpected \"x\" after the list");
+    EXPECT_EQ(start(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3, 4}) + ")"), U.size() + 27),
+              U + ": expected ) after 3 values");
+}
+
+TEST(CloudErrors, nameTheParticleThatIsNotFinite)
+{
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\nnan\n3\n)\n"), U + ":10: the value of particle 1 is not finite: nan");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0 0)\n(0 -inf 0)\n)\n"),
+              U + ":11: the value of particle 2 is not finite: -inf");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n1e999\n3\n)\n"), U + ":10: the value of particle 1 is not finite: inf");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, nan}) + ")\n"),
+              U + ": the value of particle 2 is not finite: nan");
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 nan 0) 0\n)\n"), P + ":9: the value of particle 0 is not finite: nan");
+}
+
+TEST(CloudErrors, nameWhatIsNoValue)
+{
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\ntwo\n3\n)\n"),
+              U + ":10: expected a number for particle 1, found \"two\"");
+    EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n2.5\n3\n)\n"),
+              U + ":10: expected an integer for particle 1, found \"2.5\"");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n1\n2\n3\n)\n"),
+              U + ":9: expected \"(\" of the 3 numbers of particle 0, found \"1\"");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0 0)\n"),
+              U + ":9: expected \")\" of the 3 numbers of particle 0, found \"0)\"");
+    EXPECT_EQ(ofField(header("scalarField", "binary") + "3{1}\n"), U + ":7: a compact list N{value} cannot be in a binary file");
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "2{(0 0 0) 0}\n"), P + ":7: positions cannot be a compact list");
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0 0)\n)\n"),
+              P + ":10: expected the cell label after the position of particle 0, found \")\"");
+    EXPECT_EQ(ofField("/* not closed"), U + ":1: the comment /* does not end");
+}
+
+// The raw layout without inner parentheses, which other programs read as no particles without a word.
+TEST(CloudErrors, nameBinaryPositionsWithoutParentheses)
+{
+    const auto said = ofPositions(header("Cloud<p>", "binary") + "1\n(\n" + raw({0.1, 0.2, 0.3}) + std::string(10, '\0') + ")\n");
+    EXPECT_EQ(start(said, P.size() + 46), P + ": expected ( before the position of particle 0");
+}
+
+TEST(CloudErrors, reportEveryFieldAtOnce)
+{
+    const TemporaryCase c;
+    c.write("0/lagrangian/sph/positions", threePositions);
+    c.write("0/lagrangian/sph/rho", header("scalarField") + "2{1}\n");
+    c.write("0/lagrangian/sph/p", header("scalarField") + "4{1}\n");
+    c.write("0/lagrangian/sph/T.gz", "");
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    EXPECT_EQ(messages(diagnostics), "0/lagrangian/sph/T.gz: compressed files are not read: gunzip it\n"
+                                     "0/lagrangian/sph/p:7: field p has 4 values, positions has 3\n"
+                                     "0/lagrangian/sph/rho:7: field rho has 2 values, positions has 3\n"
+                                     "3 errors");
+}
+
+}

@@ -1,0 +1,369 @@
+#include "RunTime.hpp"
+#include "temporaryCase.hpp"
+#include <chrono>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace sph
+{
+
+namespace
+{
+
+const std::string header = "FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }\n";
+
+void control(const TemporaryCase& c, const std::string& text) { c.write("system/controlDict", header + text); }
+
+void makeTime(const TemporaryCase& c, const std::string& name) { std::filesystem::create_directories(c.folder() / name); }
+
+void write(RunTime& time, const StateNumbers& state = {})
+{
+    time.write([](const auto&) {}, state);
+}
+
+/// All that is said of this controlDict, with time folders 0, 0.5 and 1.
+std::string saidOf(const std::string& text)
+{
+    const TemporaryCase c;
+    control(c, text);
+    for (const auto* name : {"0", "0.5", "1", "0.orig", "2.partial", "constant"}) makeTime(c, name);
+    const Case theCase(c.folder());
+    const RunTime time(theCase);
+    return messages(theCase.diagnostics());
+}
+
+/// A run from 0 under this controlDict and a constant limit: the names of the times written.
+std::vector<std::string> timesWritten(const std::string& text, double limit)
+{
+    const TemporaryCase c;
+    control(c, text);
+    makeTime(c, "0");
+    const Case theCase(c.folder());
+    RunTime time(theCase);
+    theCase.diagnostics().throwIfAny();
+    std::vector<std::string> names;
+    while (time.running())
+    {
+        time.advance(time.nextDeltaT(limit));
+        if (!time.writeTime()) continue;
+        names.push_back(time.name());
+        write(time);
+    }
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+}
+
+TEST(Case, namesAFolderThatIsNotThere)
+{
+    const TemporaryCase c;
+    c.write("file", "");
+    const auto folder = c.folder().string();
+    EXPECT_EQ(messageOf([&] { Case(c.folder() / "no"); }), "case folder \"" + folder + "/no\" does not exist");
+    EXPECT_EQ(messageOf([&] { Case(c.folder() / "file"); }), "case \"" + folder + "/file\" is not a folder");
+}
+
+// By value, as they stand on disk: what is no number, or a file, is no time.
+TEST(Case, listsItsTimes)
+{
+    const TemporaryCase c;
+    for (const auto* name : {"10", "9", "0.orig", "1e-05", "0", "0.5.partial", "nan", "inf", "0x1", "constant", "-1"})
+        makeTime(c, name);
+    c.write("7", "");
+    EXPECT_EQ(Case(c.folder()).times(), (Names{"-1", "0", "1e-05", "9", "10"}));
+}
+
+TEST(RunTime, startsWhereControlDictSays)
+{
+    const auto startOf = [](const std::string& text)
+    {
+        const TemporaryCase c;
+        control(c, text + " endTime 2;");
+        for (const auto* name : {"0.1", "0.5", "1"}) makeTime(c, name);
+        const Case theCase(c.folder());
+        const RunTime time(theCase);
+        EXPECT_EQ(messages(theCase.diagnostics()), "");
+        return time.startName();
+    };
+    EXPECT_EQ(startOf("startFrom firstTime;"), "0.1");
+    EXPECT_EQ(startOf("startFrom startTime; startTime 0.5;"), "0.5");
+    EXPECT_EQ(startOf("startFrom latestTime;"), "1");
+    EXPECT_EQ(startOf(""), "1");
+}
+
+TEST(RunTime, namesWhatIsWrong)
+{
+    EXPECT_EQ(saidOf("startFrom startTime; startTime 0.33;\nendTime 1;"),
+              "system/controlDict:2: there is no time folder 0.33. Times: 0, 0.5, 1.");
+    EXPECT_EQ(saidOf("endTime 1; writeControl timeStep;\nwriteInterval 1.5;"),
+              "system/controlDict:3: writeInterval must be a number of steps, found 1.5");
+    EXPECT_EQ(saidOf("endTime 1;\npurgeWrite -1;"), "system/controlDict:3: purgeWrite must not be negative, found -1");
+    EXPECT_EQ(saidOf("endTime 1;\nwritePrecision 30;"), "system/controlDict:3: writePrecision must be 1 to 17 digits, found 30");
+    EXPECT_EQ(saidOf("endTime 1;\ntimePrecision 0;"), "system/controlDict:3: timePrecision must be 1 to 17 digits, found 0");
+    for (const auto* wrong :
+         {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
+          "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;", "endTime 1; deltaT -1;",
+          "endTime 1; writeFormat text;", "endTime 1; writeCompression on;", "endTime 1; timeFormat short;", "endTime nan;",
+          "startFrom startTime; endTime 1;"})
+        EXPECT_NE(saidOf(wrong).find("system/controlDict"), std::string::npos) << wrong;
+}
+
+// An OpenFOAM user's controlDict, word for word: nothing is said.
+TEST(RunTime, acceptsWhatOpenFoamAccepts)
+{
+    const TemporaryCase c;
+    control(c, "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 1; deltaT 0.005;\n"
+               "writeControl adjustableRunTime; writeInterval 0.1; purgeWrite 0; writeFormat ascii; writePrecision 17;\n"
+               "writeCompression off; timeFormat general; timePrecision 6; runTimeModifiable true; adjustTimeStep yes;\n"
+               "maxDeltaT 1; libs (\"x.so\"); functions { probes { type probes; } }\n");
+    makeTime(c, "0");
+    const Case theCase(c.folder());
+    const RunTime time(theCase);
+    time.controlDict().reportUnused();
+    EXPECT_EQ(messages(theCase.diagnostics()), "");
+    EXPECT_TRUE(theCase.diagnostics().warnings().empty());
+    EXPECT_EQ(time.writeOptions().precision, 17);
+    EXPECT_EQ(time.endTime(), 1);
+}
+
+TEST(RunTime, warnsOfDigitsThatARestartWillMiss)
+{
+    const TemporaryCase c;
+    control(c, "endTime 1;\nwriteFormat ascii;\nwritePrecision 6;\n");
+    makeTime(c, "0");
+    const Case theCase(c.folder());
+    const RunTime time(theCase);
+    ASSERT_EQ(theCase.diagnostics().warnings().size(), 1u);
+    EXPECT_EQ(theCase.diagnostics().warnings()[0].substr(0, 38), "system/controlDict:4: 6 digits lose th");
+}
+
+TEST(RunTime, copiesTheOriginalFolderWhereThereIsNoTimeZero)
+{
+    const TemporaryCase c;
+    control(c, "endTime 1;");
+    c.write("0.orig/lagrangian/sph/positions", "text");
+    {
+        const Case theCase(c.folder());
+        EXPECT_EQ(RunTime(theCase).startName(), "0");
+        EXPECT_EQ(messages(theCase.diagnostics()), "");
+        EXPECT_EQ(theCase.times(), Names{"0"});
+    }
+    EXPECT_EQ(c.read("0/lagrangian/sph/positions"), "text");
+    // A "0" that is there, and a later time to go on from, are left as they are.
+    c.write("0/lagrangian/sph/positions", "mine");
+    EXPECT_EQ(RunTime(Case(c.folder())).startName(), "0");
+    EXPECT_EQ(c.read("0/lagrangian/sph/positions"), "mine");
+    std::filesystem::rename(c.folder() / "0", c.folder() / "0.5");
+    EXPECT_EQ(RunTime(Case(c.folder())).startName(), "0.5");
+    EXPECT_FALSE(c.has("0"));
+}
+
+TEST(RunTime, ofACaseWithoutAnyTimeIsAnError)
+{
+    const TemporaryCase c;
+    control(c, "startFrom latestTime; endTime 1;");
+    const Case theCase(c.folder());
+    const RunTime time(theCase);
+    EXPECT_EQ(messages(theCase.diagnostics()),
+              "system/controlDict:2: the case has no time folder to start from, and no folder 0.orig to make one of");
+}
+
+// The names are exact, 0.3 and not 0.300001: adjusted steps hit k writeInterval and the end.
+TEST(RunTime, writesWhenWriteControlSays)
+{
+    EXPECT_EQ(timesWritten("endTime 0.55; writeControl adjustable; writeInterval 0.1;", 0.03),
+              (Names{"0.1", "0.2", "0.3", "0.4", "0.5", "0.55"}));
+    EXPECT_EQ(timesWritten("endTime 1; writeControl timeStep; writeInterval 4; adjustTimeStep no; deltaT 0.1;", 1),
+              (Names{"0.4", "0.8", "1"}));
+    EXPECT_EQ(timesWritten("endTime 1; writeControl runTime; writeInterval 0.25; adjustTimeStep no; deltaT 0.1;", 1),
+              (Names{"0.3", "0.5", "0.8", "1"}));
+    EXPECT_EQ(timesWritten("endTime 1; writeControl none; adjustTimeStep no; deltaT 0.1;", 1), Names{"1"});
+    EXPECT_EQ(timesWritten("endTime 1; writeControl runTime; writeInterval 0.5;", 0.3), (Names{"0.6", "1.2"}));
+}
+
+// A million steps of 1e-3: summed up, the time would be 1.7e-10 off; it is exact.
+TEST(RunTime, doesNotAccumulateRoundOffOfFixedSteps)
+{
+    const TemporaryCase c;
+    control(c, "endTime 1000; adjustTimeStep no; deltaT 1e-3; writeControl runTime; writeInterval 100;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    int writes = 0;
+    while (time.running())
+    {
+        time.advance(time.nextDeltaT(1));
+        writes += time.writeTime();
+    }
+    EXPECT_EQ(time.index(), 1000000);
+    EXPECT_EQ(time.value(), 1000);
+    EXPECT_EQ(writes, 10);
+}
+
+// No step above 1.1 times the limit nor above maxDeltaT, none below half of the smaller of the two, except where less is left.
+TEST(RunTime, fitsStepsToWriteTimesWithinATenthOfTheLimit)
+{
+    const TemporaryCase c;
+    control(c, "endTime 10; writeControl adjustable; writeInterval 0.1; maxDeltaT 0.05;");
+    makeTime(c, "0");
+    const RunTime time{Case(c.folder())};
+    for (const double limit : {1e-3, 0.0333, 0.048, 0.049, 0.0501, 0.06, 0.09, 0.095, 1.0})
+    {
+        const double dt = time.nextDeltaT(limit);
+        EXPECT_LE(dt, std::min(1.1 * limit, 0.05));
+        EXPECT_GE(dt, 0.5 * std::min(limit, 0.05));
+    }
+}
+
+TEST(RunTime, refusesAStepThatIsNone)
+{
+    const TemporaryCase c;
+    control(c, "endTime 1;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    EXPECT_EQ(messageOf([&] { time.nextDeltaT(std::nan("")); }), "at time 0 the limit of the time step is nan");
+    EXPECT_EQ(messageOf([&] { time.nextDeltaT(0); }), "at time 0 the limit of the time step is 0");
+    EXPECT_EQ(messageOf([&] { time.nextDeltaT(INFINITY); }), "system/controlDict: nothing limits the time step: give maxDeltaT");
+    time.advance(0.5);
+    EXPECT_EQ(messageOf([&] { time.advance(1e-20); }), "a time step of 1e-20 s is too small to advance time 0.5 s");
+}
+
+// Digits are added where timePrecision cannot tell two times apart, and only there.
+TEST(RunTime, addsDigitsWhereTwoTimesWouldHaveOneName)
+{
+    const TemporaryCase c;
+    control(c, "endTime 10; timePrecision 3;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    time.advance(1.5);
+    EXPECT_EQ(time.name(), "1.5");
+    write(time);
+    time.advance(0.00001);
+    EXPECT_EQ(time.name(), "1.50001");
+    write(time);
+    EXPECT_EQ(time.name(), "1.50001");
+    time.advance(1);
+    EXPECT_EQ(time.name(), "2.5");
+    EXPECT_EQ(Case(c.folder()).times(), (Names{"0", "1.5", "1.50001"}));
+}
+
+TEST(RunTime, namesTimesInTheFormatAskedFor)
+{
+    EXPECT_EQ(timesWritten("endTime 0.5; adjustTimeStep no; deltaT 0.5; timeFormat fixed; timePrecision 3;", 1), Names{"0.500"});
+    EXPECT_EQ(timesWritten("endTime 0.5; adjustTimeStep no; deltaT 0.5; timeFormat scientific; timePrecision 2;", 1),
+              Names{"5.00e-01"});
+    EXPECT_EQ(timesWritten("endTime 1e-5; adjustTimeStep no; deltaT 1e-5;", 1), Names{"1e-05"});
+}
+
+// The oldest written by this run goes first; the start and "0" stay.
+TEST(RunTime, purgesAllButTheLastWritesAndTheStart)
+{
+    const TemporaryCase c;
+    control(c, "endTime 5; adjustTimeStep no; deltaT 1; writeControl timeStep; writeInterval 1; purgeWrite 2;");
+    makeTime(c, "0");
+    makeTime(c, "0.5");
+    RunTime time{Case(c.folder())};
+    while (time.running())
+    {
+        time.advance(time.nextDeltaT(1));
+        if (time.writeTime()) write(time);
+    }
+    EXPECT_EQ(Case(c.folder()).times(), (Names{"0", "0.5", "3.5", "4.5"}));
+}
+
+TEST(RunTime, stopsAtTheNextWriteOrNow)
+{
+    EXPECT_EQ(timesWritten("stopAt nextWrite; endTime 5; writeControl adjustable; writeInterval 0.4;", 0.15), Names{"0.4"});
+    EXPECT_EQ(timesWritten("stopAt writeNow; endTime 5; writeControl adjustable; writeInterval 0.4;", 0.15), Names{"0.15"});
+    EXPECT_EQ(timesWritten("stopAt noWriteNow; endTime 5; writeControl adjustable; writeInterval 0.4;", 0.15), Names{});
+}
+
+TEST(RunTime, doesNothingWhereTheEndIsReached)
+{
+    EXPECT_EQ(timesWritten("endTime 0; writeControl adjustable; writeInterval 0.4;", 0.15), Names{});
+}
+
+TEST(RunTime, writesAndStopsByTheClock)
+{
+    const TemporaryCase c;
+    control(c, "endTime 100; adjustTimeStep no; deltaT 1; writeControl clockTime; writeInterval 60; maxClockTime 200;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    double wall = 0;
+    time.useClocks({[&] { return wall; }, [] { return 0.0; }});
+    Names names;
+    while (time.running())
+    {
+        wall += 25;
+        time.advance(time.nextDeltaT(1));
+        if (time.writeTime()) names.push_back(time.name());
+    }
+    // At 75, 125, 200 (the third minute has passed at 180) and past 200 s.
+    EXPECT_EQ(names, (Names{"3", "5", "8", "9"}));
+}
+
+TEST(RunTime, noticesAnEditedControlDictAtOnce)
+{
+    const TemporaryCase c;
+    control(c, "stopAt endTime; endTime 5; writeControl adjustable; writeInterval 0.4;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    EXPECT_EQ(time.rereadIfModified(), "");
+    time.advance(time.nextDeltaT(0.1));
+    // A mistake half-way through an edit must not end a run of days.
+    control(c, "stopAt writNow; endTime 5; writeControl adjustable; writeInterval 0.4;");
+    const auto said = time.rereadIfModified();
+    EXPECT_EQ(said.substr(0, 101),
+              "system/controlDict has changed, but not all of it can be understood. The run goes on as before.\nsyste");
+    EXPECT_NE(said.find("writNow"), std::string::npos);
+    time.advance(time.nextDeltaT(0.1));
+    EXPECT_TRUE(time.running());
+    // Same size as the former one, and within its second.
+    control(c, "stopAt writeNow; endTime 5; writeControl adjustable; writeInterval 0.4;");
+    EXPECT_EQ(time.rereadIfModified(), "system/controlDict has changed: stopAt endTime -> writeNow, endTime 5 -> inf");
+    EXPECT_EQ(time.rereadIfModified(), "");
+    EXPECT_TRUE(time.running());
+    time.advance(time.nextDeltaT(0.1));
+    EXPECT_FALSE(time.running());
+    EXPECT_TRUE(time.writeTime());
+}
+
+TEST(RunTime, leavesControlDictAloneWhereItIsNotModifiable)
+{
+    const TemporaryCase c;
+    control(c, "endTime 5; runTimeModifiable no;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    control(c, "endTime 500; runTimeModifiable yes;");
+    EXPECT_EQ(time.rereadIfModified(), "");
+    EXPECT_EQ(time.endTime(), 5);
+}
+
+TEST(RunTime, stopsByASignalAfterAStepThatIsWritten)
+{
+    const TemporaryCase c;
+    control(c, "endTime 5;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    time.advance(0.1);
+    EXPECT_FALSE(time.writeTime());
+    time.stopNow();
+    EXPECT_TRUE(time.writeTime());
+    EXPECT_FALSE(time.running());
+}
+
+// As OpenFOAM: the file of an earlier run from the same start is kept.
+TEST(RunTime, keepsTheOutputOfAnEarlierRun)
+{
+    const TemporaryCase c;
+    control(c, "endTime 5;");
+    makeTime(c, "0.5");
+    const RunTime time{Case(c.folder())};
+    const auto folder = c.folder() / "postProcessing/energy/0.5";
+    EXPECT_EQ(time.outputFile("energy", "energy.dat"), folder / "energy.dat");
+    c.write("postProcessing/energy/0.5/energy.dat", "former");
+    EXPECT_EQ(time.outputFile("energy", "energy.dat"), folder / "energy_0.5.dat");
+}
+
+}

@@ -1,0 +1,62 @@
+/// A case folder of a test's own, removed at its end.
+#pragma once
+#include "CaseError.hpp"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace sph
+{
+
+class TemporaryCase
+{
+    std::filesystem::path folder_;
+
+public:
+    TemporaryCase()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "sphCaseXXXXXX").string();
+        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+        folder_ = name;
+    }
+    TemporaryCase(const TemporaryCase&) = delete;
+    ~TemporaryCase() { std::filesystem::remove_all(folder_); }
+
+    const std::filesystem::path& folder() const { return folder_; }
+    bool has(const std::string& file) const { return std::filesystem::exists(folder_ / file); }
+    void write(const std::string& file, const std::string& text) const
+    {
+        std::filesystem::create_directories((folder_ / file).parent_path());
+        std::ofstream(folder_ / file, std::ios::binary) << text;
+    }
+    std::string read(const std::string& file) const
+    {
+        std::ifstream in(folder_ / file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+};
+
+/// What the CaseError says that the call throws; "" where it throws none.
+std::string messageOf(const auto& call)
+{
+    try
+    {
+        call();
+    }
+    catch (const CaseError& e)
+    {
+        return e.what();
+    }
+    return "";
+}
+
+/// All errors that were recorded.
+inline std::string messages(const Diagnostics& diagnostics)
+{
+    return messageOf([&] { diagnostics.throwIfAny(); });
+}
+
+}
