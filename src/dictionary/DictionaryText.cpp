@@ -38,15 +38,21 @@ DictionaryEntry& require(const Dictionary& dictionary, const std::string& path)
 {
     const auto found = walk(dictionary.node(), withoutLeadingColon(path), true);
     if (!found.empty()) return *found.back();
-    const auto dot = path.find_last_of("./:");
+    // The longest part of the path that is there tells where to look for the word that was meant.
     auto* parent = &dictionary.node();
-    if (dot != path.npos && dot > 0)
-        if (const auto outer = walk(*parent, withoutLeadingColon(path.substr(0, dot)), true); !outer.empty() && outer.back()->dictionary)
+    auto sought = withoutLeadingColon(path);
+    for (auto dot = sought.find_last_of("./:"); dot != sought.npos && dot > 0; dot = sought.find_last_of("./:", dot - 1))
+        if (const auto outer = walk(*parent, sought.substr(0, dot), true); !outer.empty() && outer.back()->dictionary)
+        {
             parent = outer.back()->dictionary.get();
+            sought = sought.substr(dot + 1);
+            break;
+        }
     std::vector<std::string> known;
-    for (const auto& e : parent->entries) known.push_back(e.keyword);
-    throw CaseError(parent->where, fmt::format("there is no entry \"{}\". {}", path,
-                                               suggestion(dot == path.npos ? path : path.substr(dot + 1), "entries", known)));
+    for (const auto& e : parent->entries)
+        if (e.keyword != "FoamFile") known.push_back(e.keyword);
+    const auto keyword = sought.substr(0, sought.find_first_of("./:"));
+    throw CaseError(parent->where, fmt::format("there is no entry \"{}\". {}", path, suggestion(keyword, "entries", known)));
 }
 
 std::string entriesText(const Node&, int indent);
@@ -95,10 +101,14 @@ void checkValue(const std::string& value)
                                     value));
 }
 
-/// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file.
+/// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
+/// "// **** //" that closes OpenFOAM's files.
 std::size_t placeOfNewEntry(const std::string& text, const Node& node)
 {
     auto at = std::min(node.end, text.size());
+    if (at == text.size())
+        if (const auto last = text.find_last_not_of(" \t\n"); last != text.npos)
+            if (const auto begin = text.rfind('\n', last); begin != text.npos && text.compare(begin + 1, 4, "// *") == 0) return begin + 1;
     const auto line = text.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
     if (line != text.npos && line < at && text[line] == '\n') at = line + 1;
     return at;

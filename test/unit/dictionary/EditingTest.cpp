@@ -1,0 +1,108 @@
+#include "DictionaryText.hpp"
+#include "Parsed.hpp"
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+using namespace sph;
+
+namespace
+{
+
+const std::filesystem::path folder = std::filesystem::temp_directory_path()/("sphEditingTest." + std::to_string(::getpid()));
+
+std::string read(const std::string& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(folder/file).rdbuf();
+    return text.str();
+}
+
+void write(const std::string& file, const std::string& text)
+{
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder/file) << text;
+}
+
+/// The text of a dictionary after an edit, or the message that refused it.
+std::string edited(const std::string& text, const std::string& entry, const std::string& value)
+{
+    write("d", text);
+    std::string result;
+    try
+    {
+        setEntry(folder, "d", entry, value);
+        result = read("d");
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_EQ(read("d"), text) << "a refused edit changes nothing";
+        result = e.what();
+    }
+    std::filesystem::remove_all(folder);
+    return result;
+}
+
+}
+
+// An edit changes the value and no other character: comments, blanks, macros and line ends stay.
+TEST(DictionaryEditing, changesTheValueAlone)
+{
+    const std::string text = "// head\nL 1e-3; // length\r\ndeltaT\t$L ; /* keep */ s { a (1\n 2); \"b.*\" #eval{ 2*$L }; in { } }\n";
+    const auto with = [&](std::string from, const std::string& to)
+    {
+        auto changed = text;
+        return changed.replace(changed.find(from), from.size(), to);
+    };
+    EXPECT_EQ(edited(text, "L", "2e-3"), with("1e-3", "2e-3"));
+    EXPECT_EQ(edited(text, "deltaT", "-5"), with("$L ", "-5 "));
+    EXPECT_EQ(edited(text, "s.a", "3{7}"), with("(1\n 2)", "3{7}"));
+    EXPECT_EQ(edited(text, "s/b.*", "$L"), with("#eval{ 2*$L }", "$L"));
+    EXPECT_EQ(edited(text, ":s:in", "{ x 1; }"), with("{ }", "{ x 1; }"));
+}
+
+// A missing entry is added at the end of its dictionary, in front of the closing line of OpenFOAM's files.
+TEST(DictionaryEditing, addsWhatIsMissing)
+{
+    EXPECT_EQ(edited("a 1;\n\n// ***** //\n", "bb", "2"), "a 1;\n\nbb              2;\n// ***** //\n");
+    EXPECT_EQ(edited("a 1;\n", "b", "2"), "a 1;\nb               2;\n");
+    EXPECT_EQ(edited("s\n{\n    a 1;\n}\n", "s.b", "2"), "s\n{\n    a 1;\n    b               2;\n}\n");
+    EXPECT_EQ(edited("s { a 1; }\n", "s.b", "2"), "s { a 1;  b               2; }\n");
+    EXPECT_EQ(edited("a 1;\n", "s.b", "2"), "d: there is no dictionary \"s\" to add \"b\" to");
+}
+
+// Of a keyword given twice the one that counts is set.
+TEST(DictionaryEditing, setsTheDefinitionThatCounts)
+{
+    EXPECT_EQ(edited("a 1;\ns { x 1; }\na 2;\ns { x 3; }\n", "a", "9"), "a 1;\ns { x 1; }\na 9;\ns { x 3; }\n");
+    EXPECT_EQ(edited("a 1;\ns { x 1; }\na 2;\ns { x 3; }\n", "s.x", "9"), "a 1;\ns { x 1; }\na 2;\ns { x 9; }\n");
+    EXPECT_EQ(edited("base { v 1; }\np { $base; v 2; }\n", "p.v", "9"), "base { v 1; }\np { $base; v 9; }\n");
+}
+
+// What would change another entry, or break the file, is refused, and nothing is written.
+TEST(DictionaryEditing, refusesWhatWouldHarm)
+{
+    EXPECT_EQ(edited("base { v 1; }\np { $base; }\n", "p.v", "2"),
+              "d:1: \"v\" of \"p.v\" stands here, where changing it would change more than this entry; give it a line of its own in \"d\" "
+              "first");
+    const std::string refused = " cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it";
+    for (const auto* value : {"1; b 2", "(1 2", "\"x", "}", "{ a 1;"})
+        EXPECT_EQ(edited("a 1;\n", "a", value), "\"" + std::string(value) + "\"" + refused) << value;
+    EXPECT_EQ(edited("a 1;\nb (2;\n", "a", "2"), "d:2: the '(' of \"b\" is never closed");
+}
+
+// Values and entries print in foamDictionary's layout, numbers with all the digits that were written.
+TEST(DictionaryEditing, printsLikeFoamDictionary)
+{
+    const Parsed p("L 1.23456789e-3;\ng (0 -9.81 0);\nx $L;\ns { \"p.*\" \"a b\"; nu [m^2/s] 1; }\nl ({ a 1; });\n");
+    EXPECT_EQ(valueText(p.dict, "x"), "1.23456789e-3");
+    EXPECT_EQ(valueText(p.dict, "g"), "(0 -9.81 0)");
+    EXPECT_EQ(valueText(p.dict, "s.pressure"), "\"a b\"");
+    EXPECT_EQ(entryText(p.dict, "s"), "s\n{\n    \"p.*\"           \"a b\";\n    nu              [m^2/s] 1;\n}\n");
+    EXPECT_EQ(keywords(p.dict, "s"), (std::vector<std::string>{"\"p.*\"", "nu"}));
+    const Parsed again(entryText(p.dict, ""));
+    EXPECT_EQ(again.errors(), "");
+    EXPECT_EQ(again.dict.dictionaries("l")[0].get<int>("a"), 1);
+    EXPECT_EQ(entryText(again.dict, ""), entryText(p.dict, "")) << "what is printed reads back as the same";
+    EXPECT_THROW(valueText(p.dict, "s.nu2"), CaseError);
+}
