@@ -34,6 +34,13 @@ double Geometry::distance(const Vector<3>& x) const
     return d;
 }
 
+bool Geometry::inFluid(const Vector<3>& x) const
+{
+    if (!grid) return nearest(patches, x) > 0;
+    const auto near = grid->near(x);
+    return std::all_of(near.begin(), near.end(), [&](int p) { return patches[p].shape->foot(x).distance > 0; });
+}
+
 Vector<3> Geometry::wallVelocity(int wall, const Vector<3>& x) const
 {
     const auto& w = walls[wall];

@@ -42,6 +42,8 @@ struct Geometry
 
     /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count too.
     double distance(const Vector<3>& x) const;
+    /// True where no patch has x on its solid side, for x within the domain.
+    bool inFluid(const Vector<3>& x) const;
     /// Of the wall as a rigid body: velocity + omega x (x - origin) [m/s].
     Vector<3> wallVelocity(int wall, const Vector<3>& x) const;
     /// Extent of the domain in a coordinate direction [m].

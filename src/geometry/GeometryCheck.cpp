@@ -1,0 +1,230 @@
+#include "GeometryCheck.hpp"
+#include "closestApproach.hpp"
+#include "components.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace sph
+{
+
+namespace
+{
+
+std::string text(const Geometry& g, const Vector<3>& x)
+{
+    return g.dimension == 3 ? fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z) : fmt::format("({:.6g} {:.6g})", x.x, x.y);
+}
+
+class Check
+{
+    const Geometry& g_;
+    const double H_, tolerance_;
+    Diagnostics& diagnostics_;
+    Box domain_;
+    std::map<int, TriangleSurface> samples_;
+    GeometryReport report_;
+
+    const TriangleSurface& samples(int patch)
+    {
+        const auto found = samples_.find(patch);
+        if (found != samples_.end()) return found->second;
+        return samples_[patch] = triangulate(*g_.patches[patch].shape, domain_, 0.5*H_);
+    }
+
+    void describe()
+    {
+        for (std::size_t w = 0; w < g_.walls.size(); ++w)
+        {
+            std::set<std::string> types, sides;
+            for (const auto& p : g_.originals)
+            {
+                if (p.wall != int(w)) continue;
+                const auto d = p.shape->description();
+                types.insert(d.type);
+                sides.insert(!d.hasSide ? "normal" : d.fluid == FluidSide::inside ? "inside" : "outside");
+                ++report_.walls[w].shapes;
+            }
+            const auto joined = [](const std::set<std::string>& words)
+            {
+                std::string all;
+                for (const auto& word : words) all += (all.empty() ? "" : ",") + word;
+                return all;
+            };
+            report_.walls[w].type = joined(types);
+            report_.walls[w].fluid = joined(sides);
+        }
+        for (std::size_t w = 0; w < g_.walls.size(); ++w)
+            if (std::none_of(g_.patches.begin(), g_.patches.end(), [&](const Patch& p) { return p.wall == int(w); }) &&
+                report_.walls[w].shapes > 0)
+                diagnostics_.error(g_.walls[w].where, fmt::format("wall \"{}\" coincides with walls given before, or lies out of reach of "
+                                                                  "the domain", g_.walls[w].name));
+    }
+
+    /// A shape whose tightest curve is wide enough needs no search; the others are looked at where the fluid touches them.
+    void curvature()
+    {
+        for (int p = 0; p < int(g_.patches.size()); ++p)
+        {
+            const auto& shape = *g_.patches[p].shape;
+            auto& wall = report_.walls[g_.patches[p].wall];
+            const auto note = [&](double radius, const Vector<3>& at)
+            {
+                if (!(radius < wall.smallestRadius)) return;
+                wall.smallestRadius = radius;
+                wall.smallestRadiusAt = at;
+            };
+            if (shape.smallestRadius() > H_)
+            {
+                note(shape.smallestRadius(), {});
+                continue;
+            }
+            for (const auto& x : samples(p).points)
+            {
+                const auto f = shape.foot(x);
+                // A little way into the fluid, where no other wall may be.
+                if (g_.inFluid(x + 10*tolerance_*f.normal)) note(1/std::max(std::abs(f.k1), std::abs(f.k2)), x);
+            }
+        }
+        for (std::size_t w = 0; w < g_.walls.size(); ++w)
+            if (const auto& wall = report_.walls[w]; wall.smallestRadius <= H_)
+                diagnostics_.error(g_.walls[w].where,
+                                   fmt::format("wall \"{}\" curves with a radius of {:.4g} m at {}, less than the kernel support {:.4g} m: "
+                                               "reflection needs more. Make the spacing less than {:.3g} of what it is, or the wall rounder",
+                                               g_.walls[w].name, wall.smallestRadius, text(g_, wall.smallestRadiusAt), H_, wall.smallestRadius/H_));
+    }
+
+    /// In the domain, and not on a far side that repeats the near one.
+    bool isOnce(const Vector<3>& x) const
+    {
+        for (int k = 0; k < g_.dimension; ++k)
+        {
+            const auto c = component(k);
+            const double slack = 1e-9*g_.length(k);
+            if (x.*c < g_.low.*c - slack || x.*c > g_.high.*c + (g_.periodic[k] ? -slack : slack)) return false;
+        }
+        return true;
+    }
+
+    void pair(int p, int q)
+    {
+        const auto &a = *g_.patches[p].shape, &b = *g_.patches[q].shape;
+        static const TriangleSurface none;
+        const bool bothBalls = isBall(a, g_.dimension) && isBall(b, g_.dimension);
+        const auto approach = closestApproach(a, b, g_, bothBalls ? none : samples(p), 0.5*H_);
+        const int wallA = g_.patches[p].wall, wallB = g_.patches[q].wall;
+
+        if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
+        {
+            const bool body = !a.enclosesFluid() || !b.enclosesFluid();
+            const auto what = fmt::format("wall \"{}\" and wall \"{}\" overlap near {} and leave a wedge of fluid of {:.0f} degrees: "
+                                          "reflection needs 90 or more. Let them touch, or keep them apart",
+                                          g_.walls[wallA].name, g_.walls[wallB].name, text(g_, approach.at), approach.wedge);
+            if (body) diagnostics_.error(g_.walls[wallB].where, what);
+            else diagnostics_.warning(g_.walls[wallB].where, what);
+            return;
+        }
+        if (approach.crossing || !approach.facing || approach.distance < -tolerance_ || !isOnce(approach.at)) return;
+        if (approach.distance <= tolerance_)
+        {
+            ++report_.contacts;
+            ++report_.walls[wallA].contacts;
+            if (wallA != wallB) ++report_.walls[wallB].contacts;
+            return;
+        }
+        if (!g_.inFluid(approach.at)) return;
+        const auto note = [&](int wall, int other)
+        {
+            auto& gap = report_.walls[wall].narrowest;
+            if (approach.distance < gap.width) gap = {approach.distance, approach.at, other};
+        };
+        note(wallA, wallB);
+        note(wallB, wallA);
+    }
+
+    void pairs()
+    {
+        // Swept along x: only pairs whose bounds are within two supports of each other.
+        const double near = 2*H_;
+        const int n = int(g_.patches.size());
+        std::vector<Box> bounds(n);
+        std::vector<int> order(n);
+        for (int p = 0; p < n; ++p)
+        {
+            bounds[p] = g_.patches[p].shape->bounds();
+            order[p] = p;
+        }
+        std::sort(order.begin(), order.end(), [&](int p, int q) { return bounds[p].low.x < bounds[q].low.x; });
+        for (int i = 0; i < n; ++i)
+            for (int k = i + 1; k < n; ++k)
+            {
+                const auto &a = bounds[order[i]], &b = bounds[order[k]];
+                if (b.low.x > a.high.x + near) break;
+                if (a.low.y > b.high.y + near || b.low.y > a.high.y + near || a.low.z > b.high.z + near || b.low.z > a.high.z + near) continue;
+                // The samples lie on the smaller one.
+                const auto extent = [](const Box& box) { return mag(box.high - box.low); };
+                if (extent(a) <= extent(b)) pair(order[i], order[k]);
+                else pair(order[k], order[i]);
+            }
+        for (std::size_t w = 0; w < g_.walls.size(); ++w)
+            if (const auto& gap = report_.walls[w].narrowest; gap.width < H_ && gap.wall >= int(w))
+                diagnostics_.warning(g_.walls[w].where, fmt::format("the gap between \"{}\" and \"{}\" narrows to {:.4g} m, {:.2g} of the kernel "
+                                                                    "support, at {}: the flow through it is not resolved",
+                                                                    g_.walls[w].name, g_.walls[gap.wall].name, gap.width, gap.width/H_,
+                                                                    text(g_, gap.at)));
+    }
+
+    /// Additive recurrence with the generalised golden ratio (Roberts 2018): evenly spread, so that the error of n points is that of
+    /// many more random ones; the standard error of random points is reported as its bound.
+    void volume()
+    {
+        const int n = 100000;
+        const double ratio = g_.dimension == 3 ? 1.22074408460575947536 : 1.32471795724474602596;
+        double inFluid = 0;
+        for (int i = 1; i <= n; ++i)
+        {
+            Vector<3> x;
+            double step = 1;
+            for (int k = 0; k < g_.dimension; ++k)
+            {
+                step /= ratio;
+                const double u = 0.5 + i*step;
+                x.*component(k) = g_.low.*component(k) + (u - std::floor(u))*g_.length(k);
+            }
+            inFluid += g_.inFluid(x);
+        }
+        const double f = inFluid/n;
+        report_.fluidFraction = f;
+        report_.fluidFractionError = std::sqrt(f*(1 - f)/n);
+        if (f == 0 && !g_.walls.empty())
+            diagnostics_.error(g_.walls.front().where, "the walls leave no fluid in the domain: see on which side of each the fluid is");
+    }
+
+public:
+    Check(const Geometry& g, double H, Diagnostics& diagnostics)
+        : g_(g), H_(H), tolerance_(1e-6*std::max(g.length(0), g.length(1))), diagnostics_(diagnostics), domain_{g.low, g.high}
+    {
+        if (g.dimension == 2)
+        {
+            domain_.low.z = -0.5*H;
+            domain_.high.z = 0.5*H;
+        }
+        report_.walls.resize(g.walls.size());
+    }
+
+    GeometryReport operator()()
+    {
+        describe();
+        volume();
+        curvature();
+        pairs();
+        return report_;
+    }
+};
+
+}
+
+GeometryReport checkGeometry(const Geometry& g, double H, Diagnostics& diagnostics) { return Check(g, H, diagnostics)(); }
+
+}
