@@ -6,8 +6,9 @@ namespace sph
 {
 
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, std::vector<int> groupOfWall, int groups)
-    : geometry_(&geometry), groupOfWall_(std::move(groupOfWall)), ghosts_(groups + 1, 0)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing, std::vector<int> groupOfWall, int groups)
+    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing), groupOfWall_(std::move(groupOfWall)),
+      ghosts_(std::max(groups, 1) + 1, 0), groups_(groups)
 {}
 
 template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
@@ -31,7 +32,7 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, 
 }
 
 template<int dim>
-void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach, double spacing) const
+void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const
 {
     struct Ghost
     {
@@ -39,8 +40,7 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
         Vector<dim> x;
         int wallReflections;
     };
-    const int patches = int(geometry_->patches.size());
-    if (patches == 0) return;
+    if (geometry_->patches.empty()) return;
 
     const std::size_t chunkSize = 1024;
     std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1)/chunkSize);
@@ -60,17 +60,17 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
             {
                 const Ghost from = ghosts[g];
                 if (from.wallReflections == mostReflections) continue;
-                for (int p : geometry_->near(in3D(from.x)))
+                for (int p : grid_.near(in3D(from.x)))
                 {
                     if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
                     const Foot f = geometry_->patches[p].shape->foot(in3D(from.x));
                     const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
-                    if (!f.smooth || !onFluidSide || f.distance > reach || volumeFactor(f) <= 0) continue;
+                    if (!f.smooth || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
                     Ghost next{from.entry, in<dim>(mirrorImage(in3D(from.x), f)), from.wallReflections + 1};
                     next.entry.patch[from.wallReflections] = p;
                     // Walls at right angles give the same corner image in either order.
                     const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
-                        { return other.wallReflections == next.wallReflections && mag(other.x - next.x) < 0.25*spacing; });
+                        { return other.wallReflections == next.wallReflections && mag(other.x - next.x) < 0.25*spacing_; });
                     if (!twin) ghosts.push_back(next);
                 }
             }
@@ -80,7 +80,7 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
     for (const auto& f : found) entries.insert(entries.end(), f.begin(), f.end());
 }
 
-template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach) const
+template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const
 {
     for (int c = 0; c < dim; ++c)
     {
@@ -96,11 +96,11 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
             fetch(x_i, [&](int d) { return x[d][e.source]; });
             double q = 0;
             store(place(e, x_i, feet), [&](int d, double a) { if (d == c) q = a; });
-            if (q < low + reach) { e.shift[c] = 1; entries.push_back(e); }
-            if (q > high - reach) { e.shift[c] = -1; entries.push_back(e); }
+            if (q < low + reach_) { e.shift[c] = 1; entries.push_back(e); }
+            if (q > high - reach_) { e.shift[c] = -1; entries.push_back(e); }
         };
         for (std::size_t i = 0; i < owned_; ++i)
-            if (x[c][i] < low + reach || x[c][i] > high - reach)
+            if (x[c][i] < low + reach_ || x[c][i] > high - reach_)
             {
                 Entry e{int(i), {}, {}};
                 e.patch.fill(-1);
@@ -110,15 +110,16 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
     }
 }
 
-template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned, double reach, double spacing)
+template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)
 {
     owned_ = owned;
     entries_.clear();
     const auto x = store.pointers(Position{});
-    reflect(entries_, x, reach, spacing);
-    shift(entries_, x, reach);
+    reflect(entries_, x);
+    shift(entries_, x);
 
-    const auto group = [&](const Entry& e) { return e.ghost() ? groupOfWall_[geometry_->patches[e.patch[0]].wall] : -1; };
+    const auto group = [&](const Entry& e)
+    { return !e.ghost() ? -1 : groupOfWall_.empty() ? 0 : groupOfWall_[geometry_->patches[e.patch[0]].wall]; };
     std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) { return group(a) < group(b); });
     firstFoot_.resize(entries_.size());
     std::size_t feet = 0, k = 0;

@@ -10,7 +10,7 @@
 /// Before each pass only the fields that the pass reads are refreshed.
 #pragma once
 #include "FieldStore.hpp"
-#include "Geometry.hpp"
+#include "PatchGrid.hpp"
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,18 +35,23 @@ public:
     virtual ~GhostVelocity() = default;
     /// v: velocity of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
     virtual Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const = 0;
+    /// After each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
+    virtual void bind() {}
+    virtual void filter() {}
 };
 
 template<int dim> class Images
 {
 public:
-    /// The geometry must outlive the images. `groupOfWall`: contact-angle group of each wall, 0 .. groups - 1.
-    Images(const Geometry&, std::vector<int> groupOfWall, int groups);
+    /// The geometry must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls.
+    /// `groupOfWall`: contact-angle group of each wall, 0 .. groups - 1; no groups where no wall has a contact angle.
+    Images(const Geometry&, double reach, double spacing, std::vector<int> groupOfWall, int groups);
 
     void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
+    GhostVelocity<dim>& ghostVelocity() { return *ghostVelocity_; }
 
-    /// Makes every image within `reach` of the domain or of a wall, of the first `owned` particles, and resizes the store.
-    void build(FieldStore<dim>& store, std::size_t owned, double reach, double spacing);
+    /// Makes the images of the first `owned` particles and resizes the store.
+    void build(FieldStore<dim>& store, std::size_t owned);
 
     /// Positions of the images, their volume factors where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
@@ -58,11 +63,11 @@ public:
     std::size_t count() const { return entries_.size(); }
     std::size_t nullParticle() const { return owned_ + entries_.size(); }
     /// First ghost of each contact-angle group, and one past the last: groups + 1 indices.
-    std::span<const long> ghosts() const { return ghosts_; }
+    std::span<const long> ghosts() const { return {ghosts_.data(), std::size_t(groups_ + 1)}; }
     std::size_t bytes() const;
 
-    /// Signed distance of a point to the nearest wall [m].
-    double wallDistance(Vector<dim> x) const { return geometry_->distance(in3D(x)); }
+    /// Patches that may be within reach of a point.
+    std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
 
 private:
     static constexpr int mostReflections = dim;
@@ -81,6 +86,8 @@ private:
     };
 
     const Geometry* geometry_;
+    PatchGrid grid_;
+    double reach_, spacing_;
     std::vector<int> groupOfWall_;
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
     std::size_t owned_ = 0;
@@ -88,10 +95,11 @@ private:
     std::vector<Feet> feet_;                      ///< mostReflections for each image from firstGhost on, in order
     std::vector<std::size_t> firstFoot_;
     std::vector<long> ghosts_;
+    int groups_;
 
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet) const;
-    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach, double spacing) const;
-    void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x, double reach) const;
+    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
+    void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     Vector<dim> period(const Entry&) const;
 };
 

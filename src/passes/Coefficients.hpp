@@ -30,7 +30,6 @@ struct Coefficients
 
     double densityScale = 1;                 ///< makes the mean of sigma V_0 exact (NUMERICS: normalise)
     double diffusion = 0;                    ///< delta of the density diffusion
-    double wallFilter = 0.1;                 ///< share of the new value in the low-passed wall acceleration, per evaluation
 };
 
 }

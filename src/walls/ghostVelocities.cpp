@@ -16,8 +16,17 @@ SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldSto
 
 template<int dim> void SecondOrderVelocity<dim>::bind()
 {
-    const auto p = store_.pointers(WallAcceleration{});
-    std::copy(p.begin(), p.end(), a_.begin());
+    a_ = store_.pointers(WallAcceleration{});
+}
+
+template<int dim> void SecondOrderVelocity<dim>::filter()
+{
+    const double share = 0.1; // 0.1, 0.3 and 1 were stable (NUMERICS); 0.1 keeps sound waves out of the wall
+    const auto a_p = store_.pointers(PressureAcceleration{});
+    const std::size_t n = store_.size();
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < dim; ++c) a_[c][i] += share*(a_p[c][i] - a_[c][i]);
 }
 
 template<int dim>
@@ -28,7 +37,8 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     if (!once) return continued;
     Vector<dim> a;
     fetch(a, [&](int c) { return a_[c][source]; });
-    a += g_ - in<dim>(geometry_.wallAcceleration(r.wall, r.foot));
+    const WallProperties& wall = geometry_.walls[r.wall];
+    a += g_ - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
     return continued - sqr(r.distance)/nu_*(a - dot(a, r.normal)*r.normal);
 }
 

@@ -33,10 +33,13 @@ template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 public:
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&);
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
-    void bind();
+    /// Again after each change of the arrays.
+    void bind() override;
+    /// Moves a_w, the low-passed a_p, a tenth of the way to the latest a_p. Once a step: an evaluation leaves no trace.
+    void filter() override;
 
 private:
-    std::array<const double*, dim> a_{};
+    std::array<double*, dim> a_{};
 };
 
 /// v_g = v mirrored, relative to the wall: the fluid slides freely.

@@ -1,0 +1,205 @@
+#include "Run.hpp"
+#include "Walls.hpp"
+#include <algorithm>
+#include <csignal>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <iostream>
+#include <omp.h>
+#include <unistd.h>
+
+namespace sph
+{
+
+namespace
+{
+volatile std::sig_atomic_t stopRequested = 0;
+void requestStop(int) { stopRequested = 1; }
+
+std::string hostName()
+{
+    char name[256] = {};
+    gethostname(name, sizeof name - 1);
+    return name;
+}
+
+std::string banner(const std::filesystem::path& folder)
+{
+    const auto now = fmt::localtime(std::time(nullptr));
+    return fmt::format("sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
+                       "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : 1\nThreads: {}\n\n",
+                       now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), omp_get_max_threads());
+}
+
+/// Domains without a periodic face on either side may be drawn a little larger than the particles' box.
+void writeBox(const Case& theCase, const Geometry& g)
+{
+    const double thickness = g.dimension == 2 ? 0.01*std::max(g.length(0), g.length(1)) : 0;
+    const double low[3] = {g.low.x, g.low.y, g.dimension == 2 ? -thickness : g.low.z};
+    const double high[3] = {g.high.x, g.high.y, g.dimension == 2 ? thickness : g.high.z};
+    writeBoundingMesh(theCase.folder(), low, high);
+}
+}
+
+Geometry Run::loadGeometry(const Case& theCase)
+{
+    const auto schemes = theCase.dictionary("system/sphSchemes");
+    const auto resolution = readResolution(schemes);
+    if (!theCase.has("constant/walls"))
+    {
+        theCase.diagnostics().error({"constant/walls", 0}, "is missing: run meshToGhost, which makes it from constant/geometry");
+        return {};
+    }
+    const auto dict = theCase.dictionary("constant/walls");
+    if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
+        theCase.diagnostics().error({"constant/walls", 0}, "does not belong to the present constant/geometry and resolution: run meshToGhost again");
+    return readWalls(dict, 1.5*resolution.H());
+}
+
+Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
+    : case_(caseFolder), log_(log), time_(case_), geometry_(loadGeometry(case_)), settings_(readSettings(case_, geometry_))
+{
+    const auto& control = time_.controlDict();
+    functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
+    control.get<std::string>("application", "sphFoamLike");
+    control.reportUnused();
+    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics());
+    case_.diagnostics().throwIfAny();
+    log_ << banner(caseFolder);
+    for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
+    simulation_ = makeSimulation(settings_, geometry_, cloud, time_.restored());
+    for (std::size_t k = 0; k < settings_.coefficients.phases.size(); ++k)
+        if (simulation_->summary().count[k] == 0)
+            log_ << fmt::format("--> Warning: phase \"{}\" has no particles\n", settings_.coefficients.phases[k]);
+}
+
+void Run::reportPlan() const
+{
+    const auto& c = settings_.coefficients;
+    log_ << fmt::format("Particles : {} ({} images), spacing {:.4g} m, kernel {} with support {:.3g} spacings, {:.1f} neighbours\n",
+                        simulation_->size(), simulation_->images(), c.spacing, settings_.resolution.kernel, settings_.resolution.support,
+                        simulation_->meanNeighbours());
+    for (std::size_t k = 0; k < c.phases.size(); ++k)
+        log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s, sound speed {:.4g} m/s\n", c.phases[k],
+                            simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
+    for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
+    const auto limit = simulation_->stepLimit();
+    log_ << fmt::format("Step      : at most {:.4g} s by {}\nPlan of an evaluation:\n", limit.deltaT, limit.by);
+    simulation_->printPlan(log_);
+    log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n", simulation_->bytesPerParticle());
+}
+
+void Run::printPlan() const { reportPlan(); }
+
+void Run::check(const StepLimit& limit) const
+{
+    if (!simulation_->summary().finite)
+        throw CaseError(fmt::format("the solution is no longer finite at time {} after step {}; the last time folder written is whole. "
+                                    "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
+                                    time_.name(), time_.index(), limit.by));
+    const double span = std::min(time_.endTime(), 1e30) - time_.startTime();
+    if (time_.adjustTimeStep() && limit.deltaT < 1e-12*span)
+        throw CaseError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
+                                    "acceleration {:.3g} m/s^2): the solution is blowing up", limit.deltaT, time_.name(), limit.by,
+                                    simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+}
+
+void Run::reportStep(const StepLimit& limit, double deltaT) const
+{
+    const auto s = simulation_->summary();
+    std::string phases;
+    for (std::size_t k = 0; k < s.mass.size(); ++k)
+        phases += fmt::format("{}: rho {:.6g} .. {:.6g}, mass {:.10g} kg", (k ? "; " : "") + settings_.coefficients.phases[k], s.minDensity[k],
+                              s.maxDensity[k], s.mass[k]);
+    const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
+    const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  neighbours {:.1f}  lists built {}\n{}\n"
+                        "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
+                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, simulation_->meanNeighbours(),
+                        simulation_->rebuilds(), phases, Clock::executionTime(), clock, expected);
+    log_.flush();
+}
+
+ParticleView Run::view() const
+{
+    ParticleView v;
+    const auto& c = settings_.coefficients;
+    v.dimension = geometry_.dimension;
+    v.n = simulation_->size();
+    const auto x = simulation_->positions();
+    v.x = x.component[0];
+    v.y = x.component[1];
+    v.z = x.component[2];
+    v.fields = simulation_->fields();
+    v.mass = simulation_->field("m").component[0];
+    v.volume = simulation_->field("V").component[0];
+    v.phase = simulation_->field("phase").component[0];
+    v.phases = c.phases;
+    v.restDensity = c.restDensity;
+    v.soundSpeed = c.soundSpeed;
+    v.viscosity = c.viscosity;
+    v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
+    v.g = c.g + c.bodyForce/c.restDensity[0];
+    v.spacing = c.spacing;
+    v.support = c.support;
+    v.kernel = settings_.resolution.kernel;
+    v.geometry = &geometry_;
+    v.time = time_.value();
+    v.deltaT = time_.deltaT();
+    v.executionTime = Clock::executionTime();
+    v.step = time_.index();
+    return v;
+}
+
+void Run::sample(bool writeTime, bool end)
+{
+    if (functions_->empty() || !functions_->due(time_, writeTime, end)) return;
+    if (!writeTime) simulation_->settle();
+    for (const auto& report : functions_->execute(view(), time_, writeTime, end)) log_ << report << '\n';
+}
+
+void Run::write()
+{
+    time_.write([&](const std::filesystem::path& folder)
+                { writeCloud(folder, "sph", simulation_->size(), simulation_->positions(), simulation_->fields(), time_.writeOptions()); },
+                simulation_->state());
+}
+
+void Run::solve()
+{
+    std::signal(SIGTERM, requestStop);
+    std::signal(SIGINT, requestStop);
+    reportPlan();
+    writeBox(case_, geometry_);
+    sample(true, false);
+    log_ << "Starting time loop\n\n";
+    double lastReport = -1;
+    while (time_.running())
+    {
+        const StepLimit limit = simulation_->stepLimit();
+        check(limit);
+        const double deltaT = time_.nextDeltaT(limit.deltaT);
+        simulation_->step(deltaT);
+        time_.advance(deltaT);
+        if (stopRequested) time_.stopNow();
+        if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
+
+        const bool writeTime = time_.writeTime(), end = !time_.running();
+        if (writeTime)
+        {
+            simulation_->settle();
+            check(limit);
+            write();
+        }
+        sample(writeTime, end);
+        // Steps are many and cheap: one report a second, and one for each time folder.
+        if (const double now = clock_.clockTime(); writeTime || end || now - lastReport >= 1)
+        {
+            reportStep(limit, deltaT);
+            lastReport = now;
+        }
+    }
+    log_ << "End\n";
+}
+
+}

@@ -1,0 +1,46 @@
+/// A run from the dictionaries of a case to its last time folder, and its log.
+#pragma once
+#include "Case.hpp"
+#include "Clock.hpp"
+#include "FunctionObject.hpp"
+#include "Geometry.hpp"
+#include "RunTime.hpp"
+#include "Settings.hpp"
+#include "Simulation.hpp"
+#include <filesystem>
+#include <iosfwd>
+#include <memory>
+
+namespace sph
+{
+
+class Run
+{
+public:
+    /// Reads everything; throws CaseError with all mistakes of the case at once.
+    Run(const std::filesystem::path& caseFolder, std::ostream& log);
+
+    void printPlan() const;
+    /// Until controlDict's stopAt, or a signal (TERM, INT), which writes the present time and ends.
+    void solve();
+
+private:
+    Case case_;
+    std::ostream& log_;
+    Clock clock_;
+    RunTime time_;
+    Geometry geometry_;
+    Settings settings_;
+    std::unique_ptr<FunctionObjects> functions_;
+    std::unique_ptr<AnySimulation> simulation_;
+
+    static Geometry loadGeometry(const Case&);
+    void reportPlan() const;
+    void reportStep(const StepLimit&, double deltaT) const;
+    void check(const StepLimit&) const;
+    void write();
+    void sample(bool writeTime, bool end);
+    ParticleView view() const;
+};
+
+}

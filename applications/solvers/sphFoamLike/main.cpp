@@ -1,0 +1,18 @@
+#include "CommandLine.hpp"
+#include "Run.hpp"
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+int main(int argc, char** argv)
+{
+    bool dryRun = false;
+    return sph::runApplication("sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
+        [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop"); },
+        [&](const std::filesystem::path& caseFolder)
+        {
+            sph::Run run(caseFolder, std::cout);
+            if (dryRun) run.printPlan();
+            else run.solve();
+            return 0;
+        });
+}

@@ -1,0 +1,53 @@
+/// The particles with their images, lists and plan: everything that an integrator moves, and nothing of time.
+#pragma once
+#include "Images.hpp"
+#include "Plan.hpp"
+#include "Settings.hpp"
+#include "Simulation.hpp"
+
+namespace sph
+{
+
+template<int dim> class ParticleSystem
+{
+public:
+    ParticleSystem(const Settings&, const Geometry&, const Cloud&, const StateNumbers& restored);
+
+    /// Rates and derived fields at the present positions and velocities. A pure function of the state.
+    void evaluate();
+    /// Wraps, sorts, makes images and lists anew.
+    void rebuild();
+    /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
+    void moved(double distance) { travelled_ += distance; }
+
+    std::size_t size() const { return owned_; }
+    FieldStore<dim>& store() { return store_; }
+    const FieldStore<dim>& store() const { return store_; }
+    Images<dim>& images() { return images_; }
+    const Images<dim>& images() const { return images_; }
+    const Plan<dim>& plan() const { return plan_; }
+    const NeighbourLists<dim>& lists() const { return lists_; }
+    double densityScale() const { return coefficients_.densityScale; }
+    long rebuilds() const { return rebuilds_; }
+
+private:
+    const Settings& settings_;
+    const Geometry& geometry_;
+    Coefficients coefficients_;
+    Catalogue<dim> catalogue_;
+    Plan<dim> plan_;
+    FieldStore<dim> store_;
+    Images<dim> images_;
+    NeighbourLists<dim> lists_;
+    CellList<dim> cells_;
+    Kernel<dim> kernel_;
+    std::size_t owned_ = 0;
+    double skin_, travelled_ = 0;
+    long rebuilds_ = 0;
+
+    void load(const Cloud&);
+    void keepInside();
+    void normaliseDensity();
+};
+
+}

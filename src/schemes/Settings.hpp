@@ -1,0 +1,54 @@
+/// What a case chooses, in words and numbers, before any particle is read.
+#pragma once
+#include "Case.hpp"
+#include "Coefficients.hpp"
+#include "Geometry.hpp"
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// Resolution as all programs of the suite read it: system/sphSchemes, `resolution { spacing 1e-4; support 2.6; kernel wendlandC2; }`.
+struct Resolution
+{
+    double spacing = 1;      ///< [m]
+    double support = 2.6;    ///< H in spacings
+    std::string kernel = "wendlandC2";
+    double H() const { return support*spacing; }
+};
+Resolution readResolution(const Dictionary& sphSchemes);
+
+/// Fractions of the stability limits, as prototypes measured them (NUMERICS).
+struct StepFactors
+{
+    double sound = 0.4, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
+};
+
+enum class Integrator { predictorCorrector, leapfrog, symplecticEuler };
+enum class WallVelocity { reflected, secondOrder, freeSlip };
+
+struct Settings
+{
+    Resolution resolution;
+    Coefficients coefficients;
+    std::vector<std::string> terms;            ///< names in the catalogues
+    Integrator integrator = Integrator::predictorCorrector;
+    WallVelocity wallVelocity = WallVelocity::reflected;
+    StepFactors factors;
+    bool integratedDensity = false;            ///< density by the continuity equation
+    bool normaliseDensity = true;
+    bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
+    double shifting = 0;                       ///< C of particle shifting; 0: none
+    std::vector<int> contactGroup;             ///< of each wall
+    int contactGroups = 0;
+    std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
+
+    bool multiphase() const { return coefficients.phases.size() > 1; }
+    bool weighted = false;                     ///< some wall is curved: images carry volume factors
+};
+
+/// Reads system/sphSchemes, constant/phaseProperties and constant/g; mistakes go to the case's Diagnostics.
+Settings readSettings(const Case&, const Geometry&);
+
+}

@@ -1,0 +1,116 @@
+#include "Simulation.hpp"
+#include "ParticleSystem.hpp"
+#include "TimeStepLimits.hpp"
+#include "moves.hpp"
+#include "summarise.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+
+template<int dim> class Simulation final : public AnySimulation
+{
+    const Settings& settings_;
+    ParticleSystem<dim> particles_;
+    Summary summary_;
+
+public:
+    Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+        : settings_(settings), particles_(settings, geometry, cloud, restored)
+    {
+        summary_ = summarise(particles_, settings_);
+    }
+
+    /// The algorithm. Half a drift, the rates there, the whole kick, the other half of the drift:
+    ///
+    ///   predictorCorrector   rates at t predict v(t + dt/2): second order, two evaluations
+    ///   leapfrog             the last rates predict v(t + dt/2): second order, one evaluation
+    ///   symplecticEuler      v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory
+    void step(double deltaT) override
+    {
+        const bool predicts = settings_.integrator != Integrator::symplecticEuler;
+        if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
+        drift(particles_, 0.5*deltaT);
+        if (predicts) predict(particles_, 0.5*deltaT);
+        particles_.evaluate();
+        if (predicts) correct(particles_, deltaT);
+        else kick(particles_, deltaT);
+        drift(particles_, 0.5*deltaT);
+        if (settings_.shifting > 0) shift(particles_, settings_, deltaT);
+        particles_.images().ghostVelocity().filter();
+        summary_ = summarise(particles_, settings_);
+        particles_.moved(summary_.maxSpeed*deltaT);
+    }
+
+    StepLimit stepLimit() const override { return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration); }
+    Summary summary() const override { return summary_; }
+
+    void settle() override
+    {
+        particles_.rebuild();
+        particles_.evaluate();
+        summary_ = summarise(particles_, settings_);
+    }
+
+    std::size_t size() const override { return particles_.size(); }
+    FieldView positions() const override { return field(Position::info.name); }
+
+    FieldView field(const std::string& name) const override
+    {
+        FieldView view{name, name == "phase" ? FieldClass::label : FieldClass::scalar, {}};
+        const auto& fields = particles_.store().fields();
+        const auto found = fields.find(name);
+        if (found == fields.end()) return {name, view.type, {nullptr}};
+        for (const auto& a : found->second.component) view.component.push_back(a.data());
+        if (view.component.size() == dim)
+        {
+            view.type = FieldClass::vector;
+            view.component.resize(3, nullptr);
+        }
+        if (dim == 2 && view.component.size() == 3 && view.type != FieldClass::vector)
+            view = {name, FieldClass::symmTensor, {view.component[0], view.component[1], nullptr, view.component[2], nullptr, nullptr}};
+        if (view.component.size() == 6) view.type = FieldClass::symmTensor;
+        return view;
+    }
+
+    std::vector<FieldView> fields() const override
+    {
+        std::vector<std::string> names{"U", "rho", "p", "phase", "m"};
+        if (particles_.store().has(WallAcceleration{})) names.push_back(WallAcceleration::info.name);
+        std::vector<FieldView> views;
+        for (const auto& name : names) views.push_back(field(name));
+        return views;
+    }
+
+    StateNumbers state() const override
+    {
+        StateNumbers numbers;
+        if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        return numbers;
+    }
+
+    void printPlan(std::ostream& out) const override { particles_.plan().print(out, particles_.store()); }
+    int pairPasses() const override { return particles_.plan().pairPasses(); }
+    double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
+    std::size_t images() const override { return particles_.images().count(); }
+    long rebuilds() const override { return particles_.rebuilds(); }
+    double bytesPerParticle() const override
+    {
+        return double(particles_.store().bytes() + particles_.images().bytes())/double(std::max<std::size_t>(1, size()));
+    }
+};
+
+}
+
+std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+{
+    if (cloud.size() == 0) throw CaseError("there are no particles: has packParticles been run?");
+    if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);
+    return std::make_unique<Simulation<3>>(settings, geometry, cloud, restored);
+}
+
+}

@@ -1,0 +1,20 @@
+/// How large a step may be.
+///
+///   sound      s h/(c + |v|)                              s = 0.4
+///   stiffness  s h/c_eff,  c_eff = sqrt(max(rho c^2)/min(rho))   s = 1.2, for the Hu-Adams pressure between phases: it pushes the
+///                                                         light particle with the heavy side's stiffness (NUMERICS)
+///   viscosity  s h^2/nu                                   s = 0.125; nu the largest pair viscosity over the smaller density
+///   capillary  s sqrt((rho_k + rho_l) h^3/(4 pi gamma))   s = 0.5
+///   force      s sqrt(h/|dv/dt|)                          s = 0.25
+///
+/// h = H/2 [m]. All that do not apply are left out.
+#pragma once
+#include "Settings.hpp"
+#include "Simulation.hpp"
+
+namespace sph
+{
+
+StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration);
+
+}

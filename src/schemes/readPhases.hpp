@@ -1,0 +1,19 @@
+/// constant/phaseProperties and constant/g: the materials of a case.
+#pragma once
+#include "Settings.hpp"
+
+namespace sph
+{
+
+///     phases (water air);
+///     water { rho [1 -3 0 0 0 0 0] 1000; mu [1 -1 -1 0 0 0 0] 1e-3; soundSpeed [0 1 -1 0 0 0 0] 10; exponent 7; }
+///     air   { ... }
+///     sigma ( (water air) 0.072 );
+///
+/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; radius; }` implies, and says why.
+void readPhases(const Case&, Settings&);
+
+/// gamma_sk of each group of walls with the same contact angle, shared half and half: gamma_sl = -gamma cos(theta)/2 (Young, erratum HL4).
+void setContactAngles(const Geometry&, Settings&);
+
+}

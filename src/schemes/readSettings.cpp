@@ -1,0 +1,141 @@
+#include "Kernel.hpp"
+#include "Settings.hpp"
+#include "readPhases.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+/// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
+struct Choices
+{
+    std::string density, pressure, viscosity, tension, wall, normalisation;
+};
+
+Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
+{
+    const Words schemes{"suite", "paper"};
+    const bool paper = dict.choose("scheme", schemes, "suite") == "paper";
+    const auto& c = settings.coefficients;
+    const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
+    const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
+    const bool second = !paper && walls && viscous && !settings.multiphase();
+    Choices choice;
+    choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
+    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, "huAdams");
+    choice.viscosity = dict.choose("viscosity", Words{"normalised", "plain", "none"}, !viscous ? "none" : paper ? "plain" : "normalised");
+    choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tension ? "interfaceStress" : "none");
+    choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
+    choice.normalisation = dict.choose("normalisation", Words{"mean", "none"}, paper ? "none" : "mean");
+    if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
+        dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
+    if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
+    if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
+    return choice;
+}
+
+Words termsOf(const Choices& choice, const Settings& settings)
+{
+    const bool multiphase = settings.multiphase();
+    Words terms;
+    const auto add = [&](const std::string& name) { terms.push_back(name); };
+    if (choice.density == "continuity") { add("integratedVolume"); add("continuity"); }
+    else { add("numberDensity"); add("summedDensity"); }
+    add(multiphase ? "taitOfPhase" : "tait");
+    if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
+    else add(choice.pressure + "Pressure");
+    if (choice.viscosity == "plain") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (choice.viscosity == "normalised") add(multiphase ? "normalisedHarmonicViscosity" : "normalisedSinglePhaseViscosity");
+    if (choice.tension == "interfaceStress") { add("interfaceStress"); add("stressDivergence"); }
+    if (choice.tension == "curvature")
+    {
+        add("curvatureForce");
+        if (settings.contactGroups > 0) { add("wallTension"); add("stressDivergence"); }
+        else add("smoothedColourGradient");
+    }
+    const auto& c = settings.coefficients;
+    if (mag(c.g) > 0) add("gravity");
+    if (mag(c.bodyForce) > 0) add("bodyForce");
+    if (settings.shifting > 0) add("particleShifting");
+    if (c.diffusion > 0) add("densityDiffusion");
+    return terms;
+}
+
+void readIntegration(const Dictionary& schemes, Settings& settings)
+{
+    const auto dict = schemes.subDictOrEmpty("integration");
+    const Words names{"predictorCorrector", "leapfrog", "symplecticEuler"};
+    const auto name = dict.choose("scheme", names, "predictorCorrector");
+    settings.integrator = Integrator(std::find(names.begin(), names.end(), name) - names.begin());
+    auto& f = settings.factors;
+    // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
+    if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
+    f.sound = dict.getPositive("soundFactor", units::none, f.sound);
+    f.stiffness = dict.getPositive("stiffnessFactor", units::none, f.stiffness);
+    f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
+    f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);
+    f.force = dict.getPositive("forceFactor", units::none, f.force);
+}
+}
+
+Resolution readResolution(const Dictionary& sphSchemes)
+{
+    const auto dict = sphSchemes.subDict("resolution");
+    Resolution r;
+    r.spacing = dict.getPositive("spacing", units::m);
+    r.support = dict.getPositive("support", units::none, r.support);
+    r.kernel = dict.choose("kernel", kernelNames(), r.kernel);
+    if (r.support < 1.5 || r.support > 6) dict.error("support", "the kernel support is given in spacings and lies between 1.5 and 6");
+    return r;
+}
+
+Settings readSettings(const Case& theCase, const Geometry& geometry)
+{
+    Settings settings;
+    auto& c = settings.coefficients;
+    const auto dict = theCase.dictionary("system/sphSchemes");
+    settings.resolution = readResolution(dict);
+    c.dimension = geometry.dimension;
+    c.spacing = settings.resolution.spacing;
+    c.support = settings.resolution.H();
+    readPhases(theCase, settings);
+    setContactAngles(geometry, settings);
+    readIntegration(dict, settings);
+
+    settings.shifting = dict.getNonNegative("shifting", units::none, 0);
+    c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
+    const auto choice = choose(dict, settings, !geometry.patches.empty());
+    settings.integratedDensity = choice.density == "continuity";
+    if (c.diffusion > 0 && !settings.integratedDensity) dict.error("densityDiffusion", "goes with `density continuity;` alone");
+    if (c.diffusion > 0 && settings.multiphase())
+        for (double rho : c.restDensity)
+            if (rho != c.restDensity[0]) { dict.error("densityDiffusion", "phases of different rest density cannot diffuse into one another"); break; }
+    settings.normaliseDensity = !settings.integratedDensity && choice.normalisation == "mean";
+    settings.stiffnessLimit = settings.multiphase() && choice.pressure != "densityWeighted";
+    settings.wallVelocity = choice.wall == "secondOrder" ? WallVelocity::secondOrder
+                          : choice.wall == "freeSlip"    ? WallVelocity::freeSlip
+                                                         : WallVelocity::reflected;
+    settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
+                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
+    settings.terms = termsOf(choice, settings);
+
+    double gamma = 0;
+    for (double s : c.surfaceTension) gamma = std::max(gamma, s);
+    const bool automatic = !dict.found("backgroundPressure") || dict.get<std::string>("backgroundPressure", "") == "automatic";
+    if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
+    else if (choice.tension == "interfaceStress")
+    {
+        c.backgroundPressure = 0.8*gamma/c.spacing;
+        settings.reasons.push_back(fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "
+                                               "tear the particles apart", c.backgroundPressure));
+    }
+    dict.reportUnused();
+    return settings;
+}
+
+}
