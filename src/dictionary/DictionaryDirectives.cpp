@@ -62,6 +62,9 @@ void DictionaryParser::include(Dictionary::Node& scope, const Token& d)
     const std::filesystem::path wanted = tokens_[at_++].text;
     const bool optional = d.text == "includeIfPresent" || d.text == "sinclude" || d.text == "sincludeEtc";
     auto file = folder_/wanted;
+    // OpenFOAM's names for folders of the case.
+    for (const auto& [tag, folder] : {std::pair{"<case>", "."}, {"<system>", "system"}, {"<constant>", "constant"}})
+        if (*wanted.begin() == tag) file = context_.caseFolder/folder/wanted.lexically_relative(tag);
     if (d.text == "includeEtc" || d.text == "sincludeEtc")
     {
         const char* project = std::getenv("SPH_PROJECT_DIR");

@@ -49,6 +49,12 @@ DictionaryEntry* Node::descend(const std::string& path)
 
 DictionaryEntry* Node::findScoped(const std::string& path)
 {
+    if (path.starts_with('/'))
+    {
+        auto dotted = path;
+        std::replace(dotted.begin(), dotted.end(), '/', '.');
+        return findScoped(dotted.replace(0, 1, ":"));
+    }
     if (path.starts_with(':'))
     {
         auto* top = this;

@@ -137,7 +137,7 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
             ++at_;
             return;
         }
-        if (t.is('{') && !open.empty() && tokens_[at_ - 1].kind != Kind::number)
+        if (t.is('{') && tokens_[at_ - 1].kind != Kind::number && (!open.empty() || (at_ > begin && blockClosesValue())))
         {
             listedDictionary(scope, e, unnamed);
             continue;
@@ -213,6 +213,19 @@ void DictionaryParser::listedDictionary(Dictionary::Node& scope, DictionaryEntry
     t.dictionary->keyword = name;
     entries(*t.dictionary, &opening);
     e.value.push_back(std::move(t));
+}
+
+/// Coefficients of a scheme may stand in its value: `div(phi,Y) Gauss multivariate { U upwind; };`. The ';' behind the block tells
+/// them from a dictionary whose name has a blank.
+bool DictionaryParser::blockClosesValue() const
+{
+    int depth = 0;
+    for (auto i = at_; i < tokens_.size(); ++i)
+    {
+        depth += tokens_[i].is('{') ? 1 : tokens_[i].is('}') ? -1 : 0;
+        if (depth == 0) return i + 1 < tokens_.size() && tokens_[i + 1].is(';');
+    }
+    return false;
 }
 
 /// Goes on at the first line behind the opening bracket that begins, no further in than the keyword, with a word; else behind the ';'.

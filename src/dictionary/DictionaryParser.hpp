@@ -58,6 +58,7 @@ private:
     void value(Dictionary::Node& scope, DictionaryEntry&, const Token& keyword);
     bool semicolonMissing(const Token& keyword, bool hasValue) const;
     void listedDictionary(Dictionary::Node& scope, DictionaryEntry&, std::size_t& unnamed);
+    bool blockClosesValue() const;
     void listNotClosed(const Token& keyword, const Token& opening);
     void checkBraces(const Dictionary::Node& scope, const Token& opening, const Token& closing);
     void skipBlock();

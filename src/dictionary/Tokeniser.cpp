@@ -211,7 +211,8 @@ private:
         }
         else t.text = wordHere();
         if (t.text.empty()) error(t.line, "'$' is not followed by a name");
-        if (t.text.find('$') != t.text.npos || isWordCharacter(peek()))
+        const bool goesOn = isWordCharacter(peek()) && peek() != '(' && peek() != ')' && peek() != ',';
+        if (t.text.find('$') != t.text.npos || goesOn)
         {
             wordHere();
             const auto whole = text_.substr(t.begin, at_ - t.begin);

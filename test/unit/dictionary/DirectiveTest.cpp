@@ -44,11 +44,13 @@ TEST(DictionaryDirectives, includeKeepsFileAndLine)
     const CaseFolder folder;
     folder.write("constant/d", "#include \"parts/common\"\n#includeIfPresent \"nope\"\n#sinclude \"nope2\"\nx $rhoCommon;\nown 1;\n");
     folder.write("constant/parts/common", "\nrhoCommon 1234;\n#include \"../deeper\"\n");
-    folder.write("constant/deeper", "sub { bad abc; }\n");
+    folder.write("constant/deeper", "sub { bad abc; }\n#include \"<system>/last\"\n");
+    folder.write("system/last", "z 26;\n");
     const auto diagnostics = std::make_shared<Diagnostics>();
     const auto d = Dictionary::read(folder.path, "constant/d", diagnostics);
     EXPECT_EQ(d.get<double>("x"), 1234);
     EXPECT_EQ(d.get<double>("own"), 1);
+    EXPECT_EQ(d.get<double>("z"), 26);
     EXPECT_EQ(toString(d.where("rhoCommon")), "constant/parts/common:2");
     d.subDict("sub").get<double>("bad");
     EXPECT_EQ(errorsOf(diagnostics), "constant/deeper:1: \"bad\" must be a number, found \"abc\"");

@@ -121,7 +121,7 @@ TEST(DictionarySyntax, macrosSearchScopesAsOpenFOAM)
 {
     const Parsed p(R"(L 1e-3; sub2 { x 7; }
         sub { a 1; L 2e-3; b $a; c $L; d $..L; dd $:L; e ${a}; f $:sub2.x; nested { z $..a; top $...L; alt ${..L}; up $a; } }
-        v ($sub.a $:sub2.x 3); alpha.water 5; w $alpha.water;)");
+        v ($sub.a $:sub2.x 3); vv ((1 $sub.a)($L ${L})); alpha.water 5; w $alpha.water; root ${/sub/c};)");
     const auto sub = p.dict.subDict("sub"), nested = sub.subDict("nested");
     EXPECT_EQ(sub.get<double>("b"), 1);
     EXPECT_EQ(sub.get<double>("c"), 2e-3);
@@ -134,7 +134,9 @@ TEST(DictionarySyntax, macrosSearchScopesAsOpenFOAM)
     EXPECT_EQ(nested.get<double>("alt"), 2e-3);
     EXPECT_EQ(nested.get<double>("up"), 1);
     EXPECT_EQ(p.dict.get<Vector<3>>("v"), (Vector<3>{1, 7, 3}));
+    EXPECT_EQ(p.dict.get<std::vector<Numbers>>("vv"), (std::vector<Numbers>{{1, 1}, {1e-3, 1e-3}}));
     EXPECT_EQ(p.dict.get<double>("w"), 5);
+    EXPECT_EQ(p.dict.get<double>("root"), 2e-3);
     p.dict.reportUnused();
     EXPECT_EQ(p.errors(), "") << "what a macro uses is used";
 }
@@ -195,6 +197,11 @@ internalField
     uniform (0 0 0);
 type
     fixedValue;
+div(phi,Y)
+    Gauss multivariateSelection
+    {
+        Y   limitedLinear 1;
+    };
 libs
 (
     "a.so"
@@ -220,6 +227,7 @@ sub
 }
 )");
     EXPECT_EQ(p.errors(), "");
+    EXPECT_EQ(p.dict.keys().size(), 8u);
     EXPECT_EQ(p.dict.get<Words>("libs"), (Words{"a.so", "b.so"}));
     EXPECT_EQ(p.dict.get<Numbers>("field"), (Numbers{1, 2}));
     EXPECT_EQ(p.dict.get<std::string>("type"), "fixedValue");
