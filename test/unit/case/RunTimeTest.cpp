@@ -319,7 +319,7 @@ TEST(RunTime, noticesAnEditedControlDictAtOnce)
     EXPECT_NE(said.find("writNow"), std::string::npos);
     time.advance(time.nextDeltaT(0.1));
     EXPECT_TRUE(time.running());
-    // Same size as the former one, and within its second.
+    // Within the second of the former edit.
     control(c, "stopAt writeNow; endTime 5; writeControl adjustable; writeInterval 0.4;");
     EXPECT_EQ(time.rereadIfModified(), "system/controlDict has changed: stopAt endTime -> writeNow, endTime 5 -> inf");
     EXPECT_EQ(time.rereadIfModified(), "");
