@@ -1,6 +1,7 @@
 /// Function objects of controlDict's `functions` sub-dictionary: they look at the run and write below postProcessing/.
 #pragma once
 #include "Dictionary.hpp"
+#include "OutputPlace.hpp"
 #include "ParticleView.hpp"
 #include "RunTime.hpp"
 #include <memory>
@@ -20,7 +21,15 @@ public:
     virtual std::string report() const { return ""; }
 };
 
-/// All function objects of a case; reads `functions`, records every mistake in its Diagnostics.
+/// All function objects of a case; reads `functions`, records every mistake in its Diagnostics. Geometry and run time must outlive it.
+///
+///     functions
+///     {
+///         energies { type conservation;  executeControl timeStep;  executeInterval 10; }
+///     }
+///
+/// executeControl: writeTime (the default; each executeInterval-th one), timeStep (each executeInterval-th step), runTime (multiples of
+/// executeInterval [s]), onEnd.
 class FunctionObjects
 {
     struct Entry
@@ -29,9 +38,12 @@ class FunctionObjects
         std::unique_ptr<FunctionObject> object;
         double interval;            ///< in time [s] or steps, by `control`
         enum class Control { writeTime, timeStep, runTime, onEnd } control;
-        double next;
+        double next;                ///< runTime: the next time [s]; writeTime: the number of write times so far
     };
     std::vector<Entry> entries_;
+    void read(const Dictionary&, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&, const std::string& name,
+              double now);
+    static bool due(const Entry&, const RunTime&, bool writeTime, bool end);
 
 public:
     FunctionObjects(const Dictionary& functions, const Geometry&, const std::vector<std::string>& phases, const RunTime&);
@@ -40,6 +52,11 @@ public:
     bool due(const RunTime&, bool writeTime, bool end) const;
     /// Runs those that are due; returns their reports.
     std::vector<std::string> execute(const ParticleView&, const RunTime&, bool writeTime, bool end);
+
+    /// For stored times: those of `only` (all where it is empty), due or not. An unknown name is an error.
+    FunctionObjects(const Dictionary& functions, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&,
+                    const std::vector<std::string>& only);
+    std::vector<std::string> executeAll(const ParticleView&);
 };
 
 }

@@ -1,0 +1,74 @@
+#include "Conservation.hpp"
+#include "Norms.hpp"
+#include "SampledField.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace sph
+{
+
+Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
+    : context_(context), phases_(context.phases), angular_(d.get("angularMomentum", false)), origin_(d.get("origin", Vector<3>{})),
+      where_(d.location())
+{}
+
+Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>& origin, const Location& where)
+{
+    const SampledField U(view, "U", where);
+    auto g = view.g;
+    if (view.geometry)
+    {
+        const auto& periodic = view.geometry->periodic;
+        g = {periodic[0] ? 0 : g.x, periodic[1] ? 0 : g.y, periodic[2] ? 0 : g.z};
+    }
+    Sums s;
+    s.mass.assign(std::max<std::size_t>(1, view.phases.size()), 0.0);
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        const double m = view.mass[i];
+        const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
+        s.mass.at(phaseOf(view, i)) += m;
+        s.momentum += m*u;
+        s.angularMomentum += m*cross(x - origin, u);
+        s.kineticEnergy += 0.5*m*dot(u, u);
+        s.potentialEnergy -= m*dot(g, x);
+        s.momentumScale += m*mag(u);
+    }
+    return s;
+}
+
+void Conservation::execute(const ParticleView& view)
+{
+    last_ = sums(view, origin_, where_);
+    if (!first_) first_ = last_;
+    largestKinetic_ = std::max(largestKinetic_, last_.kineticEnergy);
+    if (!table_)
+    {
+        std::vector<std::string> columns;
+        for (std::size_t k = 0; k < last_.mass.size(); ++k) columns.push_back(k < phases_.size() ? "mass_" + phases_[k] : "mass");
+        columns.insert(columns.end(), {"momentum", "kineticEnergy", "potentialEnergy"});
+        if (angular_) columns.push_back("angularMomentum");
+        table_.emplace(context_.file("conservation.dat"),
+                       std::vector<std::string>{"mass [kg], momentum [kg m/s], energy [J], angular momentum [kg m^2/s]; per metre of depth in 2-D"},
+                       columns);
+    }
+    std::vector<std::string> cells;
+    for (const double m : last_.mass) cells.push_back(cell(m));
+    cells.insert(cells.end(), {cell(last_.momentum), cell(last_.kineticEnergy), cell(last_.potentialEnergy)});
+    if (angular_) cells.push_back(cell(last_.angularMomentum));
+    table_->row(view.time, cells);
+}
+
+std::string Conservation::report() const
+{
+    if (!first_) return "";
+    const auto total = [](const Sums& s) { return std::accumulate(s.mass.begin(), s.mass.end(), 0.0); };
+    const double energy = last_.kineticEnergy + last_.potentialEnergy - first_->kineticEnergy - first_->potentialEnergy;
+    return fmt::format("{}: relative change of mass {:.3g}, momentum {:.3g}, energy {:.3g}", context_.name,
+                       relativeTo(total(*first_), total(last_) - total(*first_)),
+                       relativeTo(std::max(first_->momentumScale, last_.momentumScale), mag(last_.momentum - first_->momentum)),
+                       relativeTo(largestKinetic_, energy));
+}
+
+}

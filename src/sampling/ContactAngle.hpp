@@ -1,0 +1,26 @@
+#pragma once
+#include "Measurement.hpp"
+
+namespace sph
+{
+
+/// Angle between a plane wall and the surface of a drop on it, through the drop
+///
+///   cos theta = -h/R
+///
+/// R [m] radius of the circle or sphere fitted to the line where the drop's volume fraction is 1/2, h [m] height of its centre above
+/// the wall. Only points more than `above` spacings from the wall are fitted: nearer, the profile of a diffuse interface bends, and
+/// base and height of the drop would give an angle up to 10 degrees off. The volume fraction is the kernel mean of the phase; where
+/// the gas is left out, the kernel sum of V W.
+class ContactAngle
+{
+    std::size_t phase_;
+    double angle_, above_;   ///< [degrees], negative: that of the wall; [spacings]
+
+public:
+    /// phase (the first); angle (by default the wall's contactAngle, turned round for other phases than the first); above 2.5.
+    ContactAngle(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Measurement operator()(const ParticleView&) const;
+};
+
+}

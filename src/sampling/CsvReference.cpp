@@ -1,0 +1,184 @@
+#include "CsvReference.hpp"
+#include "readDirection.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+
+namespace sph
+{
+
+namespace
+{
+
+std::vector<std::string> cellsOf(const std::string& line)
+{
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char c : line)
+        if (c == '"') quoted = !quoted;
+        else if (c == ',' && !quoted) cells.emplace_back();
+        else if (c != '\r') cells.back() += c;
+    for (auto& cell : cells)
+    {
+        cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
+        cell.erase(cell.find_last_not_of(" \t") + 1);
+    }
+    return cells;
+}
+
+std::optional<double> numberIn(const std::string& text)
+{
+    double value;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+    return value;
+}
+
+/// Equal as numbers where both are numbers (1e-6 is 1.0e-06), as words otherwise.
+bool matches(const std::string& cell, const std::string& wanted)
+{
+    const auto a = numberIn(cell), b = numberIn(wanted);
+    return a && b ? *a == *b : cell == wanted;
+}
+
+/// Lagrange's polynomial through `count` (2 or 4) points of ascending x around `at`.
+double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at, std::size_t count)
+{
+    count = std::min(count, x.size());
+    const auto above = std::size_t(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+    const auto first = std::min(above > count/2 ? above - count/2 : 0, x.size() - count);
+    double sum = 0;
+    for (auto i = first; i < first + count; ++i)
+    {
+        double term = y[i];
+        for (auto k = first; k < first + count; ++k)
+            if (k != i) term *= (at - x[k])/(x[i] - x[k]);
+        sum += term;
+    }
+    return sum;
+}
+
+}
+
+CsvReference::CsvReference(const Dictionary& d, const std::filesystem::path& caseFolder)
+    : origin_(d.get("origin", Vector<3>{})), mirror_(d.get("mirror", false))
+{
+    const std::vector<std::string> forms{"linear", "cubic"};
+    cubic_ = d.choose("interpolation", forms, "linear") == "cubic";
+    read(d, caseFolder);
+}
+
+void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFolder)
+{
+    const auto fileName = d.get<std::string>("file");
+    const auto columns = d.subDict("columns");
+    const auto coordinateName = columns.get<std::string>("coordinate"), valueName = columns.get<std::string>("value");
+    const auto timeName = columns.get("time", "");
+    steady_ = timeName.empty();
+    axis_ = readDirection(d, "axis", coordinateName == "x" ? Vector<3>{1, 0, 0} : coordinateName == "z" ? Vector<3>{0, 0, 1} : Vector<3>{0, 1, 0});
+    if (!d.found("axis") && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
+        d.error("axis", fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
+
+    const auto units = d.subDictOrEmpty("units");
+    const double coordinateUnit = units.get("coordinate", 1.0), timeUnit = units.get("time", 1.0), valueUnit = units.get("value", 1.0);
+    const auto select = d.subDictOrEmpty("select");
+    std::map<std::string, std::string> wanted;
+    for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
+    if (fileName.empty() || coordinateName.empty() || valueName.empty()) return;
+
+    std::ifstream file(caseFolder/fileName);
+    std::string line;
+    if (!file || !std::getline(file, line)) return d.error("file", fmt::format("cannot read {}", fileName));
+    const auto header = cellsOf(line);
+    const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
+    {
+        const auto found = std::find(header.begin(), header.end(), name);
+        if (found == header.end())
+            asked.error(key, fmt::format("{} has no column \"{}\". {}", fileName, name, suggestion(name, "columns", header)));
+        return std::size_t(found - header.begin());
+    };
+    const auto c = column(columns, "coordinate", coordinateName), v = column(columns, "value", valueName);
+    const auto t = steady_ ? 0 : column(columns, "time", timeName);
+    std::map<std::size_t, std::string> filter;
+    for (const auto& [key, word] : wanted) filter[column(select, key, key)] = word;
+    if (std::max({c, v, t}) >= header.size() || filter.contains(header.size())) return;
+
+    std::map<double, std::map<double, double>> table;
+    for (int number = 2; std::getline(file, line); ++number)
+    {
+        const auto cells = cellsOf(line);
+        if (cells.size() == 1 && cells[0].empty()) continue;
+        const Location here{fileName, number};
+        if (cells.size() != header.size())
+        {
+            d.diagnostics().error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));
+            continue;
+        }
+        if (!std::ranges::all_of(filter, [&](const auto& f) { return matches(cells[f.first], f.second); })) continue;
+        const auto number_ = [&](std::size_t k)
+        {
+            const auto value = numberIn(cells[k]);
+            if (!value) d.diagnostics().error(here, fmt::format("\"{}\" in column {} is not a number", cells[k], header[k]));
+            return value.value_or(0);
+        };
+        const double time = steady_ ? 0 : timeUnit*number_(t), coordinate = coordinateUnit*number_(c);
+        if (!table[time].emplace(coordinate, valueUnit*number_(v)).second)
+            d.diagnostics().error(here, fmt::format("a second value at {} = {}: say by `select` which rows are meant", coordinateName,
+                                                    cells[c]));
+    }
+    for (const auto& [time, rows] : table)
+    {
+        Profile profile;
+        for (const auto& [coordinate, value] : rows)
+        {
+            profile.coordinate.push_back(coordinate);
+            profile.value.push_back(value);
+        }
+        if (rows.size() < 2) d.error("file", fmt::format("{} has only one row at {} = {}", fileName, timeName, time/timeUnit));
+        profiles_.push_back(std::move(profile));
+        times_.push_back(time);
+    }
+    if (profiles_.empty()) d.error(wanted.empty() ? "file" : "select", fmt::format("no row of {} is selected", fileName));
+}
+
+std::optional<double> CsvReference::at(double coordinate, double t) const
+{
+    const std::size_t points = cubic_ ? 4 : 2;
+    const auto in = [&](const Profile& profile) -> std::optional<double>
+    {
+        const auto& x = profile.coordinate;
+        if (x.size() < 2) return {};
+        if (coordinate < 2*x[0] - x[1] || coordinate > 2*x.back() - x[x.size() - 2]) return {};
+        // Beyond the ends a straight line: a cubic may overshoot there.
+        const bool outside = coordinate < x.front() || coordinate > x.back();
+        return interpolate(x, profile.value, coordinate, outside ? 2 : points);
+    };
+    if (profiles_.empty()) return {};
+    if (steady_) return in(profiles_.front());
+
+    const double slack = 1e-9*(times_.back() - times_.front() + std::abs(times_.back()));   // round-off of a sum of time steps
+    if (t < times_.front() - slack || t > times_.back() + slack) return {};
+    const auto above = std::size_t(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
+    const auto count = std::min(points, times_.size());
+    const auto first = std::min(above > count/2 ? above - count/2 : 0, times_.size() - count);
+    const std::vector<double> nearTimes(times_.begin() + long(first), times_.begin() + long(first + count));
+    std::vector<double> values;
+    for (auto k = first; k < first + count; ++k)
+    {
+        const auto value = in(profiles_[k]);
+        if (!value) return {};
+        values.push_back(*value);
+    }
+    return interpolate(nearTimes, values, t, points);
+}
+
+std::optional<double> CsvReference::operator()(const Vector<3>& x, double t) const
+{
+    const double coordinate = dot(x - origin_, axis_);
+    return at(mirror_ ? std::abs(coordinate) : coordinate, t);
+}
+
+}

@@ -1,0 +1,37 @@
+#pragma once
+#include "FieldComparison.hpp"
+
+namespace sph
+{
+
+/// Errors against references, beside the run time that they cost.
+///
+///     type errors;  field U;  component x;  norm relative;
+///     reference { type formula; name planePoiseuille; nu 1e-6; acceleration 1e-4; width 1e-3; }
+///     // or     { type csv; file "reference/profile.csv"; columns { coordinate y; time t; value v; } }
+///
+/// Several comparisons at once: `fields ( { field U; reference {..} } { field p; reference {..} } );`. Formulas are those of
+/// Formulas.hpp, for fields, and the measures of Measurement.hpp (laplaceJump, contactAngle, dragFactor), which need no field.
+///
+/// postProcessing/<name>/<startTime>/errors.dat, a row per time and comparison; tab separated:
+///
+///     # Time  field  L1  L2  Linf  nParticles  executionTime  value  reference
+///
+/// value and reference of a field are the L2 norms of field and reference (or `scale`). Of a measure they are its own, and
+/// L1 = L2 = Linf is the error |value - reference|, relative to the reference with `norm relative`.
+class Errors : public FunctionObject
+{
+    FunctionContext context_;
+    std::vector<std::function<std::optional<ErrorRow>(const ParticleView&)>> comparisons_;
+    std::optional<OutputTable> table_;
+    std::string report_;
+
+    void readComparison(const Dictionary&);
+
+public:
+    Errors(const Dictionary&, const FunctionContext&);
+    void execute(const ParticleView&) override;
+    std::string report() const override { return report_; }
+};
+
+}

@@ -1,0 +1,52 @@
+/// A field against an exact solution or a table, in norms over the particles.
+#pragma once
+#include "FunctionContext.hpp"
+#include "Norms.hpp"
+#include <functional>
+#include <optional>
+
+namespace sph
+{
+
+/// A row of errors.dat.
+struct ErrorRow
+{
+    std::string field;
+    Norms error;
+    std::size_t particles = 0;
+    double value = 0, reference = 0;
+    std::string note;
+};
+
+/// The reference at x [m] and t [s], a scalar in the first component; nothing where the reference does not reach.
+using ReferenceField = std::function<std::optional<Vector<3>>(const Vector<3>& x, double t)>;
+
+/// Dictionary, beside `reference`:
+///
+///     field U;  component x;            // no component: the magnitude of the difference of vectors
+///     norm relative;                    // or absolute
+///     scale 1.25e-5;                    // what relative norms are relative to; by default the same norm of the reference
+///     phase water;                      // only its particles
+///     region { min (..); max (..); }    // only particles within
+///     removeMean yes;                   // for a pressure that is given up to a constant
+class FieldComparison
+{
+    std::string field_, component_;
+    bool relative_, removeMean_;
+    std::optional<double> scale_;
+    std::optional<std::size_t> phase_;
+    std::optional<Box> region_;
+    Location where_;
+    ReferenceField reference_;
+
+public:
+    FieldComparison(const Dictionary&, const FunctionContext&, ReferenceField);
+
+    /// Nothing where no particle has a reference at this time. Throws CaseError if the view has no such field.
+    std::optional<ErrorRow> operator()(const ParticleView&) const;
+};
+
+/// `norm relative|absolute;`, relative by default.
+bool readsRelative(const Dictionary&);
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+#include "Measurement.hpp"
+
+namespace sph
+{
+
+/// Pressure inside a drop at rest minus that outside, against Young and Laplace's law
+///
+///   p_in - p_out = gamma/R in 2-D, 2 gamma/R in 3-D
+///
+/// gamma [N/m] surface tension, R [m] radius. p_in and p_out [Pa] are means, weighted with volume, over the particles of the drop's
+/// phase that lie deeper than the kernel's support H inside (r < R - H), and over those of other phases beyond r > R + H: between
+/// them the pressure of a diffuse interface has no meaning. Where the gas is left out p_out = 0.
+class LaplaceJump
+{
+    std::size_t phase_;
+    double radius_, sigma_;   ///< 0: from the volume of the drop's particles; the scene's
+
+public:
+    /// phase (the first); radius (by default that of a drop of the phase's volume); sigma (by default that of the scene).
+    LaplaceJump(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Measurement operator()(const ParticleView&) const;
+};
+
+}

@@ -1,0 +1,57 @@
+#include "Measurement.hpp"
+#include "ContactAngle.hpp"
+#include "DragFactor.hpp"
+#include "LaplaceJump.hpp"
+#include <algorithm>
+
+namespace sph
+{
+
+namespace
+{
+
+struct Entry
+{
+    std::string name;
+    Measure (*read)(const Dictionary&, const Geometry&, const std::vector<std::string>&);
+};
+
+template<class M> Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+{
+    return M(d, geometry, phases);
+}
+
+const std::vector<Entry>& catalogue()
+{
+    static const std::vector<Entry> measures{
+        {"laplaceJump", measure<LaplaceJump>},
+        {"contactAngle", measure<ContactAngle>},
+        {"dragFactor", measure<DragFactor>},
+    };
+    return measures;
+}
+
+}
+
+std::vector<std::string> measureNames()
+{
+    std::vector<std::string> names;
+    for (const auto& m : catalogue()) names.push_back(m.name);
+    return names;
+}
+
+Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+{
+    for (const auto& m : catalogue())
+        if (m.name == name) return m.read(d, geometry, phases);
+    return {};
+}
+
+std::size_t readPhase(const Dictionary& d, const std::string& key, const std::vector<std::string>& phases)
+{
+    if (phases.empty()) return 0;
+    const auto name = d.choose(key, phases, phases.front());
+    return std::size_t(std::max<long>(0, std::find(phases.begin(), phases.end(), name) - phases.begin()))%phases.size();
+}
+
+}

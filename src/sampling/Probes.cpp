@@ -1,0 +1,62 @@
+#include "Probes.hpp"
+#include "Interpolator.hpp"
+#include "SampledField.hpp"
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+
+bool inside(const Geometry& g, const Vector<3>& x)
+{
+    const auto within = [&](int k, double low, double value, double high)
+    { return g.periodic[std::size_t(k)] || (value >= low && value <= high); };
+    return within(0, g.low.x, x.x, g.high.x) && within(1, g.low.y, x.y, g.high.y) &&
+           (g.dimension == 2 || within(2, g.low.z, x.z, g.high.z));
+}
+
+}
+
+Probes::Probes(const Dictionary& d, const FunctionContext& context)
+    : context_(context), fields_(d.get<std::vector<std::string>>("fields")),
+      locations_(d.get<std::vector<Vector<3>>>("probeLocations")), fieldsWhere_(d.where("fields"))
+{
+    for (std::size_t k = 0; k < locations_.size(); ++k)
+        if (!inside(context.geometry, locations_[k]))
+            d.error("probeLocations", fmt::format("probe {} at {} lies outside the domain from {} to {}", k, cell(locations_[k]),
+                                                  cell(context.geometry.low), cell(context.geometry.high)));
+}
+
+void Probes::execute(const ParticleView& view)
+{
+    const Interpolator interpolator(view);
+    std::vector<PointWeights> weights;
+    for (const auto& x : locations_) weights.push_back(interpolator.weights(x));
+
+    for (const auto& name : fields_)
+    {
+        const SampledField field(view, name, fieldsWhere_);
+        if (!files_.contains(name))
+        {
+            std::vector<std::string> header, columns;
+            for (std::size_t k = 0; k < locations_.size(); ++k)
+            {
+                header.push_back(fmt::format("Probe {} {}", k, cell(locations_[k])));
+                columns.push_back(fmt::format("{}", k));
+            }
+            files_.try_emplace(name, context_.file(name), header, columns);
+        }
+        std::vector<std::string> cells;
+        for (const auto& w : weights)
+        {
+            std::string values;
+            for (int c = 0; c < field.components(); ++c) values += (c ? " " : "") + cell(w(field.array(c)));
+            cells.push_back(field.components() == 1 ? values : "(" + values + ")");
+        }
+        files_.at(name).row(view.time, cells);
+    }
+}
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+#include "FunctionContext.hpp"
+#include <map>
+
+namespace sph
+{
+
+/// Values at fixed points, by the linear form of Interpolator: exact for linear fields.
+///
+///     type probes;  fields (U p);  probeLocations ((0 0 0) (1e-3 0 0));
+///
+/// One file per field, postProcessing/<name>/<startTime>/<field>, in OpenFOAM's format: a header line per probe, then a row per time.
+/// A probe with no particle within reach gets nan.
+class Probes : public FunctionObject
+{
+    FunctionContext context_;
+    std::vector<std::string> fields_;
+    std::vector<Vector<3>> locations_;
+    Location fieldsWhere_;
+    std::map<std::string, OutputTable> files_;
+
+public:
+    Probes(const Dictionary&, const FunctionContext&);
+    void execute(const ParticleView&) override;
+};
+
+}

@@ -1,0 +1,31 @@
+#pragma once
+#include "FunctionContext.hpp"
+
+namespace sph
+{
+
+/// Fields along a straight line, in points or as means over slabs across it.
+///
+///     type profile;  start (0 0 0);  end (0 1e-3 0);  fields (U p);  nPoints 50;      // or: bins 20;
+///
+/// `nPoints` interpolates at equidistant points from start to end (linear form of Interpolator): `line_U_p.xy`. `bins` divides the
+/// line into equal lengths and takes the volume-weighted mean of all particles that project on each, whatever their distance from
+/// the line: cell means, `bins_U_p.xy`, with the number of particles in the last column. Written to postProcessing/<name>/<time>/,
+/// first column the distance from start [m]; nan where there is no particle.
+class Profile : public FunctionObject
+{
+    FunctionContext context_;
+    Vector<3> start_, end_;
+    std::vector<std::string> fields_;
+    Location fieldsWhere_;
+    int points_, bins_;
+
+    std::string pointRows(const ParticleView&) const;
+    std::string binRows(const ParticleView&) const;
+
+public:
+    Profile(const Dictionary&, const FunctionContext&);
+    void execute(const ParticleView&) override;
+};
+
+}

@@ -1,0 +1,136 @@
+#include "Couette.hpp"
+#include "Formulas.hpp"
+#include "Hydrostatic.hpp"
+#include "Particles.hpp"
+#include "PlanePoiseuille.hpp"
+#include "TaylorGreen.hpp"
+#include "TwoLayerPoiseuille.hpp"
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace sph;
+
+// The tabulated values were computed by an independent series in another language, to 7 or 8 digits; hence the tolerances.
+
+TEST(PlanePoiseuille, agreesWithTheTabulatedSeries)
+{
+    const PlanePoiseuille flow(1e-6, 1e-4, 1e-3);
+    const auto at = [&](double y, double tau) { return flow.speed(y, tau*1e-3*1e-3/1e-6); };
+    EXPECT_NEAR(at(0.5e-3, 0.1), 7.691906e-6, 1e-12);
+    EXPECT_NEAR(at(2.5e-5, 0.0225), 3.9287047e-07, 1e-14);
+    EXPECT_NEAR(at(5e-5, 0.045), 1.0766441e-06, 1e-13);
+    EXPECT_NEAR(at(0.975e-3, 0.045), 5.6751418e-07, 1e-14);
+    EXPECT_NEAR(at(0.5e-3, 100), 1.25e-5, 1e-17);
+}
+
+TEST(PlanePoiseuille, startsFromRestAndKeepsThePlatesAtRest)
+{
+    // At nu t/L^2 = 1e-6 the plates are not felt in the middle: v = F t to round-off.
+    const PlanePoiseuille flow(1e-6, 1e-4, 1e-3);
+    EXPECT_EQ(flow.speed(3e-4, 0), 0);
+    EXPECT_NEAR(flow.speed(5e-4, 1e-6), 1e-10, 1e-24);
+    for (const double t : {1e-6, 1e-2, 0.2, 10.0})
+    {
+        EXPECT_NEAR(flow.speed(0, t), 0, 1e-20) << t;
+        EXPECT_NEAR(flow.speed(1e-3, t), 0, 1e-20) << t;
+    }
+}
+
+TEST(PlanePoiseuille, imagesAndSeriesMeetWhereOneTakesOver)
+{
+    // Either side of nu t/L^2 = 0.05; the difference over 2e-9 of that time is 2e-15 of F t.
+    const PlanePoiseuille poiseuille(1, 1, 1);
+    const Couette couette(1, 1, 1);
+    for (const double y : {0.01, 0.1, 0.37, 0.5, 0.8, 0.99})
+    {
+        EXPECT_NEAR(poiseuille.speed(y, 0.05*(1 - 1e-9)), poiseuille.speed(y, 0.05), 1e-10);
+        EXPECT_NEAR(couette.relativeSpeed(y, 0.05*(1 - 1e-9)), couette.relativeSpeed(y, 0.05), 1e-9);
+    }
+}
+
+TEST(Couette, agreesWithTheTabulatedSeries)
+{
+    const Couette flow(1e-6, 1.25e-5, 1e-3);
+    EXPECT_NEAR(flow.relativeSpeed(0.5e-3, 0.1), 0.262756, 1e-6);
+    EXPECT_NEAR(flow.velocity({0, 0.725e-3, 0}, 0.0225).x, 2.4356331e-6, 1e-13);
+    EXPECT_NEAR(flow.velocity({0, 1e-4, 0}, 0.045).x, 3.0675791e-8, 1e-15);
+    EXPECT_NEAR(flow.relativeSpeed(0.3e-3, 100), 0.3, 1e-14);
+    EXPECT_EQ(flow.relativeSpeed(0.3e-3, 0), 0);
+    EXPECT_NEAR(flow.relativeSpeed(1e-3, 1e-3), 1, 1e-14);
+}
+
+TEST(TaylorGreen, decaysAsTabulatedAndHasNoDivergence)
+{
+    // U = L = 1, nu = 0.01: rate 0.789568; greatest speed 0.853923 at t = 0.2. Divergence by central differences of step 1e-4.
+    const TaylorGreen flow(1, 1, 0.01, 1);
+    EXPECT_NEAR(mag(flow.velocity({0.25, 0, 0}, 0.2)), 0.8539234976456128, 1e-14);
+    EXPECT_NEAR(mag(flow.velocity({0.25, 0, 0}, 0.4)), 0.729185339831317, 1e-14);
+    const double d = 1e-4;
+    const Vector<3> x{0.13, 0.41, 0};
+    const double divergence = (flow.velocity(x + Vector<3>{d, 0, 0}, 0).x - flow.velocity(x - Vector<3>{d, 0, 0}, 0).x +
+                               flow.velocity(x + Vector<3>{0, d, 0}, 0).y - flow.velocity(x - Vector<3>{0, d, 0}, 0).y)/(2*d);
+    EXPECT_NEAR(divergence, 0, 1e-10);
+}
+
+TEST(TaylorGreen, pressureBalancesTheConvection)
+{
+    // rho u.grad u = -grad p in x; central differences of step 1e-4 are exact to 1e-6 of k^3 U^2.
+    const TaylorGreen flow(2, 1, 0, 3);
+    const double d = 1e-4;
+    const Vector<3> x{0.13, 0.41, 0}, dx{d, 0, 0}, dy{0, d, 0};
+    const auto u = flow.velocity(x, 0);
+    const double dudx = (flow.velocity(x + dx, 0).x - flow.velocity(x - dx, 0).x)/(2*d),
+                 dudy = (flow.velocity(x + dy, 0).x - flow.velocity(x - dy, 0).x)/(2*d),
+                 dpdx = (flow.pressure(x + dx, 0) - flow.pressure(x - dx, 0))/(2*d);
+    EXPECT_NEAR(3*(u.x*dudx + u.y*dudy), -dpdx, 1e-4);
+    EXPECT_GT(std::abs(dpdx), 1);
+}
+
+TEST(Hydrostatic, addsUpTheLayersAbove)
+{
+    // 0.5 m of density 1 over 0.5 m of 1000: 4.905 Pa at the interface, 4909.905 Pa at the bottom; 0 at the top and above.
+    const Hydrostatic rest({0.5, 0.5}, {1000, 1}, {0, -9.81, 0});
+    EXPECT_NEAR(rest.pressure({0, 0.5, 0}, 0), 4.905, 1e-12);
+    EXPECT_NEAR(rest.pressure({0, 0, 0}, 0), 4909.905, 1e-9);
+    EXPECT_NEAR(rest.pressure({0, 0.25, 0}, 0), 4.905 + 2452.5, 1e-9);
+    EXPECT_EQ(rest.pressure({0, 1, 0}, 0), 0);
+    EXPECT_EQ(rest.pressure({0, 1.2, 0}, 0), 0);
+    EXPECT_NEAR(rest.pressure({0, -0.1, 0}, 0), 4909.905 + 981, 1e-9);
+}
+
+TEST(TwoLayerPoiseuille, agreesWithTheTabulatedSolutions)
+{
+    const TwoLayerPoiseuille byPressure(1e-3, 1.8e-5, 5e-4, 5e-4, 1, 1), byForce(1e-3, 1.8e-5, 5e-4, 5e-4, 1, 1e-3);
+    EXPECT_NEAR(byPressure.speed(5e-4), 2.455796e-4, 1e-10);
+    EXPECT_NEAR(byPressure.speed(0.733e-3), 1.859371e-3, 1e-8);
+    EXPECT_NEAR(byPressure.speed(1.66667e-5), 1.2213763e-5, 1e-10);
+    EXPECT_NEAR(byForce.speed(5e-4), 1.229126e-4, 1e-10);
+    EXPECT_NEAR(byForce.speed(3.83333e-4), 1.1659408e-4, 1e-10);
+    EXPECT_NEAR(byForce.wallStress(), 4.958251e-4, 1e-10);
+    EXPECT_NEAR(byPressure.speed(5e-4 - 1e-15), byPressure.speed(5e-4), 1e-12);
+    EXPECT_NEAR(byPressure.speed(1e-3), 0, 1e-18);
+}
+
+TEST(Formulas, areReadFromDictionaries)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("name planePoiseuille; nu [0 2 -1 0 0 0 0] 1e-6; acceleration 1e-4; width 1e-3;\n"
+                                     "direction (0 0 2); normal (1 0 0); origin (1 0 0);\n",
+                                     "system/controlDict", diagnostics);
+    const auto U = readFormula("planePoiseuille", d, "U");
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    const auto u = U({1.0005, 7, 7}, 0.1);
+    EXPECT_NEAR(u.z, 7.691906e-6, 1e-12);
+    EXPECT_EQ(u.x, 0);
+}
+
+TEST(Formulas, mistakesNameFileAndLine)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("name hydrostatic;\nheights (1 2);\ndensities (1000);\n", "system/controlDict", diagnostics);
+    readFormula("hydrostatic", d, "U");
+    readFormula("hydrostatic", d, "p");
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
+                                      "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
+                                      "2 errors");
+}

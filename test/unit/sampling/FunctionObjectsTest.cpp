@@ -1,0 +1,246 @@
+#include "Conservation.hpp"
+#include "Particles.hpp"
+#include "Plane.hpp"
+#include "Sphere.hpp"
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace sph;
+
+namespace
+{
+
+/// Function objects of a case of their own, from the text of `functions`.
+struct Functions
+{
+    TemporaryCase folder;
+    Case theCase{folder.folder()};
+    RunTime time{theCase};
+
+    FunctionObjects make(const Particles& particles, const std::string& text)
+    {
+        return {Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics()), particles.geometry, particles.phases, time};
+    }
+    std::string mistakes() const { return errorsOf(theCase.diagnostics()); }
+    void run(const Particles& particles, const std::string& text)
+    {
+        auto functions = make(particles, text);
+        ASSERT_EQ(mistakes(), "");
+        reports = functions.execute(particles.view(), time, true, false);
+    }
+    std::vector<std::string> reports;
+};
+
+}
+
+TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
+{
+    Functions f;
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\n");
+    const auto mistakes = f.mistakes();
+    EXPECT_NE(mistakes.find("system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known types: probes, profile, "
+                            "conservation, bedHydrodynamics, errors."),
+              std::string::npos)
+        << mistakes;
+    EXPECT_NE(mistakes.find("system/controlDict:8: "), std::string::npos) << mistakes;
+    EXPECT_NE(mistakes.find("Did you mean \"angularMomentum\"?"), std::string::npos) << mistakes;
+    EXPECT_NE(mistakes.find("system/controlDict:10: c must be a dictionary"), std::string::npos) << mistakes;
+}
+
+TEST(FunctionObjects, areDueWhenTheirControlSays)
+{
+    // Steps of 0.1, every second step a write time, six steps; which steps have a row is what each control means.
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    auto functions = f.make(particles, "w { type conservation; }\n"
+                                       "w2 { type conservation; executeInterval 2; }\n"
+                                       "s { type conservation; executeControl timeStep; executeInterval 3; }\n"
+                                       "r { type conservation; executeControl runTime; executeInterval 0.25; }\n"
+                                       "e { type conservation; executeControl onEnd; }\n");
+    ASSERT_EQ(f.mistakes(), "");
+    for (int step = 1; step <= 6; ++step)
+    {
+        f.time.advance(0.1);
+        particles.time = f.time.value();
+        const bool write = step%2 == 0, end = step == 6;
+        EXPECT_EQ(functions.due(f.time, write, end), step > 1) << step;
+        functions.execute(particles.view(), f.time, write, end);
+    }
+    const auto times = [&](const std::string& name)
+    {
+        std::vector<int> steps;
+        for (const auto& row : f.folder.rows("postProcessing/" + name + "/0/conservation.dat")) steps.push_back(int(std::lround(10*std::stod(row[0]))));
+        return steps;
+    };
+    EXPECT_EQ(times("w"), (std::vector{2, 4, 6}));
+    EXPECT_EQ(times("w2"), (std::vector{2, 6}));
+    EXPECT_EQ(times("s"), (std::vector{3, 6}));
+    EXPECT_EQ(times("r"), (std::vector{3, 5}));
+    EXPECT_EQ(times("e"), (std::vector{6}));
+}
+
+TEST(FunctionObjects, noneLeaveNoFiles)
+{
+    Functions f;
+    const Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    EXPECT_TRUE(f.make(particles, "").empty());
+    EXPECT_FALSE(f.make(particles, "a { type conservation; }").empty());
+    EXPECT_FALSE(std::filesystem::exists(f.folder.folder()/"postProcessing"));
+}
+
+TEST(Probes, writeOpenFoamsFormat)
+{
+    // Linear fields, which the interpolation reproduces to round-off.
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3>) { return 2.0; });
+    particles.setU([](Vector<3> x) { return Vector<3>{4*x.x, 0, 0}; });
+    f.run(particles, "points { type probes; fields (U p); probeLocations ((0.5 0.5 0) (0.25 1 0)); }");
+    const auto U = f.folder.read("postProcessing/points/0/U");
+    EXPECT_TRUE(U.starts_with("# Probe 0 (0.5 0.5 0)\n# Probe 1 (0.25 1 0)\n# Time\t0\t1\n0\t(")) << U;
+    const auto u = f.folder.rows("postProcessing/points/0/U").at(0), p = f.folder.rows("postProcessing/points/0/p").at(0);
+    ASSERT_EQ(u.size(), 3u);
+    EXPECT_NEAR(std::stod(u[1].substr(1)), 2, 1e-12);
+    EXPECT_NEAR(std::stod(u[2].substr(1)), 1, 1e-12);
+    EXPECT_TRUE(u[1].ends_with(" 0)")) << u[1];
+    EXPECT_NEAR(std::stod(p[1]), 2, 1e-12);
+}
+
+TEST(Probes, outsideTheDomainAreAnError)
+{
+    Functions f;
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "points\n{\n    type probes;\n    fields (p);\n    probeLocations ((0 0 0) (2 0 0));\n}\n");
+    EXPECT_EQ(f.mistakes(), "system/controlDict:5: probe 1 at (2 0 0) lies outside the domain from (0 0 0) to (1 1 0)");
+}
+
+TEST(Profile, samplesALine)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3> x) { return 3*x.y; });
+    f.run(particles, "line { type profile; start (0.5 0.1 0); end (0.5 0.9 0); nPoints 5; fields (p U); }");
+    EXPECT_TRUE(f.folder.read("postProcessing/line/0/line_p_U.xy").starts_with("# distance\tp\tU_x\tU_y\tU_z\n"));
+    const auto rows = f.folder.rows("postProcessing/line/0/line_p_U.xy");
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_NEAR(std::stod(rows[4][0]), 0.8, 1e-15);
+    EXPECT_NEAR(std::stod(rows[1][1]), 0.9, 1e-12);
+}
+
+TEST(Profile, binsAreVolumeWeightedMeans)
+{
+    // Two slabs of height 1/2; in the lower one the particle of volume 3 counts three times.
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    particles.volume = {1, 3, 1, 1};
+    particles.p = {4, 8, 1, 2};
+    f.run(particles, "cells { type profile; start (0 0 0); end (0 1 0); bins 2; fields (p); }");
+    const auto rows = f.folder.rows("postProcessing/cells/0/bins_p.xy");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"0.25", "7", "2"}));
+    EXPECT_EQ(rows[1], (std::vector<std::string>{"0.75", "1.5", "2"}));
+}
+
+TEST(Conservation, sumsAreThoseByHand)
+{
+    // Masses 1 and 2 at (1, 0) and (0, 3), u = (1, 2) and (-1, 0), g = (0, -10): m g y = 60.
+    Particles particles(2, {0, 0, 0}, {0, 0, 0}, 1);
+    particles.add({1, 0, 0});
+    particles.add({0, 3, 0});
+    particles.mass = {1, 2};
+    particles.ux = {1, -1};
+    particles.uy = {2, 0};
+    particles.g = {0, -10, 0};
+    particles.phases = {"water", "air"};
+    particles.phase = {0, 1};
+    auto s = Conservation::sums(particles.view(), {}, {});
+    EXPECT_EQ(s.mass, (std::vector<double>{1, 2}));
+    EXPECT_EQ(s.momentum, (Vector<3>{-1, 2, 0}));
+    EXPECT_EQ(s.kineticEnergy, 3.5);
+    EXPECT_EQ(s.potentialEnergy, 60);
+    EXPECT_EQ(s.angularMomentum, (Vector<3>{0, 0, 8}));
+    particles.geometry.periodic = {false, true, false};
+    EXPECT_EQ(Conservation::sums(particles.view(), {}, {}).potentialEnergy, 0);
+}
+
+TEST(Conservation, writesAllDigitsAndReportsTheChange)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    particles.mass = {0.1, 0.2, 1.0/3, 0.4};
+    particles.setU([](Vector<3>) { return Vector<3>{1, 0, 0}; });
+    auto functions = f.make(particles, "sums { type conservation; angularMomentum yes; }");
+    functions.execute(particles.view(), f.time, true, false);
+    particles.mass[0] = 0.2;
+    const auto reports = functions.execute(particles.view(), f.time, true, false);
+    EXPECT_EQ(reports.at(0), "sums: relative change of mass 0.0968, momentum 0.0882, energy 0.0882");
+    const auto text = f.folder.read("postProcessing/sums/0/conservation.dat");
+    EXPECT_NE(text.find("# Time\tmass_water\tmomentum\tkineticEnergy\tpotentialEnergy\tangularMomentum\n"), std::string::npos) << text;
+    const double mass = ((0.1 + 0.2) + 1.0/3) + 0.4;
+    EXPECT_EQ(std::stod(f.folder.rows("postProcessing/sums/0/conservation.dat").at(0).at(1)), mass);
+}
+
+TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
+{
+    // A box of height 1 between plates at y = 0.25 and 0.75: porosity 1/2. The lower half of the pore is water (saturation 1/2,
+    // hold-up 1/4) and moves at 0.4: superficial 0.1. Each plate has one phase at it: half of the wall is wet.
+    Functions f;
+    Particles particles(3, {0, 0.25, 0}, {1, 0.75, 1}, 0.0625);
+    auto& g = particles.geometry;
+    g.low.y = 0;
+    g.high.y = 1;
+    g.periodic = {true, false, true};
+    g.walls.resize(1);
+    g.patches = {{std::make_shared<Plane>(Vector<3>{0, 0.25, 0}, Vector<3>{0, 1, 0}), 0},
+                 {std::make_shared<Plane>(Vector<3>{0, 0.75, 0}, Vector<3>{0, -1, 0}), 0}};
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.y < 0.5 ? 0 : 1; });
+    particles.setU([](Vector<3> x) { return Vector<3>{0, x.y < 0.5 ? -0.4 : 0, 0}; });
+    particles.surfaceTension = 0.072;
+    particles.g = {0, -9.81, 0};
+    f.run(particles, "bed { type bedHydrodynamics; length 0.01; }");
+    const auto text = f.folder.read("postProcessing/bed/0/bedHydrodynamics.dat");
+    EXPECT_NE(text.find("# Time\tporosity\tsaturation\tholdUp\tsuperficial_water\tinterstitial_water\tsuperficial_air\tinterstitial_air\t"
+                        "wettedFraction\tBo\tCa\tRe\n"),
+              std::string::npos)
+        << text;
+    const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
+    const auto number = [&](std::size_t k) { return std::stod(row.at(k)); };
+    EXPECT_NEAR(number(1), 0.5, 1e-12);
+    EXPECT_NEAR(number(2), 0.5, 1e-12);
+    EXPECT_NEAR(number(3), 0.25, 1e-12);
+    EXPECT_NEAR(std::stod(row[4].substr(3)), -0.1, 1e-12) << row[4];
+    EXPECT_NEAR(std::stod(row[5].substr(3)), -0.4, 1e-12) << row[5];
+    EXPECT_NEAR(number(8), 0.5, 1e-12);
+    EXPECT_NEAR(number(9), 1000*9.81*1e-4/0.072, 1e-9);
+    EXPECT_NEAR(number(10), 1e-3*0.1/0.072, 1e-12);
+    EXPECT_NEAR(number(11), 1000*0.1*0.01/1e-3, 1e-9);
+}
+
+TEST(BedHydrodynamics, porosityOfASphereIsSampled)
+{
+    // 1 - 4/3 pi 0.4^3 in a unit cube; 64 points per direction leave about 1e-3.
+    Functions f;
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.5);
+    particles.geometry.walls.resize(1);
+    particles.geometry.patches = {{std::make_shared<Sphere>(Vector<3>{0.5, 0.5, 0.5}, 0.4, FluidSide::outside), 0}};
+    f.run(particles, "bed { type bedHydrodynamics; }");
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(1)), 1 - 4.0/3*std::numbers::pi*0.064, 1e-3);
+}
+
+TEST(BedHydrodynamics, wettedAreaWithoutGasIsAFractionOfTheWholeWall)
+{
+    // Water up to the equator of a sphere of radius 0.3 wets half of it; layers of a lattice of 0.05 on a sphere: 10 %.
+    Functions f;
+    const Sphere sphere({0.5, 0.5, 0.5}, 0.3, FluidSide::outside);
+    const Particles lattice(3, {0, 0, 0}, {1, 0.5, 1}, 0.05);
+    Particles particles(3, {0, 0, 0}, {0, 0, 0}, 0.05);
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+        if (sphere.foot(lattice.position(i)).distance > 0) particles.add(lattice.position(i));
+    particles.geometry = lattice.geometry;
+    particles.geometry.high.y = 1;
+    particles.geometry.walls.resize(1);
+    particles.geometry.patches = {{std::make_shared<Sphere>(sphere), 0}};
+    f.run(particles, "bed { type bedHydrodynamics; }");
+    const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
+    EXPECT_NEAR(std::stod(row.at(6)), 0.5, 0.05);
+}

@@ -1,0 +1,212 @@
+#include "Measurement.hpp"
+#include "Particles.hpp"
+#include "Plane.hpp"
+#include "SphereFit.hpp"
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace sph;
+
+namespace
+{
+
+constexpr double pi = std::numbers::pi;
+
+Measurement measure(const Particles& particles, const std::string& name, const std::string& parameters)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
+    const auto m = readMeasure(name, d, particles.geometry, particles.phases);
+    d.reportUnused();
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    return m(particles.view());
+}
+
+void addFloor(Geometry& geometry, double contactAngle)
+{
+    geometry.walls.resize(1);
+    geometry.walls[0].contactAngle = contactAngle;
+    geometry.patches.push_back({std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0});
+}
+
+/// A cap of the given angle and about the given height on the plane y = 0 in a gas, or alone.
+Particles cap(int dimension, double degrees, double spacing, double height, bool gas)
+{
+    const double theta = degrees*pi/180, R = height/(1 - std::cos(theta));
+    const double halfBase = degrees < 90 ? R*std::sin(theta) : R;
+    const double half = spacing*std::ceil(halfBase/spacing + 4);
+    Particles particles(dimension, {-half, 0, -half}, {half, spacing*std::ceil(height/spacing + 4), half}, spacing);
+    addFloor(particles.geometry, 77);
+    const Vector<3> centre{0.3*spacing, -R*std::cos(theta), 0.2*spacing};
+    const auto inside = [&](Vector<3> x)
+    {
+        if (dimension == 2) x.z = centre.z;
+        return mag(x - centre) < R;
+    };
+    particles.phases = {"water", "air"};
+    particles.setPhase([&](Vector<3> x) { return inside(x) ? 0 : 1; });
+    if (gas) return particles;
+    Particles drop(dimension, {0, 0, 0}, {0, 0, 0}, spacing);
+    drop.geometry = particles.geometry;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        if (particles.phase[i] == 0) drop.add(particles.position(i));
+    return drop;
+}
+
+}
+
+TEST(SphereFit, recoversCirclesAndSpheresFromShortArcs)
+{
+    // Exact points: round-off, magnified by the condition of a 20 degree arc.
+    std::vector<Vector<3>> arc, shell;
+    for (int k = 0; k <= 20; ++k)
+    {
+        const double angle = (80 + k)*pi/180;
+        arc.push_back({5 + 2*std::cos(angle), -3 + 2*std::sin(angle), 0});
+        for (int m = 0; m < 5; ++m) shell.push_back({1 + 0.5*std::cos(angle)*std::cos(m), 2 + 0.5*std::sin(angle), 3 + 0.5*std::cos(angle)*std::sin(m)});
+    }
+    const auto circle = fitSphere(arc, 2), sphere = fitSphere(shell, 3);
+    EXPECT_NEAR(circle.radius, 2, 1e-9);
+    EXPECT_NEAR(mag(circle.centre - Vector<3>{5, -3, 0}), 0, 1e-9);
+    EXPECT_NEAR(sphere.radius, 0.5, 1e-9);
+    EXPECT_NEAR(mag(sphere.centre - Vector<3>{1, 2, 3}), 0, 1e-9);
+    EXPECT_EQ(fitSphere(std::vector<Vector<3>>(2), 2).radius, 0);
+}
+
+TEST(ContactAngle, isRecoveredFromCapsInAGas)
+{
+    // Caps cut out of a lattice, 24 spacings high: the staircase is what keeps the fit from the exact angle.
+    for (const double degrees : {30.0, 60.0, 90.0, 120.0, 150.0})
+    {
+        const auto m = measure(cap(2, degrees, 1e-4, 24e-4, true), "contactAngle", "");
+        EXPECT_NEAR(m.value, degrees, 0.5);
+        EXPECT_EQ(m.reference, 77);
+        EXPECT_EQ(m.note, "");
+    }
+}
+
+TEST(ContactAngle, isRecoveredFromCapsWithoutGas)
+{
+    // There the half of V W is the surface, to a small shift by the curvature.
+    for (const double degrees : {30.0, 90.0, 150.0})
+        EXPECT_NEAR(measure(cap(2, degrees, 1e-4, 24e-4, false), "contactAngle", "").value, degrees, 0.5);
+}
+
+TEST(ContactAngle, isRecoveredInThreeDimensions)
+{
+    for (const double degrees : {60.0, 120.0})
+        EXPECT_NEAR(measure(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
+}
+
+TEST(ContactAngle, ofTheSecondPhaseIsTheSupplement)
+{
+    auto particles = cap(2, 60, 1e-4, 24e-4, true);
+    particles.phases = {"air", "water"};
+    for (auto& phase : particles.phase) phase = 1 - phase;
+    const auto m = measure(particles, "contactAngle", "phase water;");
+    EXPECT_NEAR(m.value, 60, 0.5);
+    EXPECT_EQ(m.reference, 180 - 77);
+    EXPECT_EQ(measure(particles, "contactAngle", "phase water; angle 61;").reference, 61);
+}
+
+TEST(ContactAngle, saysWhyItCannotMeasure)
+{
+    const auto m = measure(cap(2, 60, 1, 2, true), "contactAngle", "");
+    EXPECT_TRUE(std::isnan(m.value));
+    EXPECT_EQ(m.note, "the surface of the drop does not rise far enough above the wall to be fitted");
+}
+
+TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)
+{
+    // gamma 1, R 0.25: 4 Pa in 2-D. The band of one support on either side of the surface holds nonsense and must not count.
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.02);
+    particles.phases = {"water", "air"};
+    particles.surfaceTension = 1;
+    const auto r = [](Vector<3> x) { return mag(x - Vector<3>{0.5, 0.5, 0}); };
+    particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
+    particles.setP([&](Vector<3> x) { return r(x) < 0.19 ? 5.5 : r(x) > 0.31 ? 1.5 : 1e9; });
+    const auto m = measure(particles, "laplaceJump", "radius 0.25;");
+    EXPECT_NEAR(m.value, 4, 1e-12);
+    EXPECT_NEAR(m.reference, 4, 1e-12);
+    EXPECT_GT(m.particles, 0u);
+    // The radius from the drop's volume: that of a lattice disc, within a spacing's staircase.
+    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 2;").reference, 8, 0.05);
+}
+
+TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
+{
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.05);
+    particles.phases = {"water", "air"};
+    particles.geometry.periodic = {true, true, true};
+    particles.surfaceTension = 1;
+    particles.supportInSpacings = 2;
+    const auto r = [](Vector<3> x) { return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)}); };
+    particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
+    particles.setP([&](Vector<3> x) { return r(x) < 0.25 ? 8.0 : 0.0; });
+    const auto m = measure(particles, "laplaceJump", "radius 0.25;");
+    EXPECT_NEAR(m.value, 8, 1e-12);
+    EXPECT_NEAR(m.reference, 8, 1e-12);
+}
+
+TEST(LaplaceJump, withoutGasThePressureOutsideIsZero)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3>) { return 3.0; });
+    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 1;").value, 3, 1e-12);
+}
+
+TEST(LaplaceJump, ofADropThatIsTooSmallIsNoNumber)
+{
+    Particles particles(2, {0, 0, 0}, {0.1, 0.1, 0}, 0.05);
+    const auto m = measure(particles, "laplaceJump", "sigma 1;");
+    EXPECT_TRUE(std::isnan(m.value));
+    EXPECT_EQ(m.note, "no particle of the drop lies deeper than the kernel's support");
+}
+
+TEST(DragFactor, isStokesLawTurnedRound)
+{
+    // By hand: a = 0.1, phi = 0.343, rho g = 1000*2, mu = 1e-3; superficial U = (fluid fraction 0.5 of the cell)*0.04 = 0.02:
+    // K = 2*0.01*2000/(9*0.343*1e-3*0.02) = 647878.2...
+    Particles particles(3, {0, 0, 0}, {1, 1, 0.5}, 0.1);
+    particles.geometry.high.z = 1;
+    particles.g = {0, -2, 0};
+    particles.setU([](Vector<3>) { return Vector<3>{9, -0.04, 0}; });
+    const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.343; lattice sc;");
+    EXPECT_NEAR(m.value, 2*0.01*2000/(9*0.343*1e-3*0.02), 1e-6);
+    EXPECT_EQ(m.reference, 15.40);
+    EXPECT_EQ(measure(particles, "dragFactor", "radius 0.1; solidFraction 0.4; reference 20.5;").reference, 20.5);
+}
+
+TEST(DragFactor, knowsTheLatticesByPeriod)
+{
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.25);
+    const auto reference = [&](const char* lattice, int spheres, double phi)
+    {
+        const double a = std::cbrt(3*phi/(4*pi*spheres));
+        return measure(particles, "dragFactor", "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";").reference;
+    };
+    EXPECT_EQ(reference("sc", 1, 0.343), 15.40);
+    EXPECT_EQ(reference("bcc", 2, 0.45), 31.69);
+    EXPECT_EQ(reference("fcc", 4, 0.45), 33.49);
+}
+
+TEST(DragFactor, ofCylindersIsTheForcePerLength)
+{
+    // F = rho g A_cell, A_cell = pi a^2/phi: with a = 0.1, phi = 0.2, U = 0.02 all over: K = 2000*0.15708/(1e-3*0.02).
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+    particles.g = {2, 0, 0};
+    particles.setU([](Vector<3>) { return Vector<3>{0.02, 0, 0}; });
+    const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.2; lattice square;");
+    EXPECT_NEAR(m.value, 2000*pi*0.01/0.2/(1e-3*0.02), 1e-5);
+    EXPECT_EQ(m.reference, 51.53);
+}
+
+TEST(DragFactor, mistakesNameFileAndLine)
+{
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.5);
+    auto diagnostics = std::make_shared<Diagnostics>();
+    readMeasure("dragFactor", Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
+                particles.geometry, particles.phases);
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
+                                      "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
+}
