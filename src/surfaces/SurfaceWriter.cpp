@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
+#include <vtkPoints.h>
 #include <vtkSTLWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -33,8 +34,12 @@ void runWriter(auto* writer, vtkPolyData* mesh, const std::filesystem::path& fil
 
 }
 
-void writeSurface(vtkPolyData* mesh, const std::filesystem::path& file)
+void writeSurface(vtkPolyData* surface, const std::filesystem::path& file)
 {
+    // An empty surface of VTK's has no array of points, which VTK's own readers then miss.
+    vtkNew<vtkPolyData> mesh;
+    mesh->ShallowCopy(surface);
+    if (!mesh->GetPoints()) mesh->SetPoints(vtkNew<vtkPoints>());
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
     if (failed) throw CaseError(fmt::format("Cannot make the folder {}: {}", file.parent_path().string(), failed.message()));
@@ -44,18 +49,18 @@ void writeSurface(vtkPolyData* mesh, const std::filesystem::path& file)
     if (format == ".vtp")
     {
         vtkNew<vtkXMLPolyDataWriter> writer;
-        runWriter(writer.Get(), mesh, partial);
+        runWriter(writer.Get(), mesh.Get(), partial);
     }
     else if (format == ".stl")
     {
         vtkNew<vtkSTLWriter> writer;
         writer->SetFileTypeToBinary();
-        runWriter(writer.Get(), mesh, partial);
+        runWriter(writer.Get(), mesh.Get(), partial);
     }
     else if (format == ".obj")
     {
         vtkNew<vtkOBJWriter> writer;
-        runWriter(writer.Get(), mesh, partial);
+        runWriter(writer.Get(), mesh.Get(), partial);
     }
     else throw CaseError(fmt::format("No surface format has the extension \"{}\" of {}", format.string(), file.string()));
     std::filesystem::rename(partial, file, failed);

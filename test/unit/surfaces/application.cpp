@@ -1,0 +1,128 @@
+#include "Cloud.hpp"
+#include "particles.hpp"
+#include "temporaryFolder.hpp"
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace sph::test
+{
+
+namespace
+{
+
+/// A 2-D case of a disc of water of radius 8 in air, spacing 1 mm, at times 0, 0.1 and 0.2.
+class DiscCase : public testing::Test
+{
+protected:
+    TemporaryFolder folder;
+    std::string output;
+
+    void SetUp() override
+    {
+        folder.write("constant/geometry", "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); periodic (x y); }\n");
+        folder.write("constant/phaseProperties", "phases (water air);\n");
+        folder.write("system/sphSchemes", "resolution { spacing 1e-3; support 3; kernel wendlandC2; }\n");
+        const auto particles = lattice(space(2, {-12, -12, 0}, {12, 12, 0}), ball({0, 0, 0}, 8));
+        std::vector<double> x, y, phase, m, rho;
+        for (std::size_t p = 0; p < particles.size(); ++p)
+        {
+            x.push_back(1e-3*particles.position[p].x);
+            y.push_back(1e-3*particles.position[p].y);
+            phase.push_back(particles.inPhase[p] ? 0 : 1);
+            rho.push_back(particles.inPhase[p] ? 1000 : 1);
+            m.push_back(1e-6*rho.back());
+        }
+        for (const auto* time : {"0", "0.1", "0.2"})
+            writeCloud(folder/time, "sph", x.size(), {"positions", FieldClass::vector, {x.data(), y.data(), nullptr}},
+                       {{"phase", FieldClass::label, {phase.data()}}, {"m", FieldClass::scalar, {m.data()}}, {"rho", FieldClass::scalar, {rho.data()}}},
+                       {});
+    }
+
+    int run(const std::string& options)
+    {
+        const auto log = folder/"log";
+        const int status = std::system(fmt::format("{} -case {} {} > {} 2>&1", RECONSTRUCT_SURFACE, folder.path().string(), options, log.string()).c_str());
+        output = contents(log);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    bool has(const std::string& file) { return std::filesystem::exists(folder.path()/"postProcessing"/"reconstructSurface"/file); }
+};
+
+}
+
+// Without a dictionary of its own it writes the surface of the first phase at all times, and a table whose area is the circle's length within 2 %.
+TEST_F(DiscCase, NeedsNoDictionary)
+{
+    ASSERT_EQ(run(""), 0) << output;
+    for (const auto* time : {"0", "0.1", "0.2"}) EXPECT_TRUE(has(fmt::format("{}/water.vtp", time)));
+    EXPECT_FALSE(has("0/air.vtp"));
+    std::istringstream table(contents(folder.path()/"postProcessing/reconstructSurface/0/surfaces.dat"));
+    std::string line;
+    std::getline(table, line);
+    std::getline(table, line);
+    EXPECT_EQ(line, "# Time\tarea\tvolume\tparticleVolume\tdifference%\tpieces");
+    double time, length, area, particleArea, difference, pieces;
+    for (const double expected : {0.0, 0.1, 0.2})
+    {
+        ASSERT_TRUE(table >> time >> length >> area >> particleArea >> difference >> pieces);
+        EXPECT_EQ(time, expected);
+        EXPECT_NEAR(length/(2*3.14159e-3*8), 1, 0.02);
+        EXPECT_NEAR(difference, 100*(area/particleArea - 1), 1e-9);
+        EXPECT_EQ(pieces, 1);
+    }
+}
+
+// -time takes lists and ranges, -latestTime the last, -phase one phase; what is not there is an error that lists what is.
+TEST_F(DiscCase, OptionsSelectTimesAndPhases)
+{
+    ASSERT_EQ(run("-time 0.1: -phase air"), 0) << output;
+    EXPECT_FALSE(has("0/air.vtp"));
+    EXPECT_TRUE(has("0.1/air.vtp"));
+    EXPECT_TRUE(has("0.2/air.vtp"));
+    EXPECT_TRUE(has("0.1/surfaces.dat"));
+    ASSERT_EQ(run("-latestTime"), 0) << output;
+    EXPECT_TRUE(has("0.2/water.vtp"));
+    EXPECT_FALSE(has("0.1/water.vtp"));
+    ASSERT_EQ(run("-time 0,0.1"), 0) << output;
+    EXPECT_TRUE(has("0/water.vtp"));
+    EXPECT_TRUE(has("0.1/water.vtp"));
+
+    EXPECT_EQ(run("-time 0.7"), 1);
+    EXPECT_NE(output.find("-time: no time folder matches \"0.7\". There are: 0, 0.1, 0.2"), std::string::npos) << output;
+    EXPECT_EQ(run("-time now"), 1);
+    EXPECT_NE(output.find("-time: \"now\" is neither a time nor a range"), std::string::npos) << output;
+    EXPECT_EQ(run("-phase wasser"), 1);
+    EXPECT_NE(output.find("-phase: \"wasser\" is unknown. Did you mean \"water\"?"), std::string::npos) << output;
+}
+
+// Mistakes in the case's files end with exit code 1 and their file and line, before anything is written.
+TEST_F(DiscCase, MistakesHaveFileAndLine)
+{
+    folder.write("system/reconstructSurfaceDict", "closed no;\nsmothing 3;\nformats (stl);\n");
+    EXPECT_EQ(run(""), 1);
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:2: entry \"smothing\" is not used here. Did you mean \"smoothing\"?"), std::string::npos)
+        << output;
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: stl holds triangles only"), std::string::npos) << output;
+    EXPECT_FALSE(std::filesystem::exists(folder/"postProcessing"));
+    std::filesystem::remove(folder/"system/reconstructSurfaceDict");
+    std::filesystem::remove(folder/"system/sphSchemes");
+    EXPECT_EQ(run(""), 1);
+    EXPECT_NE(output.find("system/sphSchemes"), std::string::npos) << output;
+}
+
+// -picture -noSurface draws the particles and writes nothing else.
+TEST_F(DiscCase, DrawsPictures)
+{
+    if (std::system("command -v Xvfb > /dev/null 2>&1") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    folder.write("system/reconstructSurfaceDict", "picture { size (320 240); colourBy phase; }\n");
+    ASSERT_EQ(run("-latestTime -picture -noSurface"), 0) << output;
+    EXPECT_TRUE(has("0.2/water.png"));
+    EXPECT_FALSE(has("0.2/water.vtp"));
+    EXPECT_FALSE(has("0.2/surfaces.dat"));
+    folder.write("system/reconstructSurfaceDict", "picture\n{\n    colourBy p;\n}\n");
+    EXPECT_EQ(run("-latestTime -picture"), 1);
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos) << output;
+}
+
+}
