@@ -1,5 +1,6 @@
 #include "Geometry.hpp"
 #include "PatchGrid.hpp"
+#include "PatchTree.hpp"
 #include "components.hpp"
 #include <algorithm>
 
@@ -9,28 +10,25 @@ namespace sph
 namespace
 {
 
-double nearest(const std::vector<Patch>& patches, const Vector<3>& x)
+double nearest(const std::vector<Patch>& patches, const Vector<3>& x, double best = Box::infinity)
 {
-    double d = Box::infinity;
-    for (const auto& p : patches) d = std::min(d, p.shape->foot(x).distance);
-    return d;
+    for (const auto& p : patches) best = std::min(best, p.shape->foot(x).distance);
+    return best;
 }
 
 }
 
 double Geometry::distance(const Vector<3>& x) const
 {
-    double d = Box::infinity;
-    if (grid)
-        for (const int p : grid->near(x)) d = std::min(d, patches[p].shape->foot(x).distance);
-    else d = nearest(patches, x);
+    const auto smaller = [&](const Vector<3>& y, double best) { return tree ? tree->distance(y, best) : nearest(patches, y, best); };
+    double d = smaller(x, Box::infinity);
     if (d <= reach) return d;
 
     // No surface within reach: the copies that were made may not hold the nearest one. Those one period further do.
     for (int i = periodic[0] ? -1 : 0; i <= int(periodic[0]); ++i)
         for (int k = periodic[1] ? -1 : 0; k <= int(periodic[1]); ++k)
             for (int l = periodic[2] ? -1 : 0; l <= int(periodic[2]); ++l)
-                d = std::min(d, nearest(patches, x + Vector<3>{i*length(0), k*length(1), l*length(2)}));
+                if (i != 0 || k != 0 || l != 0) d = smaller(x + Vector<3>{i*length(0), k*length(1), l*length(2)}, d);
     return d;
 }
 

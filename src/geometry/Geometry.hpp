@@ -28,6 +28,7 @@ struct Patch
 };
 
 class PatchGrid;
+class PatchTree;
 
 struct Geometry
 {
@@ -38,7 +39,8 @@ struct Geometry
     std::vector<Patch> originals;          ///< as given, before repetition
     std::vector<Patch> patches;            ///< all periodic copies that lie within `reach` of the domain
     double reach = 0;                      ///< [m]
-    std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for `distance`; without it every patch is asked
+    std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
+    std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
 
     /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count too.
     double distance(const Vector<3>& x) const;
@@ -50,7 +52,7 @@ struct Geometry
     double length(int direction) const;
 };
 
-/// Fills `patches` from `originals`, each periodic copy once, and `grid`, for the given reach [m].
+/// Fills `patches` from `originals`, each periodic copy once, `grid` and `tree`, for the given reach [m].
 void repeatPeriodically(Geometry&, double reach);
 
 /// Reads constant/geometry:

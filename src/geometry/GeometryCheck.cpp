@@ -118,11 +118,12 @@ class Check
         if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
         {
             const bool body = !a.enclosesFluid() || !b.enclosesFluid();
+            const int first = std::min(wallA, wallB), last = std::max(wallA, wallB);
             const auto what = fmt::format("wall \"{}\" and wall \"{}\" overlap near {} and leave a wedge of fluid of {:.0f} degrees: "
                                           "reflection needs 90 or more. Let them touch, or keep them apart",
-                                          g_.walls[wallA].name, g_.walls[wallB].name, text(g_, approach.at), approach.wedge);
-            if (body) diagnostics_.error(g_.walls[wallB].where, what);
-            else diagnostics_.warning(g_.walls[wallB].where, what);
+                                          g_.walls[first].name, g_.walls[last].name, text(g_, approach.at), approach.wedge);
+            if (body) diagnostics_.error(g_.walls[last].where, what);
+            else diagnostics_.warning(g_.walls[last].where, what);
             return;
         }
         if (approach.crossing || !approach.facing || approach.distance < -tolerance_ || !isOnce(approach.at)) return;

@@ -31,7 +31,7 @@ TriangleSurface parametricSurface(int nu, int nv, const std::function<Vector<3>(
     return surface;
 }
 
-int segments(double length, double size) { return std::clamp(int(std::ceil(length/size)), 12, 96); }
+int segments(double length, double size) { return std::clamp(int(std::ceil(length/size)), 8, 96); }
 
 namespace
 {

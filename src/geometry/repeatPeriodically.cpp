@@ -1,5 +1,6 @@
 #include "Geometry.hpp"
 #include "PatchGrid.hpp"
+#include "PatchTree.hpp"
 #include "components.hpp"
 #include <algorithm>
 
@@ -89,6 +90,7 @@ void repeatPeriodically(Geometry& g, double reach)
     g.patches = withoutTwins(std::move(copies), 1e-9*size);
     g.reach = reach;
     g.grid = std::make_shared<PatchGrid>(g, reach);
+    g.tree = std::make_shared<PatchTree>(g.patches);
 }
 
 }
