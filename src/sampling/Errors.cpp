@@ -2,7 +2,7 @@
 #include "CsvReference.hpp"
 #include "Formulas.hpp"
 #include "Measurement.hpp"
-#include "SampledField.hpp"
+#include "knownWord.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -30,8 +30,12 @@ Errors::Errors(const Dictionary& d, const FunctionContext& context) : context_(c
 void Errors::readComparison(const Dictionary& d)
 {
     const auto reference = d.subDict("reference");
+    const auto leaveRest = [&d]
+    {
+        for (const auto& key : d.keys()) d.ignore(key);
+    };
     const std::vector<std::string> types{"formula", "csv"};
-    const auto type = reference.choose("type", types);
+    const auto type = knownWord(reference, "type", types);
     if (type == "csv")
     {
         auto csv = CsvReference(reference, context_.output.caseFolder(context_.name));
@@ -41,13 +45,15 @@ void Errors::readComparison(const Dictionary& d)
             return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
         }));
     }
+    if (!type) leaveRest();
     if (type != "formula") return;
 
     const auto measures = measureNames();
     auto names = formulaNames();
     names.insert(names.end(), measures.begin(), measures.end());
-    const auto name = reference.choose("name", names);
-    if (std::ranges::find(names, name) == names.end()) return;
+    const auto chosen = knownWord(reference, "name", names);
+    if (!chosen) return leaveRest();
+    const auto name = *chosen;
     if (std::ranges::find(measures, name) != measures.end())
     {
         const auto measure = readMeasure(name, reference, context_.geometry, context_.phases);

@@ -4,6 +4,7 @@
 #include "FunctionContext.hpp"
 #include "Probes.hpp"
 #include "Profile.hpp"
+#include "knownWord.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,8 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     if (!functions.isDictionary(name))
         return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
     const auto d = functions.subDict(name);
-    const auto type = d.choose("type", types);
+    const auto type = knownWord(d, "type", types);
+    if (!type) return;
     const auto control = d.choose("executeControl", controls, "writeTime");
     Entry entry;
     entry.name = name;
@@ -91,7 +93,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
         if (entry.interval < 1) d.error("executeInterval", fmt::format("executeInterval of {} counts and must be at least 1", control));
     }
     for (const auto& t : catalogue())
-        if (t.name == type)
+        if (t.name == *type)
         {
             entry.object = t.make(d, {name, geometry, phases, output});
             d.reportUnused();

@@ -77,7 +77,7 @@ TEST(Interpolator, isSecondOrder)
 TEST(Interpolator, wrapsPeriodicDirections)
 {
     // cos(2 pi x) has period 1: the value at the boundary, from either side and from a period away, is that of a lattice shifted by 1/2.
-    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
     particles.geometry.periodic = {true, false, false};
     const auto wave = [](double x) { return std::cos(2*M_PI*x); };
     particles.setP([&](Vector<3> x) { return wave(x.x); });

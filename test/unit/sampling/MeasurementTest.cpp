@@ -129,8 +129,8 @@ TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)
     EXPECT_NEAR(m.value, 4, 1e-12);
     EXPECT_NEAR(m.reference, 4, 1e-12);
     EXPECT_GT(m.particles, 0u);
-    // The radius from the drop's volume: that of a lattice disc, within a spacing's staircase.
-    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 2;").reference, 8, 0.05);
+    // The radius from the drop's volume: the disc of lattice points has 1.4 % less area than the circle.
+    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 2;").reference, 8, 0.08);
 }
 
 TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)

@@ -1,0 +1,39 @@
+/// A case whose time folders are looked at again: its dictionaries as the solver reads them, and its particles as a view.
+#pragma once
+#include "Case.hpp"
+#include "Cloud.hpp"
+#include "Geometry.hpp"
+#include "ParticleView.hpp"
+#include "Settings.hpp"
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+class StoredCase
+{
+    const Case& case_;
+    Geometry geometry_;
+    Settings settings_;
+    Cloud cloud_;
+    std::vector<double> volume_;
+
+public:
+    static constexpr const char* cloudName = "sph";
+
+    /// Mistakes go to the case's Diagnostics. The case must outlive this.
+    explicit StoredCase(const Case&);
+
+    const Geometry& geometry() const { return geometry_; }
+    const std::vector<std::string>& phases() const { return settings_.coefficients.phases; }
+
+    /// Names of the time folders that hold particles; throws CaseError if there is none.
+    std::vector<std::string> times() const;
+
+    /// The particles of a time folder, valid until the next call. Needs the fields rho, m and, where there are several phases, phase.
+    /// V_i = m_i/rho_i. What it cost to compute is not on disk: executionTime is NaN.
+    ParticleView load(const std::string& time);
+};
+
+}
