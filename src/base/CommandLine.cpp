@@ -74,15 +74,16 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
     for (auto& a : arguments)
     {
         if (a == "--") break;
-        if (a.size() > 2 && a[0] == '-' && std::isalpha(static_cast<unsigned char>(a[1]))) a.insert(0, "-");
-        else if (a.size() > 2 && a[0] == '-' && a[1] == '.') a.insert(1, "0");
+        if (a.size() > 2 && a[0] == '-' && std::isalpha(static_cast<unsigned char>(a[1])))
+            a.insert(0, "-");
+        else if (a.size() > 2 && a[0] == '-' && a[1] == '.')
+            a.insert(1, "0");
     }
     return arguments;
 }
 
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options,
-                   const std::function<int(const std::filesystem::path&)>& body)
+                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body)
 {
     const auto fail = [&](const std::string& what, const std::string& hint = "")
     {

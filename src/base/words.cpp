@@ -43,27 +43,33 @@ std::string nearest(const std::string& word, std::span<const std::string> known)
 {
     const std::string* best = nullptr;
     const auto meant = lower(word);
-    int least = std::min(3, int(word.size())/3) + 1;
+    int least = std::min(3, int(word.size()) / 3) + 1;
     for (const auto& k : known)
-        if (const int d = distance(meant, lower(k)); d < least) { least = d; best = &k; }
+        if (const int d = distance(meant, lower(k)); d < least)
+        {
+            least = d;
+            best = &k;
+        }
     if (best) return *best;
 
     int begins = 0;
     for (const auto& k : known)
-        if (word.size() > 2 && lower(k).starts_with(meant)) { ++begins; best = &k; }
+        if (word.size() > 2 && lower(k).starts_with(meant))
+        {
+            ++begins;
+            best = &k;
+        }
     return begins == 1 ? *best : "";
 }
 
-std::string list(std::span<const std::string> words)
-{
-    return fmt::format("{}", fmt::join(words, ", "));
-}
+std::string list(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 std::string suggestion(const std::string& word, const std::string& things, std::span<const std::string> known)
 {
     const auto meant = nearest(word, known);
     const auto question = meant.empty() ? std::string() : fmt::format("Did you mean \"{}\"? ", meant);
-    return known.empty() ? fmt::format("There are no {}.", things) : fmt::format("{}Known {}: {}.", question, things, list(known));
+    return known.empty() ? fmt::format("There are no {}.", things)
+                         : fmt::format("{}Known {}: {}.", question, things, list(known));
 }
 
 }

@@ -58,7 +58,8 @@ DictionaryEntry* valueEntry(Dictionary::Node& node, const std::string& key, bool
 }
 
 /// What `read` makes of an entry; nothing where it is missing or wrong.
-template<class Read> auto valueOf(Dictionary::Node& node, const std::string& key, bool required, const Read& read)
+template<class Read>
+auto valueOf(Dictionary::Node& node, const std::string& key, bool required, const Read& read)
     -> std::optional<decltype(read(std::declval<TokenReader&>()))>
 {
     const auto* entry = valueEntry(node, key, required);
@@ -79,7 +80,8 @@ template<class Read> auto valueOf(Dictionary::Node& node, const std::string& key
 
 template<class T> std::optional<T> plain(Dictionary::Node& node, const std::string& key, bool required)
 {
-    return valueOf(node, key, required, [](TokenReader& tokens)
+    return valueOf(node, key, required,
+                   [](TokenReader& tokens)
                    {
                        T value{};
                        tokens.read(value);
@@ -90,7 +92,8 @@ template<class T> std::optional<T> plain(Dictionary::Node& node, const std::stri
 template<class T>
 std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, const DimensionSet& expected, bool required)
 {
-    return valueOf(node, key, required, [&](TokenReader& tokens)
+    return valueOf(node, key, required,
+                   [&](TokenReader& tokens)
                    {
                        const auto before = tokens.dimensions();
                        T value{};
@@ -104,10 +107,11 @@ std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, con
 
 }
 
-Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::string& file, std::shared_ptr<Diagnostics> diagnostics)
+Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::string& file,
+                            std::shared_ptr<Diagnostics> diagnostics)
 {
     Dictionary d(newNode(file, diagnostics));
-    const auto path = caseFolder/file;
+    const auto path = caseFolder / file;
     const auto text = readText(path);
     if (!text)
     {
@@ -117,8 +121,9 @@ Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::
         for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), none))
             siblings.push_back(entry.path().filename().string());
         const auto near = nearest(path.filename().string(), siblings);
-        diagnostics->error({file, 0}, std::string(std::filesystem::exists(path) ? "this file cannot be read" : "there is no such file") +
-                                          (near.empty() || near == path.filename() ? "" : fmt::format(". Is \"{}\" meant?", near)));
+        diagnostics->error({file, 0},
+                           std::string(std::filesystem::exists(path) ? "this file cannot be read" : "there is no such file") +
+                               (near.empty() || near == path.filename() ? "" : fmt::format(". Is \"{}\" meant?", near)));
         return d;
     }
     DictionaryParser::Context context{.caseFolder = caseFolder, .diagnostics = diagnostics};
@@ -179,7 +184,8 @@ Dictionary Dictionary::subDict(const std::string& key) const
         entry->dictionary->visited = true;
         return Dictionary(entry->dictionary);
     }
-    if (!entry) missing(*node_, key, "dictionary");
+    if (!entry)
+        missing(*node_, key, "dictionary");
     else
     {
         entry->used = true;
@@ -209,7 +215,8 @@ std::vector<Dictionary> Dictionary::dictionaries(const std::string& key) const
         for (const auto& name : sub.keys()) all.push_back(sub.subDict(name));
         return all;
     }
-    valueOf(*node_, key, true, [&](TokenReader& tokens)
+    valueOf(*node_, key, true,
+            [&](TokenReader& tokens)
             {
                 const char* const list = "a list of dictionaries \"( { .. } { .. } )\"";
                 if (tokens.sees(Token::Kind::number)) tokens.take(list);
@@ -307,7 +314,8 @@ std::string Dictionary::choose(const std::string& key, std::span<const std::stri
 
 std::vector<Dictionary::PairValue> Dictionary::pairs(const std::string& key) const
 {
-    return valueOf(*node_, key, true, [](TokenReader& tokens)
+    return valueOf(*node_, key, true,
+                   [](TokenReader& tokens)
                    {
                        const char* const list = "a list of pairs with values \"( (a b) 0.07 .. )\"";
                        std::vector<PairValue> all;
@@ -315,11 +323,13 @@ std::vector<Dictionary::PairValue> Dictionary::pairs(const std::string& key) con
                        while (!tokens.accept(')'))
                        {
                            PairValue pair;
-                           if (!tokens.accept('(')) throw ValueError(fmt::format("must be {}, found \"{}\" in it", list, tokens.rest()));
+                           if (!tokens.accept('('))
+                               throw ValueError(fmt::format("must be {}, found \"{}\" in it", list, tokens.rest()));
                            tokens.read(pair.first);
                            tokens.accept("and");
                            tokens.read(pair.second);
-                           if (!tokens.accept(')')) throw ValueError(fmt::format("must be {}, found \"{}\" in a pair", list, tokens.rest()));
+                           if (!tokens.accept(')'))
+                               throw ValueError(fmt::format("must be {}, found \"{}\" in a pair", list, tokens.rest()));
                            tokens.read(pair.value);
                            all.push_back(std::move(pair));
                        }
@@ -350,8 +360,8 @@ void reportUnusedIn(Dictionary::Node& node)
         // An included file may serve several dictionaries, each of which reads a part of it: there, a near miss alone is a mistake.
         const auto meant = nearest(e.keyword, node.lookedUp);
         if (e.included && (meant.empty() || node.find(meant))) continue;
-        node.diagnostics->error(e.where, fmt::format("{} \"{}\" is not used here. {}", e.dictionary ? "dictionary" : "entry", e.keyword,
-                                                     suggestion(e.keyword, "entries", node.lookedUp)));
+        node.diagnostics->error(e.where, fmt::format("{} \"{}\" is not used here. {}", e.dictionary ? "dictionary" : "entry",
+                                                     e.keyword, suggestion(e.keyword, "entries", node.lookedUp)));
     }
 }
 

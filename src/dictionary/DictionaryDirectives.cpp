@@ -24,30 +24,56 @@ void DictionaryParser::directive(Dictionary::Node& scope, const Token& d)
     const auto& name = d.text;
     if (name == "include" || name == "includeIfPresent" || name == "sinclude" || name == "includeEtc" || name == "sincludeEtc")
         include(scope, d);
-    else if (name == "inputMode") inputMode(d);
-    else if (name == "default" || name == "merge" || name == "overwrite" || name == "warn" || name == "error") modifiedEntry(scope, d);
-    else if (name == "remove") remove(scope, d);
-    else if (name == "if" || name == "ifeq") openBranch(scope, d);
-    else if (name == "else" || name == "elif" || name == "endif") endOrElse(scope, d);
-    else unsupported(d);
+    else if (name == "inputMode")
+        inputMode(d);
+    else if (name == "default" || name == "merge" || name == "overwrite" || name == "warn" || name == "error")
+        modifiedEntry(scope, d);
+    else if (name == "remove")
+        remove(scope, d);
+    else if (name == "if" || name == "ifeq")
+        openBranch(scope, d);
+    else if (name == "else" || name == "elif" || name == "endif")
+        endOrElse(scope, d);
+    else
+        unsupported(d);
 }
 
 void DictionaryParser::unsupported(const Token& d)
 {
-    static const std::vector<std::string> valid{"default", "elif",         "else", "endif",     "error",   "eval",
-                                                "if",      "ifeq",         "include", "includeEtc", "includeIfPresent", "inputMode",
-                                                "merge",   "overwrite",    "remove", "sinclude", "sincludeEtc", "warn"};
+    static const std::vector<std::string> valid{"default",
+                                                "elif",
+                                                "else",
+                                                "endif",
+                                                "error",
+                                                "eval",
+                                                "if",
+                                                "ifeq",
+                                                "include",
+                                                "includeEtc",
+                                                "includeIfPresent",
+                                                "inputMode",
+                                                "merge",
+                                                "overwrite",
+                                                "remove",
+                                                "sinclude",
+                                                "sincludeEtc",
+                                                "warn"};
     if (d.text == "calc" || d.text == "codeStream")
-        error(d.line, fmt::format("#{} is not supported: it compiles C++ code against OpenFOAM's own libraries while the case is read. "
-                                  "#eval{{ ... }} calculates values", d.text));
+        error(d.line,
+              fmt::format("#{} is not supported: it compiles C++ code against OpenFOAM's own libraries while the case is read. "
+                          "#eval{{ ... }} calculates values",
+                          d.text));
     else if (d.text == "includeFunc")
         error(d.line, "#includeFunc is not supported: it names a function object of OpenFOAM. Write the function object out, or "
                       "#include a file with it");
-    else error(d.line, fmt::format("directive \"#{}\" is unknown. {}", d.text, suggestion(d.text, "directives", valid)));
+    else
+        error(d.line, fmt::format("directive \"#{}\" is unknown. {}", d.text, suggestion(d.text, "directives", valid)));
 
     // Its argument goes with it.
-    if (sameLine(d.line) && (peek().kind == Kind::string || peek().kind == Kind::verbatim)) ++at_;
-    else if (!atEnd() && peek().is('{') && d.text == "codeStream") skipBlock();
+    if (sameLine(d.line) && (peek().kind == Kind::string || peek().kind == Kind::verbatim))
+        ++at_;
+    else if (!atEnd() && peek().is('{') && d.text == "codeStream")
+        skipBlock();
     else
         while (d.firstOnLine && sameLine(d.line) && !peek().is('}')) ++at_;
 }
@@ -61,18 +87,19 @@ void DictionaryParser::include(Dictionary::Node& scope, const Token& d)
     }
     const std::filesystem::path wanted = tokens_[at_++].text;
     const bool optional = d.text == "includeIfPresent" || d.text == "sinclude" || d.text == "sincludeEtc";
-    auto file = folder_/wanted;
+    auto file = folder_ / wanted;
     // OpenFOAM's names for folders of the case.
     for (const auto& [tag, folder] : {std::pair{"<case>", "."}, {"<system>", "system"}, {"<constant>", "constant"}})
-        if (*wanted.begin() == tag) file = context_.caseFolder/folder/wanted.lexically_relative(tag);
+        if (*wanted.begin() == tag) file = context_.caseFolder / folder / wanted.lexically_relative(tag);
     if (d.text == "includeEtc" || d.text == "sincludeEtc")
     {
         const char* project = std::getenv("SPH_PROJECT_DIR");
         if (!project && !optional)
             error(d.line, fmt::format("#{} \"{}\": the environment variable SPH_PROJECT_DIR, below whose etc folder the file is "
-                                      "sought, is not set", d.text, wanted.string()));
+                                      "sought, is not set",
+                                      d.text, wanted.string()));
         if (!project) return;
-        file = std::filesystem::path(project)/"etc"/wanted;
+        file = std::filesystem::path(project) / "etc" / wanted;
     }
     const auto canonical = std::filesystem::weakly_canonical(file);
     if (std::find(context_.open.begin(), context_.open.end(), canonical) != context_.open.end())
@@ -96,9 +123,9 @@ void DictionaryParser::include(Dictionary::Node& scope, const Token& d)
 
 void DictionaryParser::inputMode(const Token& d)
 {
-    static const std::map<std::string, InputMode> modes{
-        {"merge", InputMode::merge},         {"default", InputMode::merge}, {"overwrite", InputMode::overwrite},
-        {"protect", InputMode::protect},     {"warn", InputMode::warn},     {"error", InputMode::error}};
+    static const std::map<std::string, InputMode> modes{{"merge", InputMode::merge},         {"default", InputMode::merge},
+                                                        {"overwrite", InputMode::overwrite}, {"protect", InputMode::protect},
+                                                        {"warn", InputMode::warn},           {"error", InputMode::error}};
     const auto word = sameLine(d.line) ? tokens_[at_++].text : std::string();
     if (sameLine(d.line) && peek().is(';')) ++at_;
     const auto mode = modes.find(word);
@@ -115,11 +142,15 @@ void DictionaryParser::inputMode(const Token& d)
 /// `#default b 2;` sets what is not there yet; the other modes likewise hold for the one entry that follows.
 void DictionaryParser::modifiedEntry(Dictionary::Node& scope, const Token& d)
 {
-    static const std::map<std::string, InputMode> modes{{"default", InputMode::protect}, {"merge", InputMode::merge},
-                                                        {"overwrite", InputMode::overwrite}, {"warn", InputMode::warn},
+    static const std::map<std::string, InputMode> modes{{"default", InputMode::protect},
+                                                        {"merge", InputMode::merge},
+                                                        {"overwrite", InputMode::overwrite},
+                                                        {"warn", InputMode::warn},
                                                         {"error", InputMode::error}};
-    if (!atEnd() && peek().isText()) entry(scope, tokens_[at_++], modes.at(d.text));
-    else error(d.line, fmt::format("#{} is not followed by an entry", d.text));
+    if (!atEnd() && peek().isText())
+        entry(scope, tokens_[at_++], modes.at(d.text));
+    else
+        error(d.line, fmt::format("#{} is not followed by an entry", d.text));
 }
 
 /// `#remove x`, `#remove (x "y.*")`
@@ -130,19 +161,23 @@ void DictionaryParser::remove(Dictionary::Node& scope, const Token& d)
     {
         const auto opening = at_++;
         while (!atEnd() && peek().isText()) names.push_back(tokens_[at_++]);
-        if (!atEnd() && peek().is(')')) ++at_;
-        else error(tokens_[opening].line, "the '(' of #remove is never closed");
+        if (!atEnd() && peek().is(')'))
+            ++at_;
+        else
+            error(tokens_[opening].line, "the '(' of #remove is never closed");
     }
-    else if (sameLine(d.line) && peek().isText()) names.push_back(tokens_[at_++]);
-    else error(d.line, "#remove is not followed by a keyword or a list of keywords");
+    else if (sameLine(d.line) && peek().isText())
+        names.push_back(tokens_[at_++]);
+    else
+        error(d.line, "#remove is not followed by a keyword or a list of keywords");
     if (!atEnd() && sameLine(d.line) && peek().is(';')) ++at_;
 
-    for (const auto& name : names)
-        try
+    for (const auto& name : names) try
         {
             const std::regex pattern(name.kind == Kind::string ? name.text : "", std::regex::extended);
-            std::erase_if(scope.entries, [&](const DictionaryEntry& e)
-                          { return e.keyword == name.text || (name.kind == Kind::string && std::regex_match(e.keyword, pattern)); });
+            std::erase_if(
+                scope.entries, [&](const DictionaryEntry& e)
+                { return e.keyword == name.text || (name.kind == Kind::string && std::regex_match(e.keyword, pattern)); });
         }
         catch (const std::regex_error&)
         {
@@ -160,7 +195,8 @@ std::vector<Token> DictionaryParser::restOfLine(Dictionary::Node& scope, int lin
             for (auto& expanded : expand(scope, t)) tokens.push_back(std::move(expanded));
         else if (t.kind == Kind::directive)
             for (auto& result : eval(scope, t)) tokens.push_back(std::move(result));
-        else tokens.push_back(t);
+        else
+            tokens.push_back(t);
     }
     return tokens;
 }
@@ -188,7 +224,8 @@ bool DictionaryParser::condition(Dictionary::Node& scope, const Token& d)
     }
     std::string found;
     for (const auto& v : values) found += (found.empty() ? "" : " ") + toString(v);
-    error(d.line, fmt::format("#{} needs a number or yes/no, found \"{}\"; comparisons are written #{} #eval{{ ... }}", d.text, found, d.text));
+    error(d.line, fmt::format("#{} needs a number or yes/no, found \"{}\"; comparisons are written #{} #eval{{ ... }}", d.text,
+                              found, d.text));
     return false;
 }
 
@@ -208,9 +245,14 @@ void DictionaryParser::endOrElse(Dictionary::Node& scope, const Token& d)
         while (sameLine(d.line)) ++at_;
         return;
     }
-    if (d.text == "endif") { branches_.pop_back(); return; }
+    if (d.text == "endif")
+    {
+        branches_.pop_back();
+        return;
+    }
     auto& branch = branches_.back();
-    if (branch.elseSeen) error(d.line, fmt::format("#{} after the #else of the #{} in line {}", d.text, branch.directive, branch.line));
+    if (branch.elseSeen)
+        error(d.line, fmt::format("#{} after the #else of the #{} in line {}", d.text, branch.directive, branch.line));
     branch.elseSeen = true;
     skipBranch(scope, false);
 }
@@ -237,7 +279,8 @@ void DictionaryParser::skipBranch(Dictionary::Node& scope, bool seekElse)
         const Token& t = tokens_[at_++];
         markMentioned(scope, t);
         if (t.kind != Kind::directive) continue;
-        if (t.text == "if" || t.text == "ifeq") ++depth;
+        if (t.text == "if" || t.text == "ifeq")
+            ++depth;
         else if (t.text == "endif" && depth-- == 0)
         {
             branches_.pop_back();
@@ -248,7 +291,8 @@ void DictionaryParser::skipBranch(Dictionary::Node& scope, bool seekElse)
             branches_.back().elseSeen = true;
             return;
         }
-        else if (depth == 0 && seekElse && t.text == "elif" && condition(scope, t)) return;
+        else if (depth == 0 && seekElse && t.text == "elif" && condition(scope, t))
+            return;
     }
 }
 

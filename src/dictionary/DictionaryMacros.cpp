@@ -43,9 +43,11 @@ void DictionaryParser::mergeMacro(Dictionary::Node& scope, const Token& variable
         return;
     }
     if (!atEnd() && peek().is(';')) ++at_;
-    if (!found) undefinedMacro(scope, variable);
+    if (!found)
+        undefinedMacro(scope, variable);
     else if (!found->dictionary)
-        error(variable.line, fmt::format("\"${}\" stands among entries, but \"{}\" is not a dictionary", variable.text, found->keyword));
+        error(variable.line,
+              fmt::format("\"${}\" stands among entries, but \"{}\" is not a dictionary", variable.text, found->keyword));
     else
     {
         found->used = true;
@@ -60,13 +62,16 @@ std::vector<Token> DictionaryParser::expand(Dictionary::Node& scope, const Token
     {
         found->used = true;
         if (!found->dictionary) return found->value;
-        error(variable.line, fmt::format("\"${}\" is a dictionary and cannot be a value; its entries are taken over by {{ ${}; }}",
-                                         variable.text, variable.text));
+        error(variable.line,
+              fmt::format("\"${}\" is a dictionary and cannot be a value; its entries are taken over by {{ ${}; }}",
+                          variable.text, variable.text));
         return {};
     }
     std::optional<std::string> fromEnvironment;
-    if (const char* text = std::getenv(variable.text.c_str())) fromEnvironment = text;
-    else if (variable.text == "FOAM_CASE") fromEnvironment = std::filesystem::absolute(context_.caseFolder).lexically_normal().string();
+    if (const char* text = std::getenv(variable.text.c_str()))
+        fromEnvironment = text;
+    else if (variable.text == "FOAM_CASE")
+        fromEnvironment = std::filesystem::absolute(context_.caseFolder).lexically_normal().string();
     if (fromEnvironment)
     {
         Token t = variable;
@@ -85,8 +90,8 @@ void DictionaryParser::undefinedMacro(Dictionary::Node& scope, const Token& vari
         for (const auto& e : s->entries)
             if (!e.pattern && e.keyword != "FoamFile") known.push_back(e.keyword);
     const auto meant = nearest(variable.text, known);
-    error(variable.line, fmt::format("\"${}\" is neither an entry that is defined above nor an environment variable{}", variable.text,
-                                     meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
+    error(variable.line, fmt::format("\"${}\" is neither an entry that is defined above nor an environment variable{}",
+                                     variable.text, meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
 }
 
 ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std::string& name) const
@@ -122,8 +127,10 @@ std::vector<Token> DictionaryParser::eval(Dictionary::Node& scope, const Token& 
 {
     if (directive.text != "eval")
     {
-        if (directive.text == "calc" || directive.text == "codeStream") unsupported(directive);
-        else error(directive.line, fmt::format("#{} cannot stand inside a value", directive.text));
+        if (directive.text == "calc" || directive.text == "codeStream")
+            unsupported(directive);
+        else
+            error(directive.line, fmt::format("#{} cannot stand inside a value", directive.text));
         return {};
     }
     if (atEnd() || (peek().kind != Kind::verbatim && peek().kind != Kind::string))

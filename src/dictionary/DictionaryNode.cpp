@@ -33,10 +33,11 @@ DictionaryEntry* Node::find(const std::string& key)
     return nullptr;
 }
 
-/// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator.
+/// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator. A pattern such as
+/// "p.*" would match any path that begins with p, so that patterns see whole paths last.
 DictionaryEntry* Node::descend(const std::string& path)
 {
-    if (auto* entry = find(path)) return entry;
+    if (auto* entry = findExact(path)) return entry;
     for (auto dot = path.find('.'); dot != path.npos; dot = path.find('.', dot + 1))
         if (auto* entry = find(path.substr(0, dot)); entry && entry->dictionary)
             if (auto* inner = entry->dictionary->descend(path.substr(dot + 1)))
@@ -44,7 +45,7 @@ DictionaryEntry* Node::descend(const std::string& path)
                 entry->used = true;
                 return inner;
             }
-    return nullptr;
+    return find(path);
 }
 
 DictionaryEntry* Node::findScoped(const std::string& path)
@@ -86,24 +87,30 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     const auto previous = fmt::format("\"{}\" is given twice, first in {}", entry.keyword, toString(before->where));
     switch (mode)
     {
-        case InputMode::protect: return;
-        case InputMode::warn: diagnostics->warning(entry.where, previous + ", which is kept"); return;
-        case InputMode::error: diagnostics->error(entry.where, previous); return;
-        case InputMode::merge:
-            if (before->dictionary && entry.dictionary)
-            {
-                for (auto& inner : entry.dictionary->entries) before->dictionary->add(std::move(inner), mode);
-                if (entry.copied || (!before->copied && entry.where.file != before->where.file)) return;
-                // New entries would be written into the last block of the text that is this dictionary's own.
-                before->where = before->copied ? entry.where : before->where;
-                before->copied = false;
-                before->dictionary->end = entry.dictionary->end;
-                before->begin = entry.begin;
-                before->end = entry.end;
-                return;
-            }
-            break;
-        case InputMode::overwrite: break;
+    case InputMode::protect:
+        return;
+    case InputMode::warn:
+        diagnostics->warning(entry.where, previous + ", which is kept");
+        return;
+    case InputMode::error:
+        diagnostics->error(entry.where, previous);
+        return;
+    case InputMode::merge:
+        if (before->dictionary && entry.dictionary)
+        {
+            for (auto& inner : entry.dictionary->entries) before->dictionary->add(std::move(inner), mode);
+            if (entry.copied || (!before->copied && entry.where.file != before->where.file)) return;
+            // New entries would be written into the last block of the text that is this dictionary's own.
+            before->where = before->copied ? entry.where : before->where;
+            before->copied = false;
+            before->dictionary->end = entry.dictionary->end;
+            before->begin = entry.begin;
+            before->end = entry.end;
+            return;
+        }
+        break;
+    case InputMode::overwrite:
+        break;
     }
     // Overriding a macro's or an included file's value is the usual way to vary a base case; the same keyword twice in one block is
     // most likely a slip.
@@ -114,7 +121,8 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     entry.used = entry.used || before->used;
     *before = std::move(entry);
     // Among patterns the last one wins, so a repeated pattern counts as new.
-    if (pattern) std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+    if (pattern)
+        std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
 }
 
 void Node::mergeCopies(const Node& other)

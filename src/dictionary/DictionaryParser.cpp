@@ -20,9 +20,13 @@ std::optional<std::string> readText(const std::filesystem::path& file)
 }
 
 DictionaryParser::DictionaryParser(Context& context, const std::string& text, std::string file, std::filesystem::path folder)
-    : context_(context), file_(std::move(file)), folder_(std::move(folder)),
-      tokens_(tokenise(text, file_, *context.diagnostics)), textSize_(text.size())
-{}
+    : context_(context),
+      file_(std::move(file)),
+      folder_(std::move(folder)),
+      tokens_(tokenise(text, file_, *context.diagnostics)),
+      textSize_(text.size())
+{
+}
 
 void DictionaryParser::parse(Dictionary::Node& into)
 {
@@ -47,9 +51,12 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
             }
             error(t.line, "'}' closes nothing: there is no open '{'");
         }
-        else if (t.kind == Kind::directive) directive(scope, t);
-        else if (t.kind == Kind::variable) mergeMacro(scope, t);
-        else if (t.isText()) entry(scope, t, context_.mode);
+        else if (t.kind == Kind::directive)
+            directive(scope, t);
+        else if (t.kind == Kind::variable)
+            mergeMacro(scope, t);
+        else if (t.isText())
+            entry(scope, t, context_.mode);
         else
         {
             error(t.line, fmt::format("expected a keyword, found \"{}\"", toString(t)));
@@ -59,15 +66,17 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
     }
     if (!opening) return;
     scope.end = textSize_;
-    if (suspect_) error(suspectLine_, *suspect_);
-    else error(opening->line, fmt::format("the '{{' of \"{}\" is never closed", scope.keyword));
+    if (suspect_)
+        error(suspectLine_, *suspect_);
+    else
+        error(opening->line, fmt::format("the '{{' of \"{}\" is never closed", scope.keyword));
 }
 
 void DictionaryParser::checkBraces(const Dictionary::Node& scope, const Token& opening, const Token& closing)
 {
     if (suspect_ || !opening.firstOnLine || !closing.firstOnLine || opening.column == closing.column) return;
-    suspect_ = fmt::format("the '{{' of \"{}\" is never closed, to judge by the indentation of the '}}' in line {}", scope.keyword,
-                           closing.line);
+    suspect_ = fmt::format("the '{{' of \"{}\" is never closed, to judge by the indentation of the '}}' in line {}",
+                           scope.keyword, closing.line);
     suspectLine_ = opening.line;
 }
 
@@ -145,7 +154,8 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
         if (t.is('{') && open.empty() && (at_ == begin || tokens_[at_ - 1].kind != Kind::number))
         {
             error(t.line, fmt::format("'{{' is not expected in the value of \"{}\": a ';' is missing before it, or the name of a "
-                                      "dictionary has a blank", e.keyword));
+                                      "dictionary has a blank",
+                                      e.keyword));
             skipBlock();
             finish();
             return;
@@ -172,7 +182,8 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
             const char opening = t.is(')') ? '(' : '{';
             if (open.empty() || !tokens_[open.back()].is(opening))
             {
-                error(t.line, fmt::format("'{}' closes nothing: there is no open '{}' in the value of \"{}\"", t.text, opening, e.keyword));
+                error(t.line, fmt::format("'{}' closes nothing: there is no open '{}' in the value of \"{}\"", t.text, opening,
+                                          e.keyword));
                 continue;
             }
             open.pop_back();
@@ -260,7 +271,11 @@ void DictionaryParser::skipToNextEntry()
     {
         const Token& t = peek();
         if (t.is('}') || t.kind == Kind::directive || (!first && t.firstOnLine && t.isText())) return;
-        if (t.is('{')) { skipBlock(); return; }
+        if (t.is('{'))
+        {
+            skipBlock();
+            return;
+        }
         ++at_;
         if (t.is(';')) return;
     }

@@ -21,7 +21,7 @@ std::string keywordText(const DictionaryEntry& e) { return e.pattern ? fmt::form
 Path walk(Node& node, const std::string& path, bool patterns)
 {
     const auto find = [&](const std::string& key) { return patterns ? node.find(key) : node.findExact(key); };
-    if (auto* entry = find(path)) return {entry};
+    if (auto* entry = node.findExact(path)) return {entry};
     for (auto dot = path.find_first_of("./:"); dot != path.npos; dot = path.find_first_of("./:", dot + 1))
         if (auto* entry = find(path.substr(0, dot)); entry && entry->dictionary)
             if (auto rest = walk(*entry->dictionary, path.substr(dot + 1), patterns); !rest.empty())
@@ -29,6 +29,7 @@ Path walk(Node& node, const std::string& path, bool patterns)
                 rest.insert(rest.begin(), entry);
                 return rest;
             }
+    if (auto* entry = find(path)) return {entry};
     return {};
 }
 
@@ -59,16 +60,17 @@ std::string entriesText(const Node&, int indent);
 
 std::string valueText(const DictionaryEntry& e, int indent)
 {
-    const auto block = [&](const Node& node, int by)
-    { return fmt::format("{{\n{}{:{}}}}", entriesText(node, by + 4), "", by); };
+    const auto block = [&](const Node& node, int by) { return fmt::format("{{\n{}{:{}}}}", entriesText(node, by + 4), "", by); };
     if (e.dictionary) return block(*e.dictionary, indent);
 
     std::string text;
     for (const auto& token : e.value)
     {
-        const bool tight = text.empty() || text.ends_with('(') || text.ends_with('{') || token.is(')') || token.is('}') || token.is('{');
+        const bool tight =
+            text.empty() || text.ends_with('(') || text.ends_with('{') || token.is(')') || token.is('}') || token.is('{');
         if (!tight) text += ' ';
-        text += token.dictionary ? token.text + (token.text.empty() ? "" : " ") + block(*token.dictionary, indent) : toString(token);
+        text +=
+            token.dictionary ? token.text + (token.text.empty() ? "" : " ") + block(*token.dictionary, indent) : toString(token);
     }
     return text;
 }
@@ -97,8 +99,8 @@ void checkValue(const std::string& value)
     std::replace(text.begin(), text.end(), '$', '_');
     const auto d = Dictionary::parse("value " + text + (block ? "\n" : ";\n"), "", diagnostics);
     if (!diagnostics->ok() || d.keys().size() != 1)
-        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it",
-                                    value));
+        throw CaseError(fmt::format(
+            "\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", value));
 }
 
 /// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
@@ -108,7 +110,8 @@ std::size_t placeOfNewEntry(const std::string& text, const Node& node)
     auto at = std::min(node.end, text.size());
     if (at == text.size())
         if (const auto last = text.find_last_not_of(" \t\n"); last != text.npos)
-            if (const auto begin = text.rfind('\n', last); begin != text.npos && text.compare(begin + 1, 4, "// *") == 0) return begin + 1;
+            if (const auto begin = text.rfind('\n', last); begin != text.npos && text.compare(begin + 1, 4, "// *") == 0)
+                return begin + 1;
     const auto line = text.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
     if (line != text.npos && line < at && text[line] == '\n') at = line + 1;
     return at;
@@ -143,14 +146,16 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
     const auto diagnostics = std::make_shared<Diagnostics>();
     const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
     diagnostics->throwIfAny();
-    auto text = readText(caseFolder/file).value();
+    auto text = readText(caseFolder / file).value();
 
     const auto checkOwn = [&](const Path& entries)
     {
         for (const auto* e : entries)
             if (e->copied || e->where.file != file)
-                throw CaseError(e->where, fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
-                                                      "give it a line of its own in \"{}\" first", e->keyword, path, file));
+                throw CaseError(e->where,
+                                fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
+                                            "give it a line of its own in \"{}\" first",
+                                            e->keyword, path, file));
     };
     const auto name = withoutLeadingColon(path);
     if (const auto found = walk(dictionary.node(), name, false); !found.empty())
@@ -171,12 +176,12 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
         const auto& node = outer.empty() ? dictionary.node() : *outer.back()->dictionary;
         const auto at = placeOfNewEntry(text, node);
         const bool ownLine = at == 0 || text[at - 1] == '\n';
-        const auto line = fmt::format("{:{}}{:<15} {};{}", "", ownLine ? 4*outer.size() : std::size_t(1),
+        const auto line = fmt::format("{:{}}{:<15} {};{}", "", ownLine ? 4 * outer.size() : std::size_t(1),
                                       dot == name.npos ? name : name.substr(dot + 1), value, ownLine ? "\n" : " ");
         text.insert(at, line);
     }
 
-    const auto whole = caseFolder/file, part = std::filesystem::path(whole.string() + ".part");
+    const auto whole = caseFolder / file, part = std::filesystem::path(whole.string() + ".part");
     std::ofstream out(part, std::ios::binary);
     out << text;
     out.close();

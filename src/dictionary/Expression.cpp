@@ -57,9 +57,9 @@ const std::map<std::string, Function>& functions()
         {"floor", of(std::floor)},
         {"ceil", of(std::ceil)},
         {"round", of(std::round)},
-        {"sqr", of([](double a) { return a*a; })},
-        {"degToRad", of([](double a) { return a*pi/180; })},
-        {"radToDeg", of([](double a) { return a*180/pi; })},
+        {"sqr", of([](double a) { return a * a; })},
+        {"degToRad", of([](double a) { return a * pi / 180; })},
+        {"radToDeg", of([](double a) { return a * 180 / pi; })},
     };
     return all;
 }
@@ -81,14 +81,17 @@ class Evaluation
 public:
     Evaluation(const std::string& text, const std::function<ExpressionValue(const std::string&)>& lookUp)
         : text_(text), lookUp_(lookUp)
-    {}
+    {
+    }
 
     ExpressionValue run()
     {
         const auto value = conditional();
         if (!atEnd()) fail(fmt::format("unexpected \"{}\"", text_.substr(at_)));
         if (!std::isfinite(value.scalar) || (value.vector && !std::isfinite(dot(*value.vector, *value.vector))))
-            fail(fmt::format("the result is {}", value.vector ? "not a finite vector" : std::isnan(value.scalar) ? "not a number" : "infinite"));
+            fail(fmt::format("the result is {}", value.vector               ? "not a finite vector"
+                                                 : std::isnan(value.scalar) ? "not a number"
+                                                                            : "infinite"));
         return value;
     }
 
@@ -109,7 +112,8 @@ private:
     }
     void expect(std::string_view s)
     {
-        if (!accept(s)) fail(fmt::format("expected \"{}\" {}", s, atEnd() ? "at the end" : "before \"" + text_.substr(at_) + "\""));
+        if (!accept(s))
+            fail(fmt::format("expected \"{}\" {}", s, atEnd() ? "at the end" : "before \"" + text_.substr(at_) + "\""));
     }
 
     static double scalar(const ExpressionValue& a)
@@ -130,13 +134,21 @@ private:
     ExpressionValue disjunction()
     {
         auto a = conjunction();
-        while (accept("||")) { const auto b = conjunction(); a = {double(scalar(a) != 0 || scalar(b) != 0)}; }
+        while (accept("||"))
+        {
+            const auto b = conjunction();
+            a = {double(scalar(a) != 0 || scalar(b) != 0)};
+        }
         return a;
     }
     ExpressionValue conjunction()
     {
         auto a = comparison();
-        while (accept("&&")) { const auto b = comparison(); a = {double(scalar(a) != 0 && scalar(b) != 0)}; }
+        while (accept("&&"))
+        {
+            const auto b = comparison();
+            a = {double(scalar(a) != 0 && scalar(b) != 0)};
+        }
         return a;
     }
     ExpressionValue comparison()
@@ -160,8 +172,8 @@ private:
             if (sign == 0) return a;
             const auto b = product();
             if (a.vector.has_value() != b.vector.has_value()) fail("a number is added to a vector");
-            if (a.vector) *a.vector += sign**b.vector;
-            a.scalar += sign*b.scalar;
+            if (a.vector) *a.vector += sign * *b.vector;
+            a.scalar += sign * b.scalar;
         }
     }
     ExpressionValue product()
@@ -173,20 +185,27 @@ private:
             {
                 const auto b = signedFactor();
                 if (a.vector && b.vector) fail("two vectors are multiplied");
-                if (b.vector) a = {0, a.scalar**b.vector};
-                else if (a.vector) *a.vector *= b.scalar;
-                else a.scalar *= b.scalar;
+                if (b.vector)
+                    a = {0, a.scalar * *b.vector};
+                else if (a.vector)
+                    *a.vector *= b.scalar;
+                else
+                    a.scalar *= b.scalar;
             }
             else if (accept("/") || sees("%"))
             {
                 const bool remainder = accept("%");
                 const double b = scalar(signedFactor());
                 if (b == 0) fail("division by zero");
-                if (remainder) a.scalar = std::fmod(scalar(a), b);
-                else if (a.vector) *a.vector *= 1/b;
-                else a.scalar /= b;
+                if (remainder)
+                    a.scalar = std::fmod(scalar(a), b);
+                else if (a.vector)
+                    *a.vector *= 1 / b;
+                else
+                    a.scalar /= b;
             }
-            else return a;
+            else
+                return a;
         }
     }
     ExpressionValue signedFactor()
@@ -252,7 +271,8 @@ private:
         }
         expect(")");
         const std::size_t expected = name == "mag" ? 1 : name == "vector" ? 3 : function->second.arguments;
-        if (arguments.size() != expected) fail(fmt::format("{}() takes {} arguments, found {}", name, expected, arguments.size()));
+        if (arguments.size() != expected)
+            fail(fmt::format("{}() takes {} arguments, found {}", name, expected, arguments.size()));
         if (name == "mag") return {arguments[0].vector ? mag(*arguments[0].vector) : std::fabs(arguments[0].scalar)};
         Arguments values;
         for (const auto& a : arguments) values.push_back(scalar(a));

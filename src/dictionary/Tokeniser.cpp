@@ -12,7 +12,8 @@ std::optional<double> toNumber(std::string_view text)
 {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     const auto first = text.find_first_not_of('-');
-    if (first == text.npos || first > 1 || !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.')) return {};
+    if (first == text.npos || first > 1 || !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.'))
+        return {};
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size() || error == std::errc::invalid_argument) return {};
@@ -25,21 +26,26 @@ std::string toString(const Token& token)
 {
     switch (token.kind)
     {
-        case Token::Kind::string:
+    case Token::Kind::string:
+    {
+        std::string escaped;
+        for (const char c : token.text)
         {
-            std::string escaped;
-            for (const char c : token.text)
-            {
-                if (c == '"' || c == '\n') escaped += '\\';
-                escaped += c;
-            }
-            return fmt::format("\"{}\"", escaped);
+            if (c == '"' || c == '\n') escaped += '\\';
+            escaped += c;
         }
-        case Token::Kind::verbatim: return fmt::format("#{{{}#}}", token.text);
-        case Token::Kind::dimensions: return fmt::format("[{}]", token.text);
-        case Token::Kind::variable: return fmt::format("${}", token.text);
-        case Token::Kind::directive: return fmt::format("#{}", token.text);
-        default: return token.text;
+        return fmt::format("\"{}\"", escaped);
+    }
+    case Token::Kind::verbatim:
+        return fmt::format("#{{{}#}}", token.text);
+    case Token::Kind::dimensions:
+        return fmt::format("[{}]", token.text);
+    case Token::Kind::variable:
+        return fmt::format("${}", token.text);
+    case Token::Kind::directive:
+        return fmt::format("#{}", token.text);
+    default:
+        return token.text;
     }
 }
 
@@ -75,10 +81,17 @@ private:
     char take()
     {
         const char c = text_[at_++];
-        if (c == '\n') { ++line_; lineBegin_ = at_; }
+        if (c == '\n')
+        {
+            ++line_;
+            lineBegin_ = at_;
+        }
         return c;
     }
-    void take(std::size_t n) { while (n-- > 0) take(); }
+    void take(std::size_t n)
+    {
+        while (n-- > 0) take();
+    }
     void error(int line, std::string what) { diagnostics_.error({file_, line}, std::move(what)); }
 
     /// Blanks and comments. False at the end of the text.
@@ -86,7 +99,8 @@ private:
     {
         while (!atEnd())
         {
-            if (std::isspace(static_cast<unsigned char>(peek()))) take();
+            if (std::isspace(static_cast<unsigned char>(peek())))
+                take();
             else if (sees("//"))
                 while (!atEnd() && peek() != '\n') take();
             else if (sees("/*"))
@@ -96,7 +110,8 @@ private:
                 if (close == text_.npos) error(opened, "this comment is never closed by */");
                 take((close == text_.npos ? text_.size() : close + 2) - at_);
             }
-            else return true;
+            else
+                return true;
         }
         return false;
     }
@@ -118,14 +133,22 @@ private:
     {
         const char c = peek();
         const bool digitFollows = std::isdigit(static_cast<unsigned char>(peek(1))) || peek(1) == '.';
-        if (c == '"') readString();
-        else if (sees("#{")) readVerbatim();
-        else if (c == '#') readDirective();
-        else if (c == '$') readVariable();
-        else if (c == '[') readDimensions();
-        else if (std::isdigit(static_cast<unsigned char>(c)) || ((c == '-' || c == '+' || c == '.') && digitFollows)) readNumber();
-        else if (std::string_view(";{}(),/=]").find(c) != std::string_view::npos) readPunctuation();
-        else readWord();
+        if (c == '"')
+            readString();
+        else if (sees("#{"))
+            readVerbatim();
+        else if (c == '#')
+            readDirective();
+        else if (c == '$')
+            readVariable();
+        else if (c == '[')
+            readDimensions();
+        else if (std::isdigit(static_cast<unsigned char>(c)) || ((c == '-' || c == '+' || c == '.') && digitFollows))
+            readNumber();
+        else if (std::string_view(";{}(),/=]").find(c) != std::string_view::npos)
+            readPunctuation();
+        else
+            readWord();
         finish();
     }
 
@@ -144,12 +167,19 @@ private:
         take();
         while (!atEnd() && peek() != '"' && peek() != '\n')
         {
-            if (sees("\\\"") || sees("\\\n")) take();
-            else if (sees("\\\r\n")) take(2);
-            else if (sees("\\\\")) t.text += take();
+            if (sees("\\\"") || sees("\\\n"))
+                take();
+            else if (sees("\\\r\n"))
+                take(2);
+            else if (sees("\\\\"))
+                t.text += take();
             t.text += take();
         }
-        if (peek() == '"' && !atEnd()) { take(); return; }
+        if (peek() == '"' && !atEnd())
+        {
+            take();
+            return;
+        }
         error(t.line, "this string is not closed by '\"' on its line");
         // A ';' at the end of the line was most likely meant to close the entry.
         const auto last = t.text.find_last_not_of(" \t\r");
@@ -206,10 +236,22 @@ private:
         {
             while (!atEnd() && peek() != '}' && peek() != '\n') t.text += take();
             t.text.erase(0, 1);
-            if (peek() != '}' || atEnd()) { error(t.line, "\"${\" is not closed by '}' on its line"); return; }
+            if (peek() != '}' || atEnd())
+            {
+                error(t.line, "\"${\" is not closed by '}' on its line");
+                return;
+            }
             take();
         }
-        else t.text = wordHere();
+        else
+        {
+            t.text = wordHere();
+            while (peek() == '/' && (t.text.empty() || t.text[0] == '/')) // $/top/entry
+            {
+                t.text += take();
+                t.text += wordHere();
+            }
+        }
         if (t.text.empty()) error(t.line, "'$' is not followed by a name");
         const bool goesOn = isWordCharacter(peek()) && peek() != '(' && peek() != ')' && peek() != ',';
         if (t.text.find('$') != t.text.npos || goesOn)
@@ -225,8 +267,10 @@ private:
         auto& t = begin(Token::Kind::dimensions);
         take();
         while (!atEnd() && peek() != ']' && peek() != ';' && peek() != '\n') t.text += take();
-        if (peek() == ']' && !atEnd()) take();
-        else error(t.line, "'[' is not closed by ']' on its line");
+        if (peek() == ']' && !atEnd())
+            take();
+        else
+            error(t.line, "'[' is not closed by ']' on its line");
     }
 
     /// "3(1 2 3)" and "5{0.5}" are a number and a list; "2D" is a word.
@@ -248,7 +292,8 @@ private:
 
     bool isWordCharacter(char c) const
     {
-        return c != '\0' && !std::isspace(static_cast<unsigned char>(c)) && std::string_view("\"'/;{}[]").find(c) == std::string_view::npos;
+        return c != '\0' && !std::isspace(static_cast<unsigned char>(c)) &&
+               std::string_view("\"'/;{}[]").find(c) == std::string_view::npos;
     }
 
     /// A word may hold balanced parentheses, "div(phi,U)", and ends before one that closes a list.

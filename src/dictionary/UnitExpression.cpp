@@ -16,7 +16,7 @@ namespace
 
 const std::map<std::string, DimensionSet>& knownUnits()
 {
-    static const DimensionSet newton = units::kg*units::m/units::s/units::s;
+    static const DimensionSet newton = units::kg * units::m / units::s / units::s;
     static const std::map<std::string, DimensionSet> all{
         {"kg", units::kg},
         {"m", units::m},
@@ -27,8 +27,8 @@ const std::map<std::string, DimensionSet>& knownUnits()
         {"cd", {0, 0, 0, 0, 0, 0, 1}},
         {"N", newton},
         {"Pa", units::pressure},
-        {"J", newton*units::m},
-        {"W", newton*units::m/units::s},
+        {"J", newton * units::m},
+        {"W", newton * units::m / units::s},
     };
     return all;
 }
@@ -80,11 +80,12 @@ private:
         if (text_[at_] != '/' && !accept('1')) d = factor();
         while (!atEnd() && text_[at_] != ')')
         {
-            if (accept('/')) d = d/factor();
+            if (accept('/'))
+                d = d / factor();
             else
             {
                 if (!accept('*')) accept('.');
-                d = d*factor();
+                d = d * factor();
             }
         }
         return d;
@@ -97,7 +98,8 @@ private:
             d = product();
             if (!accept(')')) throw std::invalid_argument(fmt::format("'(' is not closed in the units [{}]", text_));
         }
-        else d = unit();
+        else
+            d = unit();
         if (!accept('^')) return d;
         const bool bracket = accept('(');
         const auto exponent = run([](unsigned char c) { return std::isdigit(c) || c == '-' || c == '+' || c == '.'; });
@@ -114,8 +116,9 @@ private:
         if (found != knownUnits().end()) return found->second;
         std::vector<std::string> names;
         for (const auto& [known, dimensions] : knownUnits()) names.push_back(known);
-        throw std::invalid_argument(name.empty() ? fmt::format("a unit is missing in [{}]", text_)
-                                                 : fmt::format("unit \"{}\" is unknown. {}", name, suggestion(name, "units", names)));
+        throw std::invalid_argument(name.empty()
+                                        ? fmt::format("a unit is missing in [{}]", text_)
+                                        : fmt::format("unit \"{}\" is unknown. {}", name, suggestion(name, "units", names)));
     }
 };
 
@@ -136,7 +139,8 @@ DimensionSet parseDimensions(const std::string& text)
     }
     if (exponents.empty()) return {};
     if (exponents.size() != 5 && exponents.size() != 7)
-        throw std::invalid_argument(fmt::format("[{}] has {} exponents, expected 7: [kg m s K mol A cd]", text, exponents.size()));
+        throw std::invalid_argument(
+            fmt::format("[{}] has {} exponents, expected 7: [kg m s K mol A cd]", text, exponents.size()));
     exponents.resize(7);
     DimensionSet d;
     for (int k = 0; k < 7; ++k) d.exponent[k] = exponents[k];

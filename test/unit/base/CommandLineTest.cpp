@@ -16,7 +16,8 @@ struct Demo
     double value = 0;
     bool keywords = false;
 
-    explicit Demo(std::vector<const char*> arguments, const std::function<void()>& work = [] {})
+    explicit Demo(
+        std::vector<const char*> arguments, const std::function<void()>& work = [] {})
     {
         arguments.insert(arguments.begin(), "demo");
         testing::internal::CaptureStdout();

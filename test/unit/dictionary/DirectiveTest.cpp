@@ -12,14 +12,13 @@ namespace
 /// A case folder of its own for each test.
 struct CaseFolder
 {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path()/("sphDictionaryTest." + std::to_string(::getpid()));
-    CaseFolder() { std::filesystem::create_directories(path/"constant"); }
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("sphDictionaryTest." + std::to_string(::getpid()));
+    CaseFolder() { std::filesystem::create_directories(path / "constant"); }
     ~CaseFolder() { std::filesystem::remove_all(path); }
     void write(const std::string& file, const std::string& text) const
     {
-        std::filesystem::create_directories((path/file).parent_path());
-        std::ofstream(path/file) << text;
+        std::filesystem::create_directories((path / file).parent_path());
+        std::ofstream(path / file) << text;
     }
 };
 
@@ -42,7 +41,8 @@ std::string errorsOf(const std::shared_ptr<Diagnostics>& diagnostics)
 TEST(DictionaryDirectives, includeKeepsFileAndLine)
 {
     const CaseFolder folder;
-    folder.write("constant/d", "#include \"parts/common\"\n#includeIfPresent \"nope\"\n#sinclude \"nope2\"\nx $rhoCommon;\nown 1;\n");
+    folder.write("constant/d",
+                 "#include \"parts/common\"\n#includeIfPresent \"nope\"\n#sinclude \"nope2\"\nx $rhoCommon;\nown 1;\n");
     folder.write("constant/parts/common", "\nrhoCommon 1234;\n#include \"../deeper\"\n");
     folder.write("constant/deeper", "sub { bad abc; }\n#include \"<system>/last\"\n");
     folder.write("system/last", "z 26;\n");
@@ -75,14 +75,15 @@ TEST(DictionaryDirectives, includeEtc)
 {
     const CaseFolder folder;
     folder.write("project/etc/caseDicts/probes.cfg", "interval 5;\n");
-    setenv("SPH_PROJECT_DIR", (folder.path/"project").c_str(), 1);
+    setenv("SPH_PROJECT_DIR", (folder.path / "project").c_str(), 1);
     folder.write("constant/d", "#includeEtc \"caseDicts/probes.cfg\"\n");
     const auto diagnostics = std::make_shared<Diagnostics>();
     EXPECT_EQ(Dictionary::read(folder.path, "constant/d", diagnostics).get<int>("interval"), 5);
     unsetenv("SPH_PROJECT_DIR");
     Dictionary::read(folder.path, "constant/d", diagnostics);
-    EXPECT_EQ(errorsOf(diagnostics), "constant/d:1: #includeEtc \"caseDicts/probes.cfg\": the environment variable SPH_PROJECT_DIR, "
-                                     "below whose etc folder the file is sought, is not set");
+    EXPECT_EQ(errorsOf(diagnostics),
+              "constant/d:1: #includeEtc \"caseDicts/probes.cfg\": the environment variable SPH_PROJECT_DIR, "
+              "below whose etc folder the file is sought, is not set");
 }
 
 // A missing dictionary names the file that was probably meant, and is not followed by an error for each of its entries.
@@ -201,7 +202,7 @@ TEST(DictionaryDirectives, eval)
     EXPECT_DOUBLE_EQ(p.dict.get<double>("j"), 1);
     EXPECT_EQ(p.dict.get<int>("k"), 10);
     EXPECT_EQ(p.dict.get<Vector<3>>("l"), (Vector<3>{2, 4, 5}));
-    EXPECT_EQ(p.dict.get<double>("m"), 1.0/3.0) << "no digit may be lost between an expression and its value";
+    EXPECT_EQ(p.dict.get<double>("m"), 1.0 / 3.0) << "no digit may be lost between an expression and its value";
     EXPECT_EQ(p.dict.get<double>("n"), 1);
     EXPECT_EQ(p.dict.get<double>("o"), 4);
     EXPECT_EQ(p.dict.get<double>("q"), 2);
@@ -211,19 +212,22 @@ TEST(DictionaryDirectives, eval)
 // Mistakes in expressions name their line, the mistake and the expression.
 TEST(DictionaryDirectives, evalMistakes)
 {
-    const Parsed p("length 2;\na #eval{ 1 + };\nb #eval{ 1 + $lenght };\nc #eval \"sqr(2\";\nd #eval{ 1/0 };\ne #eval{ sqrt(-1) };\n"
-                   "f #eval{ sqt(2) };\ng #eval{ pow(2) };\nh #eval{ 1 2 };\n");
-    EXPECT_EQ(p.errors(),
-              "constant/d:2: #eval \"1 +\": a value is missing at the end\n"
-              "constant/d:3: #eval \"1 + $lenght\": \"$lenght\" is not defined above. Did you mean \"$length\"?\n"
-              "constant/d:4: #eval \"sqr(2\": expected \")\" at the end\n"
-              "constant/d:5: #eval \"1/0\": division by zero\n"
-              "constant/d:6: #eval \"sqrt(-1)\": the result is not a number\n"
-              "constant/d:7: #eval \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: mag, vector, "
-              "abs, acos, asin, atan, atan2, cbrt, ceil, cos, degToRad, e, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, "
-              "sin, sqr, sqrt, tan.\n"
-              "constant/d:8: #eval \"pow(2)\": pow() takes 2 arguments, found 1\n"
-              "constant/d:9: #eval \"1 2\": unexpected \"2 \"\n8 errors");
+    const Parsed p(
+        "length 2;\na #eval{ 1 + };\nb #eval{ 1 + $lenght };\nc #eval \"sqr(2\";\nd #eval{ 1/0 };\ne #eval{ sqrt(-1) };\n"
+        "f #eval{ sqt(2) };\ng #eval{ pow(2) };\nh #eval{ 1 2 };\n");
+    EXPECT_EQ(
+        p.errors(),
+        "constant/d:2: #eval \"1 +\": a value is missing at the end\n"
+        "constant/d:3: #eval \"1 + $lenght\": \"$lenght\" is not defined above. Did you mean \"$length\"?\n"
+        "constant/d:4: #eval \"sqr(2\": expected \")\" at the end\n"
+        "constant/d:5: #eval \"1/0\": division by zero\n"
+        "constant/d:6: #eval \"sqrt(-1)\": the result is not a number\n"
+        "constant/d:7: #eval \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: "
+        "mag, vector, "
+        "abs, acos, asin, atan, atan2, cbrt, ceil, cos, degToRad, e, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, "
+        "sin, sqr, sqrt, tan.\n"
+        "constant/d:8: #eval \"pow(2)\": pow() takes 2 arguments, found 1\n"
+        "constant/d:9: #eval \"1 2\": unexpected \"2 \"\n8 errors");
 }
 
 // What is not supported says why; what is unknown, what is possible. Reading goes on behind either.
@@ -237,5 +241,6 @@ TEST(DictionaryDirectives, unsupportedAndUnknown)
                             "#eval{ ... } calculates values\n";
     EXPECT_EQ(p.errors(), "constant/d:1: #calc" + why + "constant/d:2: #codeStream" + why +
                               "constant/d:3: directive \"#nosuch\" is unknown. " + known +
-                              "\nconstant/d:4: directive \"#inclde\" is unknown. Did you mean \"include\"? " + known + "\n4 errors");
+                              "\nconstant/d:4: directive \"#inclde\" is unknown. Did you mean \"include\"? " + known +
+                              "\n4 errors");
 }

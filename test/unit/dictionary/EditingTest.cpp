@@ -9,19 +9,19 @@ using namespace sph;
 namespace
 {
 
-const std::filesystem::path folder = std::filesystem::temp_directory_path()/("sphEditingTest." + std::to_string(::getpid()));
+const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("sphEditingTest." + std::to_string(::getpid()));
 
 std::string read(const std::string& file)
 {
     std::ostringstream text;
-    text << std::ifstream(folder/file).rdbuf();
+    text << std::ifstream(folder / file).rdbuf();
     return text.str();
 }
 
 void write(const std::string& file, const std::string& text)
 {
     std::filesystem::create_directories(folder);
-    std::ofstream(folder/file) << text;
+    std::ofstream(folder / file) << text;
 }
 
 /// The text of a dictionary after an edit, or the message that refused it.
@@ -48,7 +48,8 @@ std::string edited(const std::string& text, const std::string& entry, const std:
 // An edit changes the value and no other character: comments, blanks, macros and line ends stay.
 TEST(DictionaryEditing, changesTheValueAlone)
 {
-    const std::string text = "// head\nL 1e-3; // length\r\ndeltaT\t$L ; /* keep */ s { a (1\n 2); \"b.*\" #eval{ 2*$L }; in { } }\n";
+    const std::string text =
+        "// head\nL 1e-3; // length\r\ndeltaT\t$L ; /* keep */ s { a (1\n 2); \"b.*\" #eval{ 2*$L }; in { } }\n";
     const auto with = [&](std::string from, const std::string& to)
     {
         auto changed = text;
@@ -83,7 +84,8 @@ TEST(DictionaryEditing, setsTheDefinitionThatCounts)
 TEST(DictionaryEditing, refusesWhatWouldHarm)
 {
     EXPECT_EQ(edited("base { v 1; }\np { $base; }\n", "p.v", "2"),
-              "d:1: \"v\" of \"p.v\" stands here, where changing it would change more than this entry; give it a line of its own in \"d\" "
+              "d:1: \"v\" of \"p.v\" stands here, where changing it would change more than this entry; give it a line of its own "
+              "in \"d\" "
               "first");
     const std::string refused = " cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it";
     for (const auto* value : {"1; b 2", "(1 2", "\"x", "}", "{ a 1;"})

@@ -13,7 +13,8 @@ struct Parsed
 
     explicit Parsed(const std::string& text, const std::string& file = "constant/d")
         : dict(Dictionary::parse(text, file, diagnostics))
-    {}
+    {
+    }
 
     /// All errors, as the user sees them; empty where there is none.
     std::string errors() const

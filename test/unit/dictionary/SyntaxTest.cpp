@@ -79,7 +79,7 @@ TEST(DictionarySyntax, dimensionedValues)
     EXPECT_EQ(p.dict.get("n", units::none), 2);
     EXPECT_EQ(p.dict.get("n2", units::none), 2);
     EXPECT_EQ(p.dict.getVector("g", units::mPerS2), (Vector<3>{0, -9.81, 0}));
-    EXPECT_EQ(p.dict.get("f", units::none/units::s), 3);
+    EXPECT_EQ(p.dict.get("f", units::none / units::s), 3);
     EXPECT_EQ(p.errors(), "");
 }
 
@@ -121,7 +121,7 @@ TEST(DictionarySyntax, macrosSearchScopesAsOpenFOAM)
 {
     const Parsed p(R"(L 1e-3; sub2 { x 7; }
         sub { a 1; L 2e-3; b $a; c $L; d $..L; dd $:L; e ${a}; f $:sub2.x; nested { z $..a; top $...L; alt ${..L}; up $a; } }
-        v ($sub.a $:sub2.x 3); vv ((1 $sub.a)($L ${L})); alpha.water 5; w $alpha.water; root ${/sub/c};)");
+        v ($sub.a $:sub2.x 3); vv ((1 $sub.a)($L ${L})); alpha.water 5; w $alpha.water; root ${/sub/c}; root2 $/sub/c;)");
     const auto sub = p.dict.subDict("sub"), nested = sub.subDict("nested");
     EXPECT_EQ(sub.get<double>("b"), 1);
     EXPECT_EQ(sub.get<double>("c"), 2e-3);
@@ -137,6 +137,7 @@ TEST(DictionarySyntax, macrosSearchScopesAsOpenFOAM)
     EXPECT_EQ(p.dict.get<std::vector<Numbers>>("vv"), (std::vector<Numbers>{{1, 1}, {1e-3, 1e-3}}));
     EXPECT_EQ(p.dict.get<double>("w"), 5);
     EXPECT_EQ(p.dict.get<double>("root"), 2e-3);
+    EXPECT_EQ(p.dict.get<double>("root2"), 2e-3);
     p.dict.reportUnused();
     EXPECT_EQ(p.errors(), "") << "what a macro uses is used";
 }
@@ -174,6 +175,8 @@ TEST(DictionarySyntax, patterns)
     EXPECT_EQ(p.dict.subDict("inletB").get<std::string>("type"), "patch");
     EXPECT_EQ(p.dict.subDict("pX").get<std::string>("type"), "other");
     EXPECT_TRUE(p.dict.found("zzz"));
+    const Parsed macro("\"p.*\" { k 5; } b $pX.k;");
+    EXPECT_EQ(macro.dict.get<int>("b"), 5) << "a pattern must not take the path for a keyword";
 }
 
 // The last of two equal keywords counts, with a warning; dictionaries merge.
@@ -184,7 +187,8 @@ TEST(DictionarySyntax, duplicates)
     EXPECT_EQ(p.dict.where("a").line, 2);
     EXPECT_EQ(p.dict.subDict("sub").keys(), (Words{"x", "y"}));
     EXPECT_EQ(p.errors(), "");
-    EXPECT_EQ(p.diagnostics->warnings(), (Words{"constant/d:2: \"a\" is given twice, first in constant/d:1; the last one counts"}));
+    EXPECT_EQ(p.diagnostics->warnings(),
+              (Words{"constant/d:2: \"a\" is given twice, first in constant/d:1; the last one counts"}));
 }
 
 // Values may go on over several lines wherever OpenFOAM's own writers and tutorials do so.

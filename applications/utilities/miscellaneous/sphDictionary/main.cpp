@@ -12,10 +12,12 @@ int main(int argc, char** argv)
 
     const auto options = [&](CLI::App& app)
     {
-        app.add_option("--entry", entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")->type_name("<a.b>");
+        app.add_option("--entry", entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")
+            ->type_name("<a.b>");
         auto* value = app.add_flag("--value", valueOnly, "Show the value alone, without keyword and ';'");
         auto* keywords = app.add_flag("--keywords", listKeywords, "List the keywords of the file or of the entry");
-        set = app.add_option("--set", newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
+        set = app.add_option("--set", newValue, "Give the entry this value, leaving the rest of the file as it is")
+                  ->type_name("<value>");
         set->excludes(value)->excludes(keywords);
         app.add_option("file", file, "Dictionary, relative to the case folder")->required();
     };
@@ -32,8 +34,10 @@ int main(int argc, char** argv)
         diagnostics->throwIfAny();
         if (listKeywords)
             for (const auto& keyword : sph::keywords(dictionary, entry)) fmt::print("{}\n", keyword);
-        else if (valueOnly && !entry.empty()) fmt::print("{}\n", sph::valueText(dictionary, entry));
-        else fmt::print("{}", sph::entryText(dictionary, entry));
+        else if (valueOnly && !entry.empty())
+            fmt::print("{}\n", sph::valueText(dictionary, entry));
+        else
+            fmt::print("{}", sph::entryText(dictionary, entry));
         return 0;
     };
     return sph::runApplication("sphDictionary", argc, argv,
