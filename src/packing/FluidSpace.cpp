@@ -128,8 +128,8 @@ bool isBoxAroundBalls(const Geometry& g, const Box& box, const std::vector<Ball>
         const Box b = patch.shape->bounds();
         bool isFace = false;
         for (int k = 0; k < g.dimension; ++k)
-            isFace |= b.low.*component(k) == b.high.*component(k) && crosses(b, g, k)
-                      && (b.low.*component(k) <= box.low.*component(k) || b.high.*component(k) >= box.high.*component(k));
+            isFace |= b.low.*component(k) == b.high.*component(k) && crosses(b, g, k) &&
+                      (b.low.*component(k) <= box.low.*component(k) || b.high.*component(k) >= box.high.*component(k));
         if (!isFace) return false;
     }
     const Vector<3> length = g.high - g.low;
@@ -214,8 +214,8 @@ std::vector<Ball> ballsInCell(const Geometry& g)
                 double& c = ball->centre.*component(k);
                 c -= L*std::floor((c - low)/L + roundOff);
             }
-        const bool known = std::any_of(balls.begin(), balls.end(), [&](const Ball& b)
-                                       { return mag(b.centre - ball->centre) < 1e-6*ball->radius; });
+        const bool known = std::any_of(balls.begin(), balls.end(),
+                                       [&](const Ball& b) { return mag(b.centre - ball->centre) < 1e-6*ball->radius; });
         if (!known) balls.push_back(*ball);
     }
     return balls;

@@ -24,8 +24,8 @@ std::vector<Ball> ballsInCell(const Geometry&);
 
 struct FluidVolume
 {
-    double value = 0;                      ///< [m^3]; [m^2] in 2-D
-    double error = 0;                      ///< estimate, 0 where exact
+    double value = 0; ///< [m^3]; [m^2] in 2-D
+    double error = 0; ///< estimate, 0 where exact
     bool exact = false;
 };
 

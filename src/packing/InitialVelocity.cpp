@@ -66,8 +66,9 @@ VelocityField readVelocity(const Dictionary& dict)
     if (type == "taylorGreen")
     {
         const double U = dict.get("U", units::mPerS), k = 2*std::numbers::pi/dict.getPositive("L", units::m);
-        return [=](const Vector<3>& x)
-        { return Vector<3>{U*std::sin(k*x.x)*std::cos(k*x.y), -U*std::cos(k*x.x)*std::sin(k*x.y), 0}; };
+        return [=](const Vector<3>& x) {
+            return Vector<3>{U*std::sin(k*x.x)*std::cos(k*x.y), -U*std::cos(k*x.x)*std::sin(k*x.y), 0};
+        };
     }
     if (type == "rotation")
     {

@@ -11,8 +11,8 @@ namespace
 /// A lattice is a stack of layers along each direction with every second site empty in some pattern.
 struct Pattern
 {
-    Vector<3> layerSpacing;                ///< for a spacing of 1
-    int period;                            ///< layers a cell
+    Vector<3> layerSpacing; ///< for a spacing of 1
+    int period;             ///< layers a cell
     bool (*occupied)(long i, long j, long k);
 };
 
@@ -67,8 +67,7 @@ Lattice makeLattice(const LatticeSpec& spec, int dimension, const Box& box, cons
     lattice.fittedSpacing = {h.x/p.layerSpacing.x, h.y/p.layerSpacing.y, h.z/p.layerSpacing.z};
 
     std::uint64_t counter = 0;
-    const auto displacement = [&](double along)
-    { return along*spec.jitter*(2*noise(spec.seed, counter++) - 1); };
+    const auto displacement = [&](double along) { return along*spec.jitter*(2*noise(spec.seed, counter++) - 1); };
     for (long k = 0; k < nz; ++k)
         for (long j = 0; j < ny; ++j)
             for (long i = 0; i < nx; ++i)

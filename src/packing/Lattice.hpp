@@ -14,16 +14,16 @@ namespace sph
 struct LatticeSpec
 {
     std::string type = "cubic";
-    double spacing = 0;                    ///< [m]
-    double jitter = 0;                     ///< largest displacement of each component, in spacings
+    double spacing = 0; ///< [m]
+    double jitter = 0;  ///< largest displacement of each component, in spacings
     std::uint64_t seed = 1;
 };
 
 struct Lattice
 {
     Points points;
-    std::array<long, 3> layers{1, 1, 1};   ///< layers of particles along x, y, z (fcc, bcc: two a cell)
-    Vector<3> fittedSpacing;               ///< what the stretching has made of `spacing` along x, y, z [m]; in 2-D z is 0
+    std::array<long, 3> layers{1, 1, 1}; ///< layers of particles along x, y, z (fcc, bcc: two a cell)
+    Vector<3> fittedSpacing;             ///< what the stretching has made of `spacing` along x, y, z [m]; in 2-D z is 0
 };
 
 /// cubic, and hexagonal in 2-D or fcc and bcc in 3-D.

@@ -26,7 +26,8 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
     {
         const double gap = box.high.*component(k) - box.low.*component(k);
         if (!(gap > 0))
-            throw CaseError(plan.spacingAt, fmt::format("the walls leave no fluid along {}: see constant/geometry", coordinateNames[k]));
+            throw CaseError(plan.spacingAt,
+                            fmt::format("the walls leave no fluid along {}: see constant/geometry", coordinateNames[k]));
         if (spacing > gap*(1 + 1e-6))
             throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
                                                         coordinateNames[k]));
@@ -51,9 +52,10 @@ Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& pack
     for (long i = 0; i < n; ++i)
         if (isFluid[i]) places.add(lattice.points[i]);
     if (places.size() == 0)
-        throw CaseError(plan.spacingAt, fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
-                                                    "no fluid, or its gaps are narrower than the spacing",
-                                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
+        throw CaseError(plan.spacingAt,
+                        fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
+                                    "no fluid, or its gaps are narrower than the spacing",
+                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
     return places;
 }
 
@@ -70,8 +72,9 @@ void checkDistances(const PackingPlan& plan, const Packing& packing)
     const auto& [i, j] = packing.relaxation.closest;
     const double r = packing.relaxation.closestPair;
     if (r < coincidence*plan.lattice.spacing)
-        throw CaseError(plan.latticeAt, fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
-                                                    r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
+        throw CaseError(plan.latticeAt,
+                        fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
+                                    r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
 }
 
 void wrap(const Geometry& g, Points& points)
@@ -127,9 +130,10 @@ void checkPhases(const PackingPlan& plan, const Packing& packing)
     Diagnostics errors;
     for (std::size_t k = 0; k < plan.phases.size(); ++k)
         if (packing.phases[k].particles == 0 && !plan.allowEmpty)
-            errors.error(plan.phases[k].where, fmt::format("phase {} has no particles: no region of system/packParticlesDict puts it "
-                                                           "anywhere. If that is meant, write there: allowEmpty yes;",
-                                                           plan.phases[k].name));
+            errors.error(plan.phases[k].where,
+                         fmt::format("phase {} has no particles: no region of system/packParticlesDict puts it "
+                                     "anywhere. If that is meant, write there: allowEmpty yes;",
+                                     plan.phases[k].name));
     errors.throwIfAny();
     if (packing.points.size() == 0) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
 }

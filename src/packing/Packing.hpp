@@ -16,14 +16,14 @@ namespace sph
 struct PhaseToPack
 {
     std::string name;
-    double rho;                            ///< rest density [kg/m^3]
+    double rho; ///< rest density [kg/m^3]
     Location where;
 };
 
 /// `{ region ..; phase ..; U (..); }`: the last rule that contains a particle decides.
 struct FillRule
 {
-    static constexpr int noPhase = -1;     ///< `phase none`: no particle there (free surface)
+    static constexpr int noPhase = -1; ///< `phase none`: no particle there (free surface)
     Region region;
     int phase;
     std::optional<Vector<3>> U;
@@ -35,7 +35,7 @@ struct PackingPlan
     Geometry geometry;
     LatticeSpec lattice;
     std::string kernel;
-    double support = 0;                    ///< H [m]
+    double support = 0; ///< H [m]
     std::optional<RelaxationSettings> relaxation;
     std::vector<PhaseToPack> phases;
     std::vector<FillRule> fill;
@@ -55,27 +55,27 @@ PackingPlan readPackingPlan(const Case&);
 struct PackedPhase
 {
     std::size_t particles = 0;
-    double mass = 0;                       ///< [kg]; [kg/m] in 2-D
+    double mass = 0; ///< [kg]; [kg/m] in 2-D
 };
 
 struct Packing
 {
     Points points;
-    std::vector<double> phase;             ///< index into PackingPlan::phases
-    std::vector<double> mass;              ///< [kg]
+    std::vector<double> phase; ///< index into PackingPlan::phases
+    std::vector<double> mass;  ///< [kg]
     std::vector<double> rho;
     Points velocity;
 
-    FluidVolume volume;                    ///< of the space between the walls
-    double particleVolume = 0;             ///< the same for all: volume over places
-    double porosity = 1;                   ///< share of the fluid's box that walls leave to the fluid
+    FluidVolume volume;        ///< of the space between the walls
+    double particleVolume = 0; ///< the same for all: volume over places
+    double porosity = 1;       ///< share of the fluid's box that walls leave to the fluid
     std::vector<Ball> balls;
     std::array<long, 3> layers{};
     Vector<3> fittedSpacing;
     RelaxationResult relaxation;
     std::vector<PackedPhase> phases;
-    std::size_t leftEmpty = 0;             ///< places without a particle, by `phase none` or because no region covers them
-    double saturation = 0;                 ///< reached
+    std::size_t leftEmpty = 0; ///< places without a particle, by `phase none` or because no region covers them
+    double saturation = 0;     ///< reached
 };
 
 /// Fills the whole space between the walls, relaxes it, and then gives the places to phases or leaves them empty, so that a free

@@ -50,9 +50,7 @@ Region box(const Dictionary& dict, const Geometry& g)
         if (low.*component(k) > high.*component(k)) dict.error("max", "max lies below min: the box is inside out");
     const bool hasDepth = g.dimension == 3;
     return [=](const Vector<3>& x)
-    {
-        return x.x >= low.x && x.x < high.x && x.y >= low.y && x.y < high.y && (!hasDepth || (x.z >= low.z && x.z < high.z));
-    };
+    { return x.x >= low.x && x.x < high.x && x.y >= low.y && x.y < high.y && (!hasDepth || (x.z >= low.z && x.z < high.z)); };
 }
 
 Region cylinder(const Dictionary& dict)

@@ -10,7 +10,7 @@ namespace sph
 
 namespace
 {
-/// The neighbour table reaches this many spacings beyond the support and is rebuilt when a particle or image has moved half of it.
+/// The neighbour table reaches this many spacings beyond the support; it is rebuilt when a particle or image has moved half of it.
 constexpr double skin = 0.2;
 
 /// No step moves a particle farther than this many spacings.
@@ -42,7 +42,14 @@ template<int dim> class Relaxer
 
 public:
     Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, Points& points)
-        : geometry_(geometry), kernel_(kernel), repulsion_(repulsionOf(kernel)), V0_(V0), spacing_(spacing), points_(points), n_(points.size()), images_(geometry)
+        : geometry_(geometry),
+          kernel_(kernel),
+          repulsion_(repulsionOf(kernel)),
+          V0_(V0),
+          spacing_(spacing),
+          points_(points),
+          n_(points.size()),
+          images_(geometry)
     {
         const auto order = cellOrder(points, n_, kernel.support());
         Points sorted;

@@ -19,9 +19,9 @@ namespace sph
 struct RelaxationSettings
 {
     int steps = 200;
-    std::array<double, 2> bias{1, 0.01};   ///< b1, b2
-    double tolerance = 1e-3;               ///< scatter of sigma/<sigma> within a support of the walls at which to stop
-    double coefficient = 0.3;              ///< C; 0.05..0.8 tried: faster with more, particles at walls jitter above 0.5
+    std::array<double, 2> bias{1, 0.01}; ///< b1, b2
+    double tolerance = 1e-3;             ///< scatter of sigma/<sigma> within a support of the walls at which to stop
+    double coefficient = 0.3;            ///< C; 0.05..0.8 tried: faster with more, particles at walls jitter above 0.5
 };
 
 /// sum_j V_j W_ij - 1 with V_j = w_j V0: what is missing to a partition of unity.
@@ -33,18 +33,18 @@ struct KernelResidual
         double mean = 0, rms = 0, max = 0; ///< of the residual, of its square, of its magnitude
         double scatter = 0;                ///< standard deviation: what is left once the mean is normalised away
     };
-    Moments overall, nearWalls;            ///< all particles; those within a support of a wall
+    Moments overall, nearWalls; ///< all particles; those within a support of a wall
 };
 
 struct RelaxationResult
 {
     KernelResidual before, after;
     int steps = 0;
-    double largestShift = 0;               ///< of the last step, in spacings
-    double centreOfMassDrift = 0;          ///< in spacings
-    std::size_t heldBack = 0;              ///< particles that the last step would have put into a wall
-    double closestPair = 0;                ///< [m]
-    std::array<std::size_t, 2> closest{};  ///< the particles of that pair; the same twice where an image of itself is nearest
+    double largestShift = 0;              ///< of the last step, in spacings
+    double centreOfMassDrift = 0;         ///< in spacings
+    std::size_t heldBack = 0;             ///< particles that the last step would have put into a wall
+    double closestPair = 0;               ///< [m]
+    std::array<std::size_t, 2> closest{}; ///< the particles of that pair; the same twice where an image of itself is nearest
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are

@@ -20,8 +20,10 @@ std::pair<double, double> twoNearest(const Geometry& g, const Vector<3>& x)
     const auto look = [&](const Patch& patch)
     {
         const double d = patch.shape->foot(x).distance;
-        if (d < first) second = std::exchange(first, d);
-        else second = std::min(second, d);
+        if (d < first)
+            second = std::exchange(first, d);
+        else
+            second = std::min(second, d);
     };
     if (g.grid)
         for (const int p : g.grid->near(x)) look(g.patches[p]);
@@ -58,7 +60,10 @@ Saturation readSaturation(const Dictionary& dict, std::span<const std::string> p
     Saturation s;
     s.where = dict.where("value");
     const auto indexOf = [&](const std::string& key)
-    { return int(std::find(phases.begin(), phases.end(), dict.choose(key, phases)) - phases.begin())%std::max(1, int(phases.size())); };
+    {
+        return int(std::find(phases.begin(), phases.end(), dict.choose(key, phases)) - phases.begin()) %
+               std::max(1, int(phases.size()));
+    };
     s.phase = indexOf("phase");
     s.gas = indexOf("gas");
     if (s.phase == s.gas && dict.found("gas")) dict.error("gas", "phase and gas are the same");
@@ -69,16 +74,20 @@ Saturation readSaturation(const Dictionary& dict, std::span<const std::string> p
     if (s.placement == "random" || s.placement == "drops") s.seed = dict.get<int>("seed", 1);
     if (s.placement == "drops")
     {
-        if (dict.found("centres")) s.centres = dict.get<std::vector<Vector<3>>>("centres");
-        else s.number = dict.get<int>("number");
+        if (dict.found("centres"))
+            s.centres = dict.get<std::vector<Vector<3>>>("centres");
+        else
+            s.number = dict.get<int>("number");
         if (s.number < 1) dict.error("number", "at least one drop is needed");
     }
     if (s.placement == "layer")
     {
         s.point = dict.get<Vector<3>>("point");
         s.normal = dict.get<Vector<3>>("normal");
-        if (mag(s.normal) > 0) s.normal = s.normal/mag(s.normal);
-        else if (dict.found("normal")) dict.error("normal", "normal has no length, and so no direction");
+        if (mag(s.normal) > 0)
+            s.normal = s.normal/mag(s.normal);
+        else if (dict.found("normal"))
+            dict.error("normal", "normal has no length, and so no direction");
     }
     return s;
 }
@@ -103,12 +112,18 @@ std::vector<char> place(const Saturation& s, const Geometry& g, const Points& po
             const auto [first, second] = twoNearest(g, x);
             score[i] = std::isfinite(second) ? first + second : first;
         }
-        else if (s.placement == "film") score[i] = twoNearest(g, x).first;
-        else if (s.placement == "bottom") score[i] = dot(x, s.up);
-        else if (s.placement == "top") score[i] = -dot(x, s.up);
-        else if (s.placement == "layer") score[i] = std::fabs(dot(x - s.point, s.normal));
-        else if (s.placement == "drops") score[i] = toNearest(g, centres, x);
-        else score[i] = noise(s.seed, i);
+        else if (s.placement == "film")
+            score[i] = twoNearest(g, x).first;
+        else if (s.placement == "bottom")
+            score[i] = dot(x, s.up);
+        else if (s.placement == "top")
+            score[i] = -dot(x, s.up);
+        else if (s.placement == "layer")
+            score[i] = std::fabs(dot(x - s.point, s.normal));
+        else if (s.placement == "drops")
+            score[i] = toNearest(g, centres, x);
+        else
+            score[i] = noise(s.seed, i);
     }
 
     const long wanted = std::lround(s.value*double(n));

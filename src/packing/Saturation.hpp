@@ -20,9 +20,9 @@ namespace sph
 struct Saturation
 {
     int phase = 0, gas = 0;
-    double value = 0;                      ///< of the particles, i.e. of the void space
+    double value = 0; ///< of the particles, i.e. of the void space
     std::string placement = "contacts";
-    Vector<3> up{0, 1, 0};                 ///< unit, against gravity
+    Vector<3> up{0, 1, 0}; ///< unit, against gravity
     Vector<3> point, normal{0, 1, 0};
     std::vector<Vector<3>> centres;
     int number = 1;

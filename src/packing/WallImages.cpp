@@ -24,7 +24,7 @@ constexpr std::size_t chunkSize = 512;
 struct WallImages::Chunk
 {
     std::vector<Image> images;
-    std::vector<Vector<3>> at;             ///< mirror images of the present point, to find those that coincide
+    std::vector<Vector<3>> at; ///< mirror images of the present point, to find those that coincide
     std::vector<int> near, nearCount;
 };
 
@@ -72,10 +72,13 @@ void WallImages::reflect(Chunk& chunk, const Image& parent, int reflections, con
 
         const Vector<3> mirrored = mirrorImage(x, foot);
         if (!isWithin(reach, mirrored)) continue;
-        const bool known = std::any_of(chunk.at.begin(), chunk.at.end(), [&](const Vector<3>& other)
-                                       { return std::fabs(other.x - mirrored.x) < coincident
-                                                && std::fabs(other.y - mirrored.y) < coincident
-                                                && std::fabs(other.z - mirrored.z) < coincident; });
+        const bool known = std::any_of(chunk.at.begin(), chunk.at.end(),
+                                       [&](const Vector<3>& other)
+                                       {
+                                           return std::fabs(other.x - mirrored.x) < coincident &&
+                                                  std::fabs(other.y - mirrored.y) < coincident &&
+                                                  std::fabs(other.z - mirrored.z) < coincident;
+                                       });
         if (known) continue;
 
         Image image = parent;

@@ -42,7 +42,7 @@ private:
     struct Image
     {
         int source;
-        std::array<int, mostReflections> patch;   ///< in the order of reflection, -1 behind the last
+        std::array<int, mostReflections> patch; ///< in the order of reflection, -1 behind the last
         Vector<3> shift;
     };
     struct Chunk;

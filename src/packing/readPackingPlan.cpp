@@ -30,7 +30,8 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
     for (const auto& entry : dict.dictionaries("fill"))
     {
         FillRule rule{readRegion(entry, g), FillRule::noPhase, std::nullopt};
-        const auto phase = std::find(phaseNames.begin(), phaseNames.end(), entry.choose("phase", phaseNames)) - phaseNames.begin();
+        const auto phase =
+            std::find(phaseNames.begin(), phaseNames.end(), entry.choose("phase", phaseNames)) - phaseNames.begin();
         if (phase < long(phaseNames.size()) - 1) rule.phase = int(phase);
         if (entry.found("U")) rule.U = entry.getVector("U", units::mPerS);
         rules.push_back(std::move(rule));
@@ -44,7 +45,8 @@ LatticeSpec readLattice(const Dictionary& dict, int dimension, double spacing)
     lattice.type = dict.choose("lattice", latticeNames(dimension), latticeNames(dimension).front());
     lattice.spacing = spacing;
     lattice.jitter = dict.getNonNegative("jitter", units::none, 0);
-    if (lattice.jitter > 0.5) dict.error("jitter", fmt::format("a jitter of {:g} spacings lets neighbours change places; at most 0.5", lattice.jitter));
+    if (lattice.jitter > 0.5)
+        dict.error("jitter", fmt::format("a jitter of {:g} spacings lets neighbours change places; at most 0.5", lattice.jitter));
     lattice.seed = std::uint64_t(dict.get<int>("seed", 1));
     return lattice;
 }
@@ -55,11 +57,14 @@ RelaxationSettings readRelaxation(const Dictionary& dict)
     s.steps = dict.get<int>("steps", s.steps);
     if (s.steps < 0) dict.error("steps", "steps cannot be negative");
     const auto bias = dict.get<std::vector<double>>("bias", {s.bias[0], s.bias[1]});
-    if (bias.size() != 2 || bias[0] <= 0 || bias[1] <= 0) dict.error("bias", "bias is two positive numbers, at the start and at the end: bias (1 0.01);");
-    else s.bias = {bias[0], bias[1]};
+    if (bias.size() != 2 || bias[0] <= 0 || bias[1] <= 0)
+        dict.error("bias", "bias is two positive numbers, at the start and at the end: bias (1 0.01);");
+    else
+        s.bias = {bias[0], bias[1]};
     s.tolerance = dict.getNonNegative("tolerance", units::none, s.tolerance);
     s.coefficient = dict.getPositive("coefficient", units::none, s.coefficient);
-    if (s.coefficient > 1) dict.error("coefficient", fmt::format("coefficient {:g} makes the relaxation unstable; at most 1", s.coefficient));
+    if (s.coefficient > 1)
+        dict.error("coefficient", fmt::format("coefficient {:g} makes the relaxation unstable; at most 1", s.coefficient));
     return s;
 }
 
@@ -110,7 +115,8 @@ PackingPlan readPackingPlan(const Case& c)
     plan.allowEmpty = dict.get<bool>("allowEmpty", false);
     plan.fill = readFill(dict, names, plan.geometry);
     if (dict.found("saturation"))
-        plan.saturation = readSaturation(dict.subDict("saturation"), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
+        plan.saturation =
+            readSaturation(dict.subDict("saturation"), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
     if (dict.found("velocity")) plan.velocity = readVelocity(dict.subDict("velocity"));
     if (dict.found("relax")) plan.relaxation = readRelaxation(dict.subDict("relax"));
     dict.reportUnused();

@@ -11,7 +11,8 @@ namespace
 {
 void row(std::string& to, const char* name, const KernelResidual::Moments& m)
 {
-    to += fmt::format("    {:<22} {:>9} {:>+11.5f} {:>10.5f} {:>10.5f} {:>10.5f}\n", name, m.particles, m.mean, m.rms, m.max, m.scatter);
+    to += fmt::format("    {:<22} {:>9} {:>+11.5f} {:>10.5f} {:>10.5f} {:>10.5f}\n", name, m.particles, m.mean, m.rms, m.max,
+                      m.scatter);
 }
 
 std::string residuals(const PackingPlan& plan, const RelaxationResult& r)
@@ -27,9 +28,10 @@ std::string residuals(const PackingPlan& plan, const RelaxationResult& r)
         row(s, "after, within H", r.after.nearWalls);
     }
     if (plan.relaxation)
-        s += fmt::format("Relaxation: {} steps, last shift {:.2g} spacings, centre of mass moved {:.2g} spacings, closest pair {:.3f} "
-                         "spacings, {} particles held back by walls\n",
-                         r.steps, r.largestShift, r.centreOfMassDrift, r.closestPair/plan.lattice.spacing, r.heldBack);
+        s += fmt::format(
+            "Relaxation: {} steps, last shift {:.2g} spacings, centre of mass moved {:.2g} spacings, closest pair {:.3f} "
+            "spacings, {} particles held back by walls\n",
+            r.steps, r.largestShift, r.centreOfMassDrift, r.closestPair/plan.lattice.spacing, r.heldBack);
     return s;
 }
 
@@ -46,7 +48,9 @@ std::string bed(const PackingPlan& plan, const Packing& packing)
         for (const auto& phase : plan.phases) rho = std::max(rho, phase.rho);
         const double perArea = rho*plan.g/plan.surfaceTension;
         s += fmt::format("     Bond number rho g R^2/gamma {:.4g}", perArea*largest*largest);
-        if (plan.bedPeriod > 0) s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", perArea*plan.bedPeriod*plan.bedPeriod, plan.bedPeriod);
+        if (plan.bedPeriod > 0)
+            s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", perArea*plan.bedPeriod*plan.bedPeriod,
+                             plan.bedPeriod);
         s += "\n";
     }
     return s;
@@ -58,7 +62,8 @@ std::string report(const PackingPlan& plan, const Packing& packing)
     const auto& g = plan.geometry;
     const bool isFlat = g.dimension == 2;
     const double spacing = plan.lattice.spacing;
-    std::string s = fmt::format("Lattice: {}, spacing {:g} m, support {:g} m ({}), layers", plan.lattice.type, spacing, plan.support, plan.kernel);
+    std::string s = fmt::format("Lattice: {}, spacing {:g} m, support {:g} m ({}), layers", plan.lattice.type, spacing,
+                                plan.support, plan.kernel);
     for (int k = 0; k < g.dimension; ++k) s += fmt::format("{} {}", k ? " x" : "", packing.layers[k]);
     s += "\n         fitted spacing";
     for (int k = 0; k < g.dimension; ++k)
@@ -68,9 +73,9 @@ std::string report(const PackingPlan& plan, const Packing& packing)
                      packing.volume.exact ? "exact" : fmt::format("quadrature, error about {:.1g}", packing.volume.error),
                      packing.porosity);
     const double ratio = packing.particleVolume/std::pow(spacing, g.dimension);
-    s += fmt::format("Particle volume: {:.10g} {} ({:.5f} spacing^{})\n", packing.particleVolume, isFlat ? "m^2" : "m^3", ratio, g.dimension);
-    if (std::fabs(ratio - 1) > 0.1)
-        s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
+    s += fmt::format("Particle volume: {:.10g} {} ({:.5f} spacing^{})\n", packing.particleVolume, isFlat ? "m^2" : "m^3", ratio,
+                     g.dimension);
+    if (std::fabs(ratio - 1) > 0.1) s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
     if (!packing.balls.empty()) s += bed(plan, packing);
     s += residuals(plan, packing.relaxation);
 
@@ -86,11 +91,12 @@ std::string report(const PackingPlan& plan, const Packing& packing)
     return s;
 }
 
-void writePacking(const Case& c, const std::string& time, const PackingPlan& plan, const Packing& packing, const WriteOptions& options)
+void writePacking(const Case& c, const std::string& time, const PackingPlan& plan, const Packing& packing,
+                  const WriteOptions& options)
 {
     const auto folder = c.folder()/time;
     // fields of an earlier packing would have another length
-    std::filesystem::remove_all(folder/"lagrangian"/"sph");
+    std::filesystem::remove_all(folder / "lagrangian" / "sph");
 
     const bool isFlat = plan.geometry.dimension == 2;
     const auto& x = packing.points;

@@ -37,25 +37,30 @@ TEST(Lattice, stretchesToWholeNumbersOfLayers)
     EXPECT_NEAR(lattice.fittedSpacing.z, 0.096, 1e-15);
 }
 
-// All lattices of one spacing have the same number of particles per volume (to the stretching, under 3 % here), and the distance to
-// the nearest neighbour that the lattice has at unit density: 1, (4/3)^(1/4), 2^(1/6), 3^(1/2)/4^(1/3).
+// All lattices of one spacing have the same number of particles per volume, here in boxes of whole cells (the hexagonal one is stretched
+// by under 1 %), and the distance to the nearest neighbour that the lattice has at unit density: 1, (4/3)^(1/4), 2^(1/6),
+// 3^(1/2)/4^(1/3).
 TEST(Lattice, haveTheDensityOfTheirSpacing)
 {
-    struct Case
+    struct Expected
     {
         const char* type;
         int dimension;
-        double nearest;
+        double edge, particles, nearest;
     };
-    for (const auto& [type, dimension, nearest] : {Case{"cubic", 3, 1}, Case{"hexagonal", 2, std::pow(4.0/3, 0.25)},
-                                                   Case{"fcc", 3, std::pow(2.0, 1.0/6)}, Case{"bcc", 3, std::sqrt(3.0)/std::cbrt(4.0)}})
+    const double hexagonal = std::pow(4.0/3, 0.25), fcc = std::cbrt(4.0), bcc = std::cbrt(2.0);
+    for (const auto& [type, dimension, edge, particles, nearest] :
+         {Expected{"cubic", 3, 8, 512, 1}, Expected{"hexagonal", 2, 28*hexagonal, 2*28*16, hexagonal},
+          Expected{"fcc", 3, 5*fcc, 4*125, fcc/std::sqrt(2.0)},
+          Expected{"bcc", 3, 5*bcc, 2*125, bcc*std::sqrt(3.0)/2}})
     {
-        const double edge = dimension == 2 ? 30 : 10;
         const auto lattice = makeLattice({type, 1, 0, 1}, dimension, {{0, 0, 0}, {edge, edge, edge}}, {true, true, true});
-        EXPECT_NEAR(lattice.points.size()/std::pow(edge, dimension), 1, 0.12) << type;
+        EXPECT_EQ(double(lattice.points.size()), particles) << type;
+        EXPECT_NEAR(double(lattice.points.size())/std::pow(edge, dimension), 1, dimension == 2 ? 0.011 : 1e-12) << type;
         const auto h = lattice.fittedSpacing;
-        EXPECT_NEAR(h.x*h.y*(dimension == 3 ? h.z : 1)*double(lattice.points.size()), std::pow(edge, dimension), 1e-9) << type;
-        EXPECT_NEAR(closestPair(lattice.points), nearest, 0.05) << type;
+        EXPECT_NEAR(h.x*h.y*(dimension == 3 ? h.z : 1)*double(lattice.points.size()), std::pow(edge, dimension), 1e-9)
+            << type;
+        EXPECT_NEAR(closestPair(lattice.points), nearest, dimension == 2 ? 0.01 : 1e-12) << type;
     }
 }
 

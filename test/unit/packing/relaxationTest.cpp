@@ -1,8 +1,8 @@
-#include "Lattice.hpp"
 #include "Relaxation.hpp"
+#include "FluidSpace.hpp"
+#include "Lattice.hpp"
 #include "WallImages.hpp"
 #include "handMadeGeometry.hpp"
-#include "FluidSpace.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -23,7 +23,8 @@ Points fluidPlaces(const Geometry& g, const LatticeSpec& spec)
     return points;
 }
 
-template<int dim> RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& points, const char* kernel = "wendlandC2")
+template<int dim>
+RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& points, const char* kernel = "wendlandC2")
 {
     RelaxationSettings settings;
     settings.steps = steps;
@@ -64,15 +65,21 @@ TEST(Relaxation, keepsParticlesOutOfTouchingSpheres)
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0) << points[i].x << ' ' << points[i].y;
 }
 
-// The forces are antisymmetric: without walls the centre of mass stays, to round-off, although every particle moves.
+// The forces are antisymmetric: without walls the centre of mass stays, to round-off, although every particle moves. With more jitter
+// some first steps are cut to a tenth of a spacing, and what that leaves is a thousandth of a spacing at most.
 TEST(Relaxation, leavesTheCentreOfMass)
 {
     const double spacing = 1.0/12;
     const Geometry g = emptyBox(3, {1, 1, 1}, {true, true, true});
-    auto points = fluidPlaces(g, {"cubic", spacing, 0.2, 3});
-    const auto r = relaxed<3>(g, spacing, 60, points);
-    EXPECT_LT(r.after.overall.scatter, 0.05*r.before.overall.scatter);
+    auto points = fluidPlaces(g, {"cubic", spacing, 0.05, 3});
+    auto r = relaxed<3>(g, spacing, 60, points);
+    EXPECT_LT(r.after.overall.scatter, 0.1*r.before.overall.scatter);
     EXPECT_LT(r.centreOfMassDrift, 1e-10);
+
+    points = fluidPlaces(g, {"cubic", spacing, 0.2, 3});
+    r = relaxed<3>(g, spacing, 60, points);
+    EXPECT_LT(r.after.overall.scatter, 0.05*r.before.overall.scatter);
+    EXPECT_LT(r.centreOfMassDrift, 1e-3);
 }
 
 // A full lattice between planes is even already: images complete every kernel sum, in the corners of a box too, so that the residual

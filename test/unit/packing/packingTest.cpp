@@ -1,0 +1,283 @@
+#include "Packing.hpp"
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <set>
+#include <unistd.h>
+
+using namespace sph;
+namespace fs = std::filesystem;
+
+namespace
+{
+/// A case folder of its own for each test.
+class CaseFolder
+{
+    fs::path path_;
+
+public:
+    CaseFolder()
+    {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        path_ = fs::temp_directory_path()/(std::string("packing.") + test->name() + "." + std::to_string(getpid()));
+        fs::create_directories(path_ / "constant");
+        fs::create_directories(path_ / "system");
+        write("constant/phaseProperties",
+              "phases (water air);\nwater\n{\n    rho [1 -3 0 0 0 0 0] 1000;\n    viscosity 1e-3;\n}\n"
+              "air { rho 1.2; }\nsigma ( (water air) 0.072 );\n");
+        write("constant/geometry",
+              "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); periodic (x); }\n"
+              "walls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 0.1 0); "
+              "normal (0 -1 0); } }\n");
+        write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n    kernel wendlandC2;\n}\n");
+    }
+    ~CaseFolder() { fs::remove_all(path_); }
+    void write(const std::string& file, const std::string& text) const { std::ofstream(path_/file) << text; }
+    const fs::path& path() const { return path_; }
+    PackingPlan plan() const { return readPackingPlan(Case(path_)); }
+    Packing pack() const { return sph::pack(plan()); }
+
+    /// What the user is told of a mistake.
+    std::string error() const
+    {
+        try
+        {
+            pack();
+        }
+        catch (const CaseError& e)
+        {
+            return e.what();
+        }
+        return "no error";
+    }
+};
+
+const std::string cubicBed = "dimension 3;\ndomain { min (0 0 0); max (1 1 1); periodic (x y z); }\n"
+                             "walls { grains { type sphereBed; lattice sc; radius 0.5; period 1; } }\n";
+}
+
+// Without packParticlesDict the domain is filled with the first phase: 10 x 10 particles, whose mass is the water between the walls.
+TEST(Packing, fillsTheDomainByDefault)
+{
+    CaseFolder c;
+    c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; }\n");
+    const auto p = c.pack();
+    EXPECT_EQ(p.points.size(), 100u);
+    EXPECT_TRUE(p.volume.exact);
+    EXPECT_NEAR(p.phases[0].mass, 1000*0.01, 1e-12);
+    EXPECT_NEAR(p.mass[0], 0.1, 1e-14);
+    EXPECT_EQ(p.porosity, 1);
+}
+
+// Regions by set algebra, later rules over earlier ones; the counts are those of lattice points counted by hand.
+TEST(Packing, givesPlacesToPhasesByRegions)
+{
+    CaseFolder c;
+    c.write("system/packParticlesDict", R"(
+fill
+(
+    { region all; phase air; }
+    { region box; min (0 0 0); max (0.1 0.05 0); phase water; U (1 0 0); }
+    { region difference; phase none; of ( { region halfSpace; point (0 0.08 0); normal (0 1 0); }
+                                          { region box; min (0 0 0); max (0.02 0.1 0); } ); }
+    { region intersection; phase water; of ( { region box; min (0 0.06 0); max (0.1 0.08 0); }
+                                             { region union; of ( { region box; min (0.03 0 0); max (0.05 0.1 0); }
+                                                                  { region box; min (0.04 0 0); max (0.06 0.1 0); } ); } ); }
+);
+)");
+    const auto p = c.pack();
+    EXPECT_EQ(p.leftEmpty, 16u);                // two layers without the first two columns
+    EXPECT_EQ(p.phases[0].particles, 50u + 6u); // lower half, and three columns of two layers
+    EXPECT_EQ(p.phases[1].particles, 100u - 56u - 16u);
+    for (std::size_t i = 0; i < p.points.size(); ++i)
+    {
+        EXPECT_EQ(p.velocity.x[i], p.points.y[i] < 0.05 ? 1 : 0);
+        EXPECT_EQ(p.mass[i], (p.phase[i] == 0 ? 1000 : 1.2)*p.particleVolume);
+    }
+}
+
+// A sphere region at the corner of a periodic domain is whole: as many particles as the same circle in the middle.
+TEST(Packing, wrapsSphereRegionsRoundPeriodicSides)
+{
+    CaseFolder c;
+    c.write("constant/geometry", "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); periodic (x y); }\n");
+    const auto drop = [&](const std::string& centre)
+    {
+        c.write("system/packParticlesDict",
+                "fill ( { region all; phase air; } { region sphere; centre " + centre + "; radius 0.031; phase water; } );\n");
+        return c.pack().phases[0].particles;
+    };
+    EXPECT_EQ(drop("(0 0 0)"), drop("(0.05 0.05 0)"));
+    EXPECT_NEAR(double(drop("(0 0 0)")), std::numbers::pi*sqr(3.1), 4);
+}
+
+// Each placement reaches the saturation to half a particle, which is as near as whole particles come.
+TEST(Packing, reachesTheSaturationToOneParticle)
+{
+    CaseFolder c;
+    c.write("constant/geometry", cubicBed);
+    c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
+    for (const std::string placement : {"contacts;", "film;", "top;", "bottom;", "random; seed 3;", "drops; number 4;",
+                                        "layer; point (0 0.5 0); normal (0 1 0);"})
+        for (const double value : {0.085, 0.5})
+        {
+            c.write("system/packParticlesDict",
+                    "saturation { phase water; gas air; value " + std::to_string(value) + "; placement " + placement + " }\n");
+            const auto p = c.pack();
+            EXPECT_LE(std::fabs(double(p.phases[0].particles) - value*double(p.points.size())), 0.5) << placement;
+        }
+}
+
+// Water at the contacts of a simple cubic bed (spheres at the corners of the cell, contacts in the middle of its edges): the gap between
+// the nearest two grains is nowhere wider in the water than in the air, and the three contacts of a cell share the water evenly, to
+// the 8 particles by which ties on a symmetric lattice may fall.
+TEST(Packing, putsWaterWhereGrainsMeet)
+{
+    CaseFolder c;
+    c.write("constant/geometry", cubicBed);
+    c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
+    c.write("system/packParticlesDict", "saturation { phase water; gas air; value 0.08; placement contacts; }\n");
+    const auto p = c.pack();
+    double widestInWater = 0, narrowestInAir = 1;
+    int perContact[3]{};
+    for (std::size_t i = 0; i < p.points.size(); ++i)
+    {
+        const double x[]{std::min(p.points.x[i], 1 - p.points.x[i]), std::min(p.points.y[i], 1 - p.points.y[i]),
+                         std::min(p.points.z[i], 1 - p.points.z[i])};
+        const double own = std::hypot(x[0], x[1], x[2]) - 0.5;
+        double next = 1, toContact = 1;
+        int contact = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+            const double y = x[(k + 1)%3], z = x[(k + 2)%3];
+            next = std::min(next, std::hypot(1 - x[k], y, z) - 0.5);
+            const double d = std::hypot(0.5 - x[k], y, z);
+            if (d < toContact) toContact = d, contact = k;
+        }
+        if (p.phase[i] == 0)
+        {
+            widestInWater = std::max(widestInWater, own + next);
+            ++perContact[contact];
+        }
+        else
+            narrowestInAir = std::min(narrowestInAir, own + next);
+    }
+    EXPECT_LE(widestInWater, narrowestInAir + 1e-12);
+    EXPECT_NEAR(perContact[0], perContact[1], 8);
+    EXPECT_NEAR(perContact[1], perContact[2], 8);
+}
+
+// Velocities by formula against the same formula by expression; the formulas are exact, so round-off is the tolerance.
+TEST(Packing, setsVelocitiesByFormulaAndByExpression)
+{
+    CaseFolder c;
+    c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; }\n");
+    c.write("system/packParticlesDict", "velocity { type taylorGreen; U 2; L 0.1; }\n");
+    const auto formula = c.pack();
+    c.write("system/packParticlesDict", "velocity { type expression; U \"vector(2*sin(20*pi()*$x)*cos(20*pi()*$y), "
+                                        "-2*cos(20*pi()*$x)*sin(20*pi()*$y), 0)\"; }\n");
+    const auto expression = c.pack();
+    for (std::size_t i = 0; i < formula.points.size(); ++i)
+    {
+        EXPECT_NEAR(formula.velocity.x[i], expression.velocity.x[i], 1e-13);
+        EXPECT_NEAR(formula.velocity.y[i], expression.velocity.y[i], 1e-13);
+    }
+    c.write("system/packParticlesDict", "velocity { type poiseuille; U 3; height 0.1; }\n");
+    const auto channel = c.pack();
+    for (std::size_t i = 0; i < channel.points.size(); ++i)
+        EXPECT_NEAR(channel.velocity.x[i], 12*channel.points.y[i]/0.1*(1 - channel.points.y[i]/0.1), 1e-12);
+}
+
+// What the solver gets: files that the case library reads back to the same numbers, with the mesh around them.
+TEST(Packing, writesACloudThatReadsBack)
+{
+    for (const auto format : {WriteFormat::ascii, WriteFormat::binary})
+    {
+        CaseFolder c;
+        c.write("system/packParticlesDict",
+                "lattice hexagonal; fill ( { region all; phase air; } { region box; min (0 0 0); max (0.1 0.05 "
+                "0); phase water; } );\n");
+        const Case theCase(c.path());
+        const auto plan = readPackingPlan(theCase);
+        const auto p = pack(plan);
+        writePacking(theCase, "0", plan, p, {format, 0});
+        const auto cloud = readCloud(c.path(), "0", "sph", theCase.diagnostics());
+        theCase.diagnostics().throwIfAny();
+        EXPECT_EQ(cloud.x, p.points.x);
+        EXPECT_EQ(cloud.y, p.points.y);
+        EXPECT_EQ(cloud.fields.at("m").component[0], p.mass);
+        EXPECT_EQ(cloud.fields.at("rho").component[0], p.rho);
+        EXPECT_EQ(cloud.fields.at("phase").component[0], p.phase);
+        EXPECT_EQ(cloud.fields.at("p").component[0], std::vector<double>(p.points.size(), 0.0));
+        EXPECT_EQ(cloud.fields.at("U").component.size(), 3u);
+        EXPECT_TRUE(fs::exists(c.path() / "constant/polyMesh/faces"));
+    }
+}
+
+// The bed that is reported: one sphere a cell, the solid fraction of touching spheres and the Bond numbers worked out by hand,
+// 1000*9.81*0.5^2/0.072 = 34062.5 and four times that, 136250.
+TEST(Packing, reportsTheBed)
+{
+    CaseFolder c;
+    c.write("constant/geometry", cubicBed);
+    c.write("constant/g", "dimensions [0 1 -2 0 0 0 0];\nvalue (0 -9.81 0);\n");
+    c.write("system/sphSchemes", "resolution { spacing 0.125; support 2.6; kernel wendlandC2; }\n");
+    c.write("system/packParticlesDict", "fill ( { region all; phase water; } ); allowEmpty yes; relax { steps 5; }\n");
+    const auto plan = c.plan();
+    const auto text = report(plan, pack(plan));
+    EXPECT_NE(text.find("1 spheres a cell, largest radius 0.5 m, solid fraction 0.523599"), std::string::npos) << text;
+    EXPECT_NE(text.find("rho g R^2/gamma 3.406e+04, rho g L^2/gamma 1.362e+05 with the period L = 1 m"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("Relaxation: 5 steps"), std::string::npos) << text;
+}
+
+TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
+{
+    // Each message says where, what was meant and what is possible.
+    CaseFolder c;
+    c.write("system/packParticlesDict",
+            "lattice cubik;\nfill\n(\n    { region spher; phase air; }\n    { region all; phase watr; }\n);\n"
+            "saturation\n{\n    phase water; gas air; value 1.5;\n    placement contact;\n}\nrelx { steps 5; }\n");
+    const auto message = c.error();
+    for (const std::string part : {"system/packParticlesDict:1:", "Did you mean \"cubic\"?", "system/packParticlesDict:4:",
+                                   "Did you mean \"sphere\"?", "system/packParticlesDict:5:", "Did you mean \"water\"?",
+                                   "system/packParticlesDict:9: a saturation of 1.5 is not between 0 and 1",
+                                   "system/packParticlesDict:10:", "Did you mean \"contacts\"?", "system/packParticlesDict:12:"})
+        EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+}
+
+TEST(PackingErrors, aPhaseWithoutParticlesUnlessAllowed)
+{
+    // The phase's own place in constant/phaseProperties is named, and allowEmpty lets it pass.
+    CaseFolder c;
+    EXPECT_NE(c.error().find("constant/phaseProperties:7: phase air has no particles"), std::string::npos) << c.error();
+    c.write("system/packParticlesDict", "allowEmpty yes;\n");
+    EXPECT_EQ(c.error(), "no error");
+}
+
+TEST(PackingErrors, spacingAgainstGapAndSpace)
+{
+    // Too coarse for the channel; a domain that is all solid; and a spacing that would make more particles than can be counted.
+    CaseFolder c;
+    c.write("system/sphSchemes", "resolution\n{\n    spacing 0.2;\n    support 2.6;\n}\n");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the gap of 0.1 m along x");
+    c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles; at most 1e+09 are possible");
+    c.write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n}\n");
+    c.write("constant/geometry",
+            "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); }\nwalls { roof { type plane; point (0 -1 0); normal "
+            "(0 -1 0); } }\n");
+    EXPECT_EQ(c.error().substr(0, 77), "system/sphSchemes:3: no particle of spacing 0.01 m fits between the walls: th");
+}
+
+TEST(PackingErrors, overlappingParticles)
+{
+    // Half a spacing of jitter on a lattice of 10,000 brings some pair within a twentieth of a spacing.
+    CaseFolder c;
+    c.write("system/sphSchemes", "resolution\n{\n    spacing 0.001;\n    support 2.6;\n}\n");
+    c.write("system/packParticlesDict", "allowEmpty yes;\njitter 0.5;\n");
+    const auto message = c.error();
+    EXPECT_EQ(message.substr(0, 49), "system/packParticlesDict:2: particles overlap: 0.") << message;
+}
