@@ -20,7 +20,8 @@ double nearest(const std::vector<Patch>& patches, const Vector<3>& x, double bes
 
 double Geometry::distance(const Vector<3>& x) const
 {
-    const auto smaller = [&](const Vector<3>& y, double best) { return tree ? tree->distance(y, best) : nearest(patches, y, best); };
+    const auto smaller = [&](const Vector<3>& y, double best)
+    { return tree ? tree->distance(y, best) : nearest(patches, y, best); };
     double d = smaller(x, Box::infinity);
     if (d <= reach) return d;
 
@@ -28,7 +29,7 @@ double Geometry::distance(const Vector<3>& x) const
     for (int i = periodic[0] ? -1 : 0; i <= int(periodic[0]); ++i)
         for (int k = periodic[1] ? -1 : 0; k <= int(periodic[1]); ++k)
             for (int l = periodic[2] ? -1 : 0; l <= int(periodic[2]); ++l)
-                if (i != 0 || k != 0 || l != 0) d = smaller(x + Vector<3>{i*length(0), k*length(1), l*length(2)}, d);
+                if (i != 0 || k != 0 || l != 0) d = smaller(x + Vector<3>{i * length(0), k * length(1), l * length(2)}, d);
     return d;
 }
 

@@ -13,10 +13,10 @@ namespace sph
 struct WallProperties
 {
     std::string name;
-    double contactAngle = 90;              ///< [degrees], through the first-named phase of each pair
-    bool wets = false;                     ///< true where the dictionary gives a contact angle
-    Vector<3> velocity;                    ///< [m/s] of the wall as a rigid body
-    Vector<3> origin, omega;               ///< rotation about `origin` [rad/s]
+    double contactAngle = 90; ///< [degrees], through the first-named phase of each pair
+    bool wets = false;        ///< true where the dictionary gives a contact angle
+    Vector<3> velocity;       ///< [m/s] of the wall as a rigid body
+    Vector<3> origin, omega;  ///< rotation about `origin` [rad/s]
     Location where;
 };
 
@@ -24,7 +24,7 @@ struct WallProperties
 struct Patch
 {
     std::shared_ptr<const Shape> shape;
-    int wall;                              ///< index into Geometry::walls
+    int wall; ///< index into Geometry::walls
 };
 
 class PatchGrid;
@@ -33,7 +33,7 @@ class PatchTree;
 struct Geometry
 {
     int dimension = 3;
-    Vector<3> low, high;                   ///< the domain; z from -0.5 to 0.5 times anything in 2-D is not used
+    Vector<3> low, high; ///< the domain; z from -0.5 to 0.5 times anything in 2-D is not used
     std::array<bool, 3> periodic{};
     std::vector<WallProperties> walls;
     std::vector<Patch> originals;          ///< as given, before repetition
@@ -42,7 +42,8 @@ struct Geometry
     std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
     std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
 
-    /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count too.
+    /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count
+    /// too.
     double distance(const Vector<3>& x) const;
     /// True where no patch has x on its solid side, for x within the domain.
     bool inFluid(const Vector<3>& x) const;
@@ -68,24 +69,24 @@ void repeatPeriodically(Geometry&, double reach);
 ///
 /// Types, with their entries (lengths in m, angles in degrees):
 ///
-///     plane      point normal                        normal into the fluid; of any length, as all directions here
-///     box        min max fluid                       fluid inside: planes, none where a periodic direction lies wholly inside the box
-///     sphere     centre radius fluid                 a circle in 2-D
-///     cylinder   point axis radius fluid             without ends; in 2-D the axis is z and need not be given
-///     cone       apex axis halfAngle fluid           one nappe, without end; 3-D
+///     plane      point normal                      normal into the fluid; of any length, as all directions here
+///     box        min max fluid                     fluid inside: planes, but none across a periodic direction that it spans
+///     sphere     centre radius fluid               a circle in 2-D
+///     cylinder   point axis radius fluid           without ends; in 2-D the axis is z and need not be given
+///     cone       apex axis halfAngle fluid         one nappe, without end; 3-D
 ///     torus      centre axis ringRadius tubeRadius fluid    3-D
-///     ellipsoid  centre semiAxes fluid               axes along x, y, z; an ellipse in 2-D
-///     sphereBed  lattice radius period origin        spheres in the fluid on all points of the lattice (sphereLattice); `origin`, a
-///                                                    lattice point, is the domain's min unless given
-///     spheres    spheres                             ((x y z r) (x y z r) ...), in the fluid, typically from an included file
+///     ellipsoid  centre semiAxes fluid             axes along x, y, z; an ellipse in 2-D
+///     sphereBed  lattice radius period origin      spheres in the fluid on all points of the lattice (sphereLattice);
+///                                                  `origin`, one of its points, is the domain's min unless given
+///     spheres    spheres                           ((x y z r) (x y z r) ...), in the fluid, as from an included file
 ///
-/// `fluid inside|outside` says on which side the fluid is. Every wall takes `contactAngle` (0 to 180) and `velocity`; single shapes
-/// also `omega` [rad/s] with `origin`. Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report.
-/// Patches are repeated over the periodic directions as far as `reach` [m] outside the domain.
+/// `fluid inside|outside` says on which side the fluid is. Every wall takes `contactAngle` (0 to 180) and `velocity`; single
+/// shapes also `omega` [rad/s] with `origin`. Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to
+/// report. Patches are repeated over the periodic directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
 
-/// Centres of the spheres of one period cell, and the extent of that cell. The cells of sc (1 sphere), bcc (2) and fcc (4) are cubes
-/// of edge `period`. hcp has `period` for the distance of neighbours in the close-packed layers normal to z, and a cell of
+/// Centres of the spheres of one period cell, and the extent of that cell. The cells of sc (1 sphere), bcc (2) and fcc (4) are
+/// cubes of edge `period`. hcp has `period` for the distance of neighbours in the close-packed layers normal to z, and a cell of
 /// (1, sqrt 3, sqrt 8/3) periods with 4 spheres.
 struct SphereLattice
 {

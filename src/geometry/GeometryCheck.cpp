@@ -24,13 +24,23 @@ class Check
     Diagnostics& diagnostics_;
     Box domain_;
     std::map<int, TriangleSurface> samples_;
+
+    /// Of all shapes of two walls, with the sharpest wedge among them.
+    struct Overlap
+    {
+        int count = 0;
+        double wedge = 180;
+        Vector<3> at;
+        bool ofBody = false;
+    };
+    std::map<std::pair<int, int>, Overlap> overlaps_;
     GeometryReport report_;
 
     const TriangleSurface& samples(int patch)
     {
         const auto found = samples_.find(patch);
         if (found != samples_.end()) return found->second;
-        return samples_[patch] = triangulate(*g_.patches[patch].shape, domain_, 0.5*H_);
+        return samples_[patch] = triangulate(*g_.patches[patch].shape, domain_, 0.5 * H_);
     }
 
     void describe()
@@ -58,8 +68,10 @@ class Check
         for (std::size_t w = 0; w < g_.walls.size(); ++w)
             if (std::none_of(g_.patches.begin(), g_.patches.end(), [&](const Patch& p) { return p.wall == int(w); }) &&
                 report_.walls[w].shapes > 0)
-                diagnostics_.error(g_.walls[w].where, fmt::format("wall \"{}\" coincides with walls given before, or lies out of reach of "
-                                                                  "the domain", g_.walls[w].name));
+                diagnostics_.error(g_.walls[w].where,
+                                   fmt::format("wall \"{}\" coincides with walls given before, or lies out of reach of "
+                                               "the domain",
+                                               g_.walls[w].name));
     }
 
     /// A shape whose tightest curve is wide enough needs no search; the others are looked at where the fluid touches them.
@@ -84,15 +96,17 @@ class Check
             {
                 const auto f = shape.foot(x);
                 // A little way into the fluid, where no other wall may be.
-                if (g_.inFluid(x + 10*tolerance_*f.normal)) note(1/std::max(std::abs(f.k1), std::abs(f.k2)), x);
+                if (g_.inFluid(x + 10 * tolerance_ * f.normal)) note(1 / std::max(std::abs(f.k1), std::abs(f.k2)), x);
             }
         }
         for (std::size_t w = 0; w < g_.walls.size(); ++w)
             if (const auto& wall = report_.walls[w]; wall.smallestRadius <= H_)
-                diagnostics_.error(g_.walls[w].where,
-                                   fmt::format("wall \"{}\" curves with a radius of {:.4g} m at {}, less than the kernel support {:.4g} m: "
-                                               "reflection needs more. Make the spacing less than {:.3g} of what it is, or the wall rounder",
-                                               g_.walls[w].name, wall.smallestRadius, text(g_, wall.smallestRadiusAt), H_, wall.smallestRadius/H_));
+                diagnostics_.error(
+                    g_.walls[w].where,
+                    fmt::format("wall \"{}\" curves with a radius of {:.4g} m at {}, less than the kernel support {:.4g} m: "
+                                "reflection needs more. Make the spacing less than {:.3g} of what it is, or the wall rounder",
+                                g_.walls[w].name, wall.smallestRadius, text(g_, wall.smallestRadiusAt), H_,
+                                wall.smallestRadius / H_));
     }
 
     /// In the domain, and not on a far side that repeats the near one.
@@ -101,7 +115,7 @@ class Check
         for (int k = 0; k < g_.dimension; ++k)
         {
             const auto c = component(k);
-            const double slack = 1e-9*g_.length(k);
+            const double slack = 1e-9 * g_.length(k);
             if (x.*c < g_.low.*c - slack || x.*c > g_.high.*c + (g_.periodic[k] ? -slack : slack)) return false;
         }
         return true;
@@ -112,18 +126,19 @@ class Check
         const auto &a = *g_.patches[p].shape, &b = *g_.patches[q].shape;
         static const TriangleSurface none;
         const bool bothBalls = isBall(a, g_.dimension) && isBall(b, g_.dimension);
-        const auto approach = closestApproach(a, b, g_, bothBalls ? none : samples(p), 0.5*H_);
+        const auto approach = closestApproach(a, b, g_, bothBalls ? none : samples(p), 0.5 * H_);
         const int wallA = g_.patches[p].wall, wallB = g_.patches[q].wall;
 
         if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
         {
-            const bool body = !a.enclosesFluid() || !b.enclosesFluid();
-            const int first = std::min(wallA, wallB), last = std::max(wallA, wallB);
-            const auto what = fmt::format("wall \"{}\" and wall \"{}\" overlap near {} and leave a wedge of fluid of {:.0f} degrees: "
-                                          "reflection needs 90 or more. Let them touch, or keep them apart",
-                                          g_.walls[first].name, g_.walls[last].name, text(g_, approach.at), approach.wedge);
-            if (body) diagnostics_.error(g_.walls[last].where, what);
-            else diagnostics_.warning(g_.walls[last].where, what);
+            auto& overlap = overlaps_[{std::min(wallA, wallB), std::max(wallA, wallB)}];
+            ++overlap.count;
+            overlap.ofBody = overlap.ofBody || !a.enclosesFluid() || !b.enclosesFluid();
+            if (approach.wedge < overlap.wedge)
+            {
+                overlap.wedge = approach.wedge;
+                overlap.at = approach.at;
+            }
             return;
         }
         if (approach.crossing || !approach.facing || approach.distance < -tolerance_ || !isOnce(approach.at)) return;
@@ -147,7 +162,7 @@ class Check
     void pairs()
     {
         // Swept along x: only pairs whose bounds are within two supports of each other.
-        const double near = 2*H_;
+        const double near = 2 * H_;
         const int n = int(g_.patches.size());
         std::vector<Box> bounds(n);
         std::vector<int> order(n);
@@ -162,22 +177,51 @@ class Check
             {
                 const auto &a = bounds[order[i]], &b = bounds[order[k]];
                 if (b.low.x > a.high.x + near) break;
-                if (a.low.y > b.high.y + near || b.low.y > a.high.y + near || a.low.z > b.high.z + near || b.low.z > a.high.z + near) continue;
+                if (a.low.y > b.high.y + near || b.low.y > a.high.y + near || a.low.z > b.high.z + near ||
+                    b.low.z > a.high.z + near)
+                    continue;
                 // The samples lie on the smaller one.
                 const auto extent = [](const Box& box) { return mag(box.high - box.low); };
-                if (extent(a) <= extent(b)) pair(order[i], order[k]);
-                else pair(order[k], order[i]);
+                if (extent(a) <= extent(b))
+                    pair(order[i], order[k]);
+                else
+                    pair(order[k], order[i]);
             }
-        for (std::size_t w = 0; w < g_.walls.size(); ++w)
-            if (const auto& gap = report_.walls[w].narrowest; gap.width < H_ && gap.wall >= int(w))
-                diagnostics_.warning(g_.walls[w].where, fmt::format("the gap between \"{}\" and \"{}\" narrows to {:.4g} m, {:.2g} of the kernel "
-                                                                    "support, at {}: the flow through it is not resolved",
-                                                                    g_.walls[w].name, g_.walls[gap.wall].name, gap.width, gap.width/H_,
-                                                                    text(g_, gap.at)));
+        reportOverlaps();
+        reportGaps();
     }
 
-    /// Additive recurrence with the generalised golden ratio (Roberts 2018): evenly spread, so that the error of n points is that of
-    /// many more random ones; the standard error of random points is reported as its bound.
+    void reportOverlaps()
+    {
+        for (const auto& [between, overlap] : overlaps_)
+        {
+            const auto& last = g_.walls[between.second];
+            const auto what = fmt::format(
+                "wall \"{}\" and wall \"{}\" overlap{} near {} and leave a wedge of fluid of {:.0f} degrees: reflection "
+                "needs 90 or more. Let them touch, or keep them apart",
+                g_.walls[between.first].name, last.name,
+                overlap.count > 1 ? fmt::format(" in {} places, most sharply", overlap.count) : "", text(g_, overlap.at),
+                overlap.wedge);
+            if (overlap.ofBody)
+                diagnostics_.error(last.where, what);
+            else
+                diagnostics_.warning(last.where, what);
+        }
+    }
+
+    void reportGaps()
+    {
+        for (std::size_t w = 0; w < g_.walls.size(); ++w)
+            if (const auto& gap = report_.walls[w].narrowest; gap.width < H_ && gap.wall >= int(w))
+                diagnostics_.warning(g_.walls[w].where,
+                                     fmt::format("the gap between \"{}\" and \"{}\" narrows to {:.4g} m, {:.2g} of the kernel "
+                                                 "support, at {}: the flow through it is not resolved",
+                                                 g_.walls[w].name, g_.walls[gap.wall].name, gap.width, gap.width / H_,
+                                                 text(g_, gap.at)));
+    }
+
+    /// Additive recurrence with the generalised golden ratio (Roberts 2018): evenly spread, so that the error of n points is
+    /// that of many more random ones; the standard error of random points is reported as its bound.
     void volume()
     {
         const int n = 100000;
@@ -190,26 +234,27 @@ class Check
             for (int k = 0; k < g_.dimension; ++k)
             {
                 step /= ratio;
-                const double u = 0.5 + i*step;
-                x.*component(k) = g_.low.*component(k) + (u - std::floor(u))*g_.length(k);
+                const double u = 0.5 + i * step;
+                x.*component(k) = g_.low.*component(k) + (u - std::floor(u)) * g_.length(k);
             }
             inFluid += g_.inFluid(x);
         }
-        const double f = inFluid/n;
+        const double f = inFluid / n;
         report_.fluidFraction = f;
-        report_.fluidFractionError = std::sqrt(f*(1 - f)/n);
+        report_.fluidFractionError = std::sqrt(f * (1 - f) / n);
         if (f == 0 && !g_.walls.empty())
-            diagnostics_.error(g_.walls.front().where, "the walls leave no fluid in the domain: see on which side of each the fluid is");
+            diagnostics_.error(g_.walls.front().where,
+                               "the walls leave no fluid in the domain: see on which side of each the fluid is");
     }
 
 public:
     Check(const Geometry& g, double H, Diagnostics& diagnostics)
-        : g_(g), H_(H), tolerance_(1e-6*std::max(g.length(0), g.length(1))), diagnostics_(diagnostics), domain_{g.low, g.high}
+        : g_(g), H_(H), tolerance_(1e-6 * std::max(g.length(0), g.length(1))), diagnostics_(diagnostics), domain_{g.low, g.high}
     {
         if (g.dimension == 2)
         {
-            domain_.low.z = -0.5*H;
-            domain_.high.z = 0.5*H;
+            domain_.low.z = -0.5 * H;
+            domain_.high.z = 0.5 * H;
         }
         report_.walls.resize(g.walls.size());
     }

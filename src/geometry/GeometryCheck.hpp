@@ -1,10 +1,10 @@
 /// Whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
 ///
-/// An image exists as far as the nearest centre of curvature (erratum HL9), so that R > H is needed on either side of a curved wall.
-/// Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not resolved.
+/// An image exists as far as the nearest centre of curvature (erratum HL9), so that R > H is needed on either side of a curved
+/// wall. Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
-/// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a warning
-/// between the walls of a container.
+/// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
+/// warning between the walls of a container.
 #pragma once
 #include "Geometry.hpp"
 #include <string>
@@ -16,28 +16,28 @@ namespace sph
 /// Where two surfaces come nearest to each other with fluid between them.
 struct Gap
 {
-    double width = Box::infinity;   ///< [m]; 0 where they touch
-    Vector<3> at;                   ///< middle of the gap
-    int wall = -1;                  ///< on the other side
+    double width = Box::infinity; ///< [m]; 0 where they touch
+    Vector<3> at;                 ///< middle of the gap
+    int wall = -1;                ///< on the other side
 };
 
 struct WallReport
 {
-    std::string type;               ///< of its shapes, "sphere"; several with commas
-    std::string fluid;              ///< "inside", "outside", or "normal" for planes
-    int shapes = 0;                 ///< before repetition
-    double smallestRadius = Box::infinity;   ///< of curvature, where the fluid meets the wall within the domain [m]
+    std::string type;                      ///< of its shapes, "sphere"; several with commas
+    std::string fluid;                     ///< "inside", "outside", or "normal" for planes
+    int shapes = 0;                        ///< before repetition
+    double smallestRadius = Box::infinity; ///< of curvature, where the fluid meets the wall within the domain [m]
     Vector<3> smallestRadiusAt;
-    Gap narrowest;                  ///< to any other shape, contacts left out
-    int contacts = 0;               ///< with this wall's other shapes and those of other walls, per period
+    Gap narrowest;    ///< to any other shape, contacts left out
+    int contacts = 0; ///< with this wall's other shapes and those of other walls, per period
 };
 
 struct GeometryReport
 {
-    std::vector<WallReport> walls;  ///< one for each of Geometry::walls
-    double fluidFraction = 1;       ///< volume of the fluid over that of the domain
-    double fluidFractionError = 0;  ///< standard error of the sampling
-    int contacts = 0;               ///< in the domain, each once
+    std::vector<WallReport> walls; ///< one for each of Geometry::walls
+    double fluidFraction = 1;      ///< volume of the fluid over that of the domain
+    double fluidFractionError = 0; ///< standard error of the sampling
+    int contacts = 0;              ///< in the domain, each once
 };
 
 /// Records errors and warnings at the walls they concern. `geometry.reach` must be at least H [m].

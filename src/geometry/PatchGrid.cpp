@@ -24,35 +24,35 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
     {
         const auto c = component(k);
         low_.*c = geometry.low.*c - reach;
-        extent.*c = geometry.length(k) + 2*reach;
+        extent.*c = geometry.length(k) + 2 * reach;
         volume *= extent.*c;
     }
-    const double edge = std::max(reach, std::pow(volume/mostCells, 1.0/dim));
+    const double edge = std::max(reach, std::pow(volume / mostCells, 1.0 / dim));
     double halfDiagonal = 0;
     for (int k = 0; k < dim; ++k)
     {
         const auto c = component(k);
-        cells_[k] = edge > 0 ? std::max(1, int(extent.*c/edge)) : 1;
-        size.*c = extent.*c/cells_[k];
-        inverseSize_.*c = 1/size.*c;
-        halfDiagonal += sqr(0.5*size.*c);
+        cells_[k] = edge > 0 ? std::max(1, int(extent.*c / edge)) : 1;
+        size.*c = extent.*c / cells_[k];
+        inverseSize_.*c = 1 / size.*c;
+        halfDiagonal += sqr(0.5 * size.*c);
     }
-    halfDiagonal = std::sqrt(halfDiagonal)*(1 + 1e-12);
+    halfDiagonal = std::sqrt(halfDiagonal) * (1 + 1e-12);
 
-    const auto centre = [&](int i, int k, int l)
-    {
-        return Vector<3>{low_.x + (i + 0.5)*size.x, low_.y + (k + 0.5)*size.y, dim == 3 ? low_.z + (l + 0.5)*size.z : 0.0};
+    const auto centre = [&](int i, int k, int l) {
+        return Vector<3>{low_.x + (i + 0.5) * size.x, low_.y + (k + 0.5) * size.y, dim == 3 ? low_.z + (l + 0.5) * size.z : 0.0};
     };
     // Solids that end touch only the cells around their bounds; the inside of all others may be anywhere.
     const auto range = [&](const Shape& shape, int k) -> std::array<int, 2>
     {
         if (k >= dim || shape.enclosesFluid()) return {0, cells_[k] - 1};
         const auto c = component(k);
-        const auto index = [&](double x) { return int(std::clamp(std::floor((x - low_.*c)/size.*c), -1.0, double(cells_[k]))); };
+        const auto index = [&](double x)
+        { return int(std::clamp(std::floor((x - low_.*c) / size.*c), -1.0, double(cells_[k]))); };
         const auto b = shape.bounds();
         return {std::max(0, index(b.low.*c - reach)), std::min(cells_[k] - 1, index(b.high.*c + reach))};
     };
-    std::vector<std::pair<int, int>> found;   // cell, patch
+    std::vector<std::pair<int, int>> found; // cell, patch
     for (int p = 0; p < int(geometry.patches.size()); ++p)
     {
         const auto& shape = *geometry.patches[p].shape;
@@ -61,9 +61,9 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
             for (int k = y[0]; k <= y[1]; ++k)
                 for (int i = x[0]; i <= x[1]; ++i)
                     if (shape.foot(centre(i, k, l)).distance - halfDiagonal <= reach)
-                        found.emplace_back((l*cells_[1] + k)*cells_[0] + i, p);
+                        found.emplace_back((l * cells_[1] + k) * cells_[0] + i, p);
     }
-    start_.assign(std::size_t(cells_[0])*cells_[1]*cells_[2] + 1, 0);
+    start_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
     for (const auto& [c, p] : found) ++start_[c + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     patches_.resize(found.size());
@@ -74,10 +74,10 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
 int PatchGrid::cell(const Vector<3>& x) const
 {
     // 2-D: inverseSize_.z is 0.
-    const double i = std::floor((x.x - low_.x)*inverseSize_.x), k = std::floor((x.y - low_.y)*inverseSize_.y),
-                 l = std::floor((x.z - low_.z)*inverseSize_.z);
+    const double i = std::floor((x.x - low_.x) * inverseSize_.x), k = std::floor((x.y - low_.y) * inverseSize_.y),
+                 l = std::floor((x.z - low_.z) * inverseSize_.z);
     const bool inside = i >= 0 && i < cells_[0] && k >= 0 && k < cells_[1] && l >= 0 && l < cells_[2];
-    return inside ? (int(l)*cells_[1] + int(k))*cells_[0] + int(i) : -1;
+    return inside ? (int(l) * cells_[1] + int(k)) * cells_[0] + int(i) : -1;
 }
 
 std::span<const int> PatchGrid::near(const Vector<3>& x) const

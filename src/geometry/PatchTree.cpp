@@ -17,7 +17,10 @@ double distanceTo(const Box& b, const Vector<3>& x)
 }
 
 /// Twice the middle; 0 along directions without end.
-double middle(const Box& b, double Vector<3>::* c) { return std::isfinite(b.low.*c) && std::isfinite(b.high.*c) ? b.low.*c + b.high.*c : 0; }
+double middle(const Box& b, double Vector<3>::*c)
+{
+    return std::isfinite(b.low.*c) && std::isfinite(b.high.*c) ? b.low.*c + b.high.*c : 0;
+}
 
 }
 
@@ -26,7 +29,8 @@ PatchTree::PatchTree(const std::vector<Patch>& patches)
     std::vector<Box> bounds;
     for (const auto& p : patches)
     {
-        if (p.shape->enclosesFluid()) others_.push_back(p.shape);
+        if (p.shape->enclosesFluid())
+            others_.push_back(p.shape);
         else
         {
             bodies_.push_back(p.shape);
@@ -52,10 +56,11 @@ int PatchTree::build(const std::vector<Box>& bounds, int first, int last)
     if (last - first <= 4) return index;
 
     auto longest = coordinates[0];
-    const auto extent = [&](double Vector<3>::* c) { return std::isfinite(all.high.*c - all.low.*c) ? all.high.*c - all.low.*c : 0; };
+    const auto extent = [&](double Vector<3>::*c)
+    { return std::isfinite(all.high.*c - all.low.*c) ? all.high.*c - all.low.*c : 0; };
     for (const auto c : coordinates)
         if (extent(c) > extent(longest)) longest = c;
-    const int half = (first + last)/2;
+    const int half = (first + last) / 2;
     std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
                      [&](int a, int b) { return middle(bounds[a], longest) < middle(bounds[b], longest); });
     const int left = build(bounds, first, half), right = build(bounds, half, last);

@@ -1,5 +1,5 @@
-/// The signed distance to the nearest of many patches, by a tree over their bounds: for sampling a scene at points that may be far
-/// from every wall, where PatchGrid lists nothing.
+/// The signed distance to the nearest of many patches, by a tree over their bounds: for sampling a scene at points that may be
+/// far from every wall, where PatchGrid lists nothing.
 #pragma once
 #include "Shape.hpp"
 #include <vector>
@@ -14,10 +14,10 @@ class PatchTree
     struct Node
     {
         Box bounds;
-        int first, last;          ///< of order_, for a leaf
+        int first, last; ///< of order_, for a leaf
         int left = -1, right = -1;
     };
-    std::vector<std::shared_ptr<const Shape>> bodies_;   ///< whose solid lies within their bounds
+    std::vector<std::shared_ptr<const Shape>> bodies_; ///< whose solid lies within their bounds
     std::vector<std::shared_ptr<const Shape>> others_;
     std::vector<int> order_;
     std::vector<Node> nodes_;

@@ -19,10 +19,7 @@ std::unique_ptr<Shape> Plane::shifted(const Vector<3>& by) const { return std::m
 
 ShapeDescription Plane::description() const { return {"plane", {{"point", point_}, {"normal", normal_}}, {}, false, {}}; }
 
-bool Plane::invariantAlong(int direction) const
-{
-    return std::abs(normal_.*component(direction)) < 1e-12;
-}
+bool Plane::invariantAlong(int direction) const { return std::abs(normal_.*component(direction)) < 1e-12; }
 
 TriangleSurface Plane::triangles(const Box& within, double size) const
 {
@@ -36,8 +33,9 @@ TriangleSurface Plane::triangles(const Box& within, double size) const
         low2 = std::min(low2, s2);
         high2 = std::max(high2, s2);
     }
-    return parametricSurface(segments(high1 - low1, size), segments(high2 - low2, size), [&, e1 = e1, e2 = e2](double u, double v)
-                             { return point_ + (low1 + u*(high1 - low1))*e1 + (low2 + v*(high2 - low2))*e2; });
+    return parametricSurface(segments(high1 - low1, size), segments(high2 - low2, size),
+                             [&, e1 = e1, e2 = e2](double u, double v)
+                             { return point_ + (low1 + u * (high1 - low1)) * e1 + (low2 + v * (high2 - low2)) * e2; });
 }
 
 }

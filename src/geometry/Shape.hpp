@@ -1,8 +1,10 @@
-/// Smooth wall surfaces by their mathematics: signed distance, foot point and principal curvatures (Barker et al. 2012, eqs. 15-18).
+/// Smooth wall surfaces by their mathematics: signed distance, foot point and principal curvatures (Barker et al. 2012, eqs.
+/// 15-18).
 ///
-/// Points have three components always; a 2-D scene lives in the plane z = 0 and its shapes do not vary with z (a sphere becomes a
-/// circle). Signs: `distance` is positive on the fluid side, `normal` points into the fluid, and a principal curvature is positive
-/// where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside (erratum HL6).
+/// Points have three components always; a 2-D scene lives in the plane z = 0 and its shapes do not vary with z (a sphere
+/// becomes a circle). Signs: `distance` is positive on the fluid side, `normal` points into the fluid, and a principal
+/// curvature is positive where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside
+/// (erratum HL6).
 #pragma once
 #include "TriangleSurface.hpp"
 #include "Vector.hpp"
@@ -17,12 +19,12 @@ namespace sph
 /// What a point sees of the nearest place of a surface.
 struct Foot
 {
-    double distance = 0;       ///< [m] > 0 in the fluid
-    Vector<3> normal;          ///< unit, into the fluid, at the foot point x - distance*normal
-    double k1 = 0, k2 = 0;     ///< principal curvatures at the foot point [1/m]
+    double distance = 0;   ///< [m] > 0 in the fluid
+    Vector<3> normal;      ///< unit, into the fluid, at the foot point x - distance*normal
+    double k1 = 0, k2 = 0; ///< principal curvatures at the foot point [1/m]
 
-    /// False where x has no mirror image in this surface: the nearest point lies on an edge, a vertex or an apex, or is not unique
-    /// (centre of a sphere, axis of a torus). Whoever makes images leaves such a point out.
+    /// False where x has no mirror image in this surface: the nearest point lies on an edge, a vertex or an apex, or is not
+    /// unique (centre of a sphere, axis of a torus). Whoever makes images leaves such a point out.
     bool smooth = true;
 };
 
@@ -31,11 +33,11 @@ struct Foot
 constexpr double volumeFactor(const Foot& f)
 {
     const double d = f.distance;
-    return (1 + f.k1*d)*(1 + f.k2*d)/((1 - f.k1*d)*(1 - f.k2*d));
+    return (1 + f.k1 * d) * (1 + f.k2 * d) / ((1 - f.k1 * d) * (1 - f.k2 * d));
 }
 
 /// x' = x - 2 d n
-constexpr Vector<3> mirrorImage(const Vector<3>& x, const Foot& f) { return x - 2*f.distance*f.normal; }
+constexpr Vector<3> mirrorImage(const Vector<3>& x, const Foot& f) { return x - 2 * f.distance * f.normal; }
 
 struct Box
 {
@@ -53,13 +55,14 @@ enum class FluidSide
 struct ShapeDescription
 {
     std::string type;
-    std::vector<std::pair<std::string, Vector<3>>> vectors;   ///< may hold infinities, where the shape does not end
+    std::vector<std::pair<std::string, Vector<3>>> vectors; ///< may hold infinities, where the shape does not end
     std::vector<std::pair<std::string, double>> scalars;
-    bool hasSide = true;                                      ///< false for a plane, whose normal says where the fluid is
+    bool hasSide = true; ///< false for a plane, whose normal says where the fluid is
     FluidSide fluid = FluidSide::outside;
 };
 
-/// A smooth surface with a unique nearest point for every x within the reach of a kernel, except where Foot::smooth says otherwise.
+/// A smooth surface with a unique nearest point for every x within the reach of a kernel, except where Foot::smooth says
+/// otherwise.
 class Shape
 {
 public:
@@ -83,7 +86,7 @@ public:
 };
 
 /// a/|a|, and a itself where it is a unit vector already: numbers that were written down and read again stay the same.
-inline Vector<3> unitVector(const Vector<3>& a) { return std::abs(dot(a, a) - 1) < 1e-15 ? a : a/mag(a); }
+inline Vector<3> unitVector(const Vector<3>& a) { return std::abs(dot(a, a) - 1) < 1e-15 ? a : a / mag(a); }
 
 /// The triangles of a shape cut off at the box, with normals into the fluid.
 TriangleSurface triangulate(const Shape&, const Box& within, double size);

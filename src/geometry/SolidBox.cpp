@@ -13,10 +13,10 @@ Foot SolidBox::foot(const Vector<3>& x) const
     if (moved > 0)
     {
         const double d = mag(q);
-        double depth = Box::infinity;     // at which another face is as near as this one
+        double depth = Box::infinity; // at which another face is as near as this one
         for (const auto c : coordinates)
-            depth = std::min(depth, q.*c != 0 ? 0.5*(high_.*c - low_.*c) : std::min(x.*c - low_.*c, high_.*c - x.*c));
-        return {d, q/d, 0, 0, moved == 1 && d <= depth};
+            depth = std::min(depth, q.*c != 0 ? 0.5 * (high_.*c - low_.*c) : std::min(x.*c - low_.*c, high_.*c - x.*c));
+        return {d, q / d, 0, 0, moved == 1 && d <= depth};
     }
     // Inside, or on the surface: the nearest face, where that is one alone.
     Foot f{-Box::infinity, {}, 0, 0, true};
@@ -54,19 +54,20 @@ TriangleSurface SolidBox::triangles(const Box& within, double size) const
     if (high.x <= low.x || high.y <= low.y || high.z <= low.z) return surface;
     for (int k = 0; k < 3; ++k)
     {
-        const auto normal = coordinates[k], first = coordinates[(k + 1)%3], second = coordinates[(k + 2)%3];
+        const auto normal = coordinates[k], first = coordinates[(k + 1) % 3], second = coordinates[(k + 2) % 3];
         for (const double level : {low_.*normal, high_.*normal})
         {
             if (!(level >= within.low.*normal && level <= within.high.*normal)) continue;
-            append(surface, parametricSurface(segments(high.*first - low.*first, size), segments(high.*second - low.*second, size),
-                                              [&](double u, double v)
-                                              {
-                                                  Vector<3> p;
-                                                  p.*normal = level;
-                                                  p.*first = low.*first + u*(high.*first - low.*first);
-                                                  p.*second = low.*second + v*(high.*second - low.*second);
-                                                  return p;
-                                              }));
+            append(surface,
+                   parametricSurface(segments(high.*first - low.*first, size), segments(high.*second - low.*second, size),
+                                     [&](double u, double v)
+                                     {
+                                         Vector<3> p;
+                                         p.*normal = level;
+                                         p.*first = low.*first + u * (high.*first - low.*first);
+                                         p.*second = low.*second + v * (high.*second - low.*second);
+                                         return p;
+                                     }));
         }
     }
     return surface;

@@ -1,4 +1,5 @@
-/// A box-shaped body in the fluid, with faces along x, y and z. One shape, not six planes: foot() is the nearest point of its surface.
+/// A box-shaped body in the fluid, with faces along x, y and z. One shape, not six planes: foot() is the nearest point of its
+/// surface.
 ///
 /// Faces have no curvature. Foot::smooth is false where an image would be wrong: for a point nearest to an edge or a vertex, and
 /// for one whose mirror image would lie nearer to another face than to its own, so that the solid behind a convex edge is filled

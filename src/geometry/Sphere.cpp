@@ -11,8 +11,8 @@ Foot Sphere::foot(const Vector<3>& x) const
 {
     const auto q = x - centre_;
     const double r = mag(q), e = fluid_ == FluidSide::inside ? 1 : -1;
-    const bool smooth = r > 1e-12*R_;
-    return {e*(R_ - r), smooth ? -e/r*q : Vector<3>{-e, 0, 0}, e/R_, e/R_, smooth};
+    const bool smooth = r > 1e-12 * R_;
+    return {e * (R_ - r), smooth ? -e / r * q : Vector<3>{-e, 0, 0}, e / R_, e / R_, smooth};
 }
 
 Box Sphere::bounds() const
@@ -35,11 +35,13 @@ double Sphere::distanceTo(const Box& box) const
 TriangleSurface Sphere::triangles(const Box&, double size) const
 {
     using std::numbers::pi;
-    return parametricSurface(segments(2*pi*R_, size), segments(pi*R_, size), [&](double u, double v)
-                             {
-                                 const double phi = 2*pi*u, theta = pi*v;
-                                 return centre_ + R_*Vector<3>{std::sin(theta)*std::cos(phi), std::sin(theta)*std::sin(phi), std::cos(theta)};
-                             });
+    return parametricSurface(
+        segments(2 * pi * R_, size), segments(pi * R_, size),
+        [&](double u, double v)
+        {
+            const double phi = 2 * pi * u, theta = pi * v;
+            return centre_ + R_ * Vector<3>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+        });
 }
 
 }

@@ -16,7 +16,8 @@ struct TriangleSurface
     std::vector<std::array<int, 3>> triangles;
 };
 
-/// The image of the unit square under `point(u, v)` in nu x nv cells of two triangles each; those without area (poles) are left out.
+/// The image of the unit square under `point(u, v)` in nu x nv cells of two triangles each; those without area (poles) are left
+/// out.
 TriangleSurface parametricSurface(int nu, int nv, const std::function<Vector<3>(double u, double v)>& point);
 
 /// Cells along an arc of that length [m] for edges no longer than `size`, within limits that keep circles round and files small.

@@ -24,7 +24,7 @@ class Hash
 public:
     void add(const std::string& text)
     {
-        for (const unsigned char c : text) value_ = (value_ ^ c)*1099511628211u;
+        for (const unsigned char c : text) value_ = (value_ ^ c) * 1099511628211u;
     }
     std::string hex() const { return fmt::format("{:016x}", value_); }
 };
@@ -38,9 +38,10 @@ void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesy
     {
         hash.add(line + '\n');
         const auto start = line.find_first_not_of(" \t");
-        const bool includes = start != std::string::npos && (line.compare(start, 8, "#include") == 0 || line.compare(start, 9, "#sinclude") == 0);
+        const bool includes =
+            start != std::string::npos && (line.compare(start, 8, "#include") == 0 || line.compare(start, 9, "#sinclude") == 0);
         const auto open = line.find('"'), close = line.rfind('"');
-        if (includes && close > open) addFile(hash, file.parent_path()/line.substr(open + 1, close - open - 1), seen);
+        if (includes && close > open) addFile(hash, file.parent_path() / line.substr(open + 1, close - open - 1), seen);
     }
 }
 
@@ -70,7 +71,7 @@ std::string geometryStamp(const std::filesystem::path& caseFolder, double spacin
 {
     Hash hash;
     std::set<std::filesystem::path> seen;
-    addFile(hash, caseFolder/"constant"/"geometry", seen);
+    addFile(hash, caseFolder / "constant" / "geometry", seen);
     hash.add(fmt::format("spacing {} support {}", spacing, support));
     return hash.hex();
 }
@@ -118,7 +119,8 @@ Geometry readWalls(const Dictionary& dict, double reach)
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end())
         {
-            if (patch.found("wall")) patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
+            if (patch.found("wall"))
+                patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
             continue;
         }
         for (auto& shape : readShapes(patch, g)) g.originals.push_back({std::move(shape), int(found - names.begin())});

@@ -10,14 +10,14 @@ namespace
 {
 
 /// Angle of the fluid between two surfaces that cross, from the cosine of the angle between their normals.
-double wedgeAngle(double cosNormals) { return 180 - std::acos(std::clamp(cosNormals, -1.0, 1.0))*180/std::numbers::pi; }
+double wedgeAngle(double cosNormals) { return 180 - std::acos(std::clamp(cosNormals, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 bool isWithin(const Geometry& g, const Vector<3>& x)
 {
     for (int k = 0; k < g.dimension; ++k)
     {
         const auto c = component(k);
-        const double slack = 1e-9*g.length(k);
+        const double slack = 1e-9 * g.length(k);
         if (x.*c < g.low.*c - slack || x.*c > g.high.*c + slack) return false;
     }
     return true;
@@ -42,7 +42,7 @@ Approach ballToSurface(const Ball& ball, const Shape& b)
     const auto f = b.foot(ball.centre);
     Approach result;
     result.distance = f.distance - ball.R;
-    result.at = ball.centre - (ball.R + 0.5*result.distance)*f.normal;
+    result.at = ball.centre - (ball.R + 0.5 * result.distance) * f.normal;
     result.facing = f.distance > 0;
     return result;
 }
@@ -50,20 +50,20 @@ Approach ballToSurface(const Ball& ball, const Shape& b)
 Vector<3> onSurface(const Shape& shape, const Vector<3>& x)
 {
     const auto f = shape.foot(x);
-    return x - f.distance*f.normal;
+    return x - f.distance * f.normal;
 }
 
 /// Moves along the surface of `a` to a smaller distance from `b`, by steps that halve when none helps (compass search).
 Vector<3> descend(const Shape& a, const Shape& b, const Geometry& g, Vector<3> x, double step)
 {
     double d = b.foot(x).distance;
-    for (int trials = 0; step > 1e-9*g.length(0) && trials < 4000; ++trials)
+    for (int trials = 0; step > 1e-9 * g.length(0) && trials < 4000; ++trials)
     {
         const auto [e1, e2] = crossSection(a.foot(x).normal);
         bool moved = false;
         for (const auto& e : {e1, -e1, e2, -e2})
         {
-            auto y = x + step*e;
+            auto y = x + step * e;
             if (g.dimension == 2) y.z = 0;
             y = onSurface(a, y);
             const double there = b.foot(y).distance;
@@ -79,7 +79,8 @@ Vector<3> descend(const Shape& a, const Shape& b, const Geometry& g, Vector<3> x
 }
 
 /// Sharpest wedge along the edges of the triangles that cross `b`.
-double sharpestWedge(const Shape& a, const Shape& b, const TriangleSurface& samples, const std::vector<double>& distances, double tolerance)
+double sharpestWedge(const Shape& a, const Shape& b, const TriangleSurface& samples, const std::vector<double>& distances,
+                     double tolerance)
 {
     double sharpest = 180;
     for (const auto& [i, j, k] : samples.triangles)
@@ -89,7 +90,7 @@ double sharpestWedge(const Shape& a, const Shape& b, const TriangleSurface& samp
             auto low = samples.points[from], high = samples.points[to];
             for (int halving = 0; halving < 40; ++halving)
             {
-                const auto middle = onSurface(a, 0.5*(low + high));
+                const auto middle = onSurface(a, 0.5 * (low + high));
                 (b.foot(middle).distance < 0 ? low : high) = middle;
             }
             sharpest = std::min(sharpest, wedgeAngle(dot(a.foot(low).normal, b.foot(low).normal)));
@@ -107,7 +108,7 @@ bool isBall(const Shape& shape, int dimension)
 
 Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, const TriangleSurface& samples, double size)
 {
-    const double tolerance = 1e-6*std::max(g.length(0), g.length(1));
+    const double tolerance = 1e-6 * std::max(g.length(0), g.length(1));
     const bool ballA = isBall(a, g.dimension), ballB = isBall(b, g.dimension);
     if (ballA && ballB)
     {
@@ -115,7 +116,7 @@ Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, cons
         auto result = ballToSurface(A, b);
         const double D = mag(A.centre - B.centre);
         result.crossing = result.distance < -tolerance && D > std::abs(A.R - B.R);
-        if (result.crossing) result.wedge = wedgeAngle((sqr(A.R) + sqr(B.R) - sqr(D))/(2*A.R*B.R));
+        if (result.crossing) result.wedge = wedgeAngle((sqr(A.R) + sqr(B.R) - sqr(D)) / (2 * A.R * B.R));
         return result;
     }
     if (ballA || ballB)
@@ -134,7 +135,7 @@ Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, cons
         distances.push_back(f.distance);
         outside = outside || f.distance > tolerance;
         behind = behind || f.distance < -tolerance;
-        if (dot(f.normal, a.foot(p).normal) > -0.5 || !isWithin(g, p)) continue;   // the sides of a wedge of more than 60 degrees
+        if (dot(f.normal, a.foot(p).normal) > -0.5 || !isWithin(g, p)) continue; // the sides of a wedge of more than 60 degrees
         if (f.distance < result.distance)
         {
             result.distance = f.distance;
@@ -150,7 +151,7 @@ Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, cons
     const auto nearest = descend(a, b, g, samples.points[best], size);
     const auto f = b.foot(nearest);
     result.distance = f.distance;
-    result.at = nearest - 0.5*f.distance*f.normal;
+    result.at = nearest - 0.5 * f.distance * f.normal;
     result.facing = dot(f.normal, a.foot(nearest).normal) < -0.5;
     if (!result.crossing && outside && f.distance < -tolerance && result.facing)
     {

@@ -7,15 +7,16 @@ namespace sph
 
 struct Approach
 {
-    double distance = Box::infinity;   ///< smallest, < 0 where they overlap [m]
-    Vector<3> at;                      ///< middle of the two nearest points
-    bool facing = false;               ///< the surfaces look at each other there, with fluid or solid between
+    double distance = Box::infinity; ///< smallest, < 0 where they overlap [m]
+    Vector<3> at;                    ///< middle of the two nearest points
+    bool facing = false;             ///< the surfaces look at each other there, with fluid or solid between
     bool crossing = false;
-    double wedge = 180;                ///< sharpest angle of the fluid where they cross [degrees]
+    double wedge = 180; ///< sharpest angle of the fluid where they cross [degrees]
 };
 
-/// Search within the domain. `samples` are points of the surface of `a` there, `size` their distance from each other. Balls (spheres,
-/// and circles in 2-D, with fluid outside) are exact; others to 1e-9 of `size`, as far as the samples find the right valley.
+/// Search within the domain. `samples` are points of the surface of `a` there, `size` their distance from each other. Balls
+/// (spheres, and circles in 2-D, with fluid outside) are exact; others to 1e-9 of `size`, as far as the samples find the right
+/// valley.
 Approach closestApproach(const Shape& a, const Shape& b, const Geometry&, const TriangleSurface& samples, double size);
 
 /// True where closestApproach needs no samples of a.

@@ -5,9 +5,9 @@
 namespace sph
 {
 
-inline constexpr double Vector<3>::* coordinates[]{&Vector<3>::x, &Vector<3>::y, &Vector<3>::z};
+inline constexpr double Vector<3>::*coordinates[]{&Vector<3>::x, &Vector<3>::y, &Vector<3>::z};
 inline constexpr char coordinateNames[]{'x', 'y', 'z'};
 
-constexpr double Vector<3>::* component(int direction) { return coordinates[direction]; }
+constexpr double Vector<3>::*component(int direction) { return coordinates[direction]; }
 
 }

@@ -25,15 +25,19 @@ void readSpace(const Dictionary& dict, Geometry& g)
         const auto c = component(k);
         if (g.high.*c > g.low.*c) continue;
         if (k < g.dimension && given)
-            domain.error("max", fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], g.high.*c, g.low.*c));
+            domain.error("max", fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
+                                            g.high.*c, g.low.*c));
         g.high.*c = g.low.*c + 1;
     }
     static const std::vector<std::string> directions{"x", "y", "z"};
     for (const auto& word : domain.get<std::vector<std::string>>("periodic", {}))
     {
-        if (word == "x" || word == "y" || (word == "z" && g.dimension == 3)) g.periodic[word[0] - 'x'] = true;
-        else if (word == "z") domain.error("periodic", "a 2-D scene does not vary with z: it cannot be periodic there");
-        else domain.error("periodic", fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
+        if (word == "x" || word == "y" || (word == "z" && g.dimension == 3))
+            g.periodic[word[0] - 'x'] = true;
+        else if (word == "z")
+            domain.error("periodic", "a 2-D scene does not vary with z: it cannot be periodic there");
+        else
+            domain.error("periodic", fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
     }
 }
 
@@ -49,7 +53,7 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     wall.velocity = dict.getVector("velocity", units::mPerS, {});
     if (mayTurn)
     {
-        wall.omega = dict.getVector("omega", units::none/units::s, {});
+        wall.omega = dict.getVector("omega", units::none / units::s, {});
         wall.origin = dict.getVector("origin", units::m, {});
     }
     return wall;

@@ -118,7 +118,7 @@ Shapes box(const Dictionary& wall, const Geometry& g)
     for (int k = 0; k < g.dimension; ++k)
     {
         const auto c = component(k);
-        const double slack = rounding*g.length(k);
+        const double slack = rounding * g.length(k);
         if (g.periodic[k] && low.*c <= g.low.*c + slack && high.*c >= g.high.*c - slack) endless[k] = true;
     }
 
@@ -157,28 +157,31 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
     auto lattice = sphereLattice(name, period);
     if (g.dimension == 2) std::erase_if(lattice.centres, [](const Vector<3>& c) { return c.z != 0; });
     std::array<int, 3> first{}, last{};
-    Vector<3> stretch{1, 1, 1};   // takes out the rounding of the domain's length
+    Vector<3> stretch{1, 1, 1}; // takes out the rounding of the domain's length
     for (int k = 0; k < g.dimension; ++k)
     {
         const auto c = component(k);
-        const double L = g.length(k), cells = std::round(L/(lattice.period.*c));
+        const double L = g.length(k), cells = std::round(L / (lattice.period.*c));
         if (g.periodic[k])
         {
-            if (cells < 1 || std::abs(cells*(lattice.period.*c) - L) > rounding*L)
-                wall.error("period", fmt::format("the domain repeats in {0} after {1:.9g} m, which is not a whole number of cells of the "
-                                                 "{2} lattice ({3:.9g} m each): make it {4:.9g} m", coordinateNames[k], L, name,
-                                                 lattice.period.*c, std::max(1.0, cells)*(lattice.period.*c)));
-            else stretch.*c = L/(cells*(lattice.period.*c));
+            if (cells < 1 || std::abs(cells * (lattice.period.*c) - L) > rounding * L)
+                wall.error("period",
+                           fmt::format("the domain repeats in {0} after {1:.9g} m, which is not a whole number of cells of the "
+                                       "{2} lattice ({3:.9g} m each): make it {4:.9g} m",
+                                       coordinateNames[k], L, name, lattice.period.*c,
+                                       std::max(1.0, cells) * (lattice.period.*c)));
+            else
+                stretch.*c = L / (cells * (lattice.period.*c));
             first[k] = 0;
             last[k] = int(cells) - 1;
         }
         else
         {
-            first[k] = int(std::floor((g.low.*c - origin.*c - radius - g.reach)/(lattice.period.*c))) - 1;
-            last[k] = int(std::ceil((g.high.*c - origin.*c + radius + g.reach)/(lattice.period.*c)));
+            first[k] = int(std::floor((g.low.*c - origin.*c - radius - g.reach) / (lattice.period.*c))) - 1;
+            last[k] = int(std::ceil((g.high.*c - origin.*c + radius + g.reach) / (lattice.period.*c)));
         }
     }
-    if (double(last[0] - first[0] + 1)*(last[1] - first[1] + 1)*(last[2] - first[2] + 1) > 1e7)
+    if (double(last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1) > 1e7)
     {
         wall.error("period", fmt::format("a period of {} m makes more than ten million spheres in this domain", period));
         return {};
@@ -190,8 +193,8 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
             for (int i = first[0]; i <= last[0]; ++i)
                 for (const auto& inCell : lattice.centres)
                 {
-                    const auto x = inCell + Vector<3>{i*lattice.period.x, k*lattice.period.y, l*lattice.period.z};
-                    const Vector<3> centre = origin + Vector<3>{stretch.x*x.x, stretch.y*x.y, stretch.z*x.z};
+                    const auto x = inCell + Vector<3>{i * lattice.period.x, k * lattice.period.y, l * lattice.period.z};
+                    const Vector<3> centre = origin + Vector<3>{stretch.x * x.x, stretch.y * x.y, stretch.z * x.z};
                     bool near = true;
                     for (int d = 0; d < g.dimension; ++d)
                         near = near && (g.periodic[d] || (centre.*component(d) + radius >= g.low.*component(d) - g.reach &&
@@ -208,9 +211,12 @@ Shapes spheres(const Dictionary& wall, const Geometry& g)
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
         const auto& row = rows[i];
-        if (row.size() != 4) wall.error("spheres", fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
-        else if (!(row[3] > 0)) wall.error("spheres", fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
-        else shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
+        if (row.size() != 4)
+            wall.error("spheres", fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
+        else if (!(row[3] > 0))
+            wall.error("spheres", fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
+        else
+            shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
     }
     if (rows.empty() && wall.found("spheres")) wall.error("spheres", "there are no spheres in the list");
     return shapes;
@@ -225,7 +231,8 @@ void checkPeriodicity(const Dictionary& wall, const Geometry& g, const Shape& sh
         const auto b = shape.bounds();
         if (!g.periodic[k] || shape.invariantAlong(k)) continue;
         if (shape.enclosesFluid())
-            wall.error("type", fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}", coordinateNames[k]));
+            wall.error("type", fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}",
+                                           coordinateNames[k]));
         else if (std::isinf(b.low.*c) || std::isinf(b.high.*c))
             wall.error("type", fmt::format("a {} that does not end, oblique to the periodic direction {}, does not repeat there",
                                            shape.description().type, coordinateNames[k]));
@@ -239,16 +246,18 @@ bool isSingleShape(const std::string& type) { return type != "sphereBed" && type
 std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, const Geometry& g)
 {
     using Reader = Shapes (*)(const Dictionary&, const Geometry&);
-    static const std::map<std::string, Reader> readers{{"plane", plane}, {"box", box}, {"sphere", sphere}, {"cylinder", cylinder},
-                                                       {"cone", cone}, {"torus", torus}, {"ellipsoid", ellipsoid},
-                                                       {"sphereBed", sphereBed}, {"spheres", spheres}};
-    static const std::vector<std::string> types{"plane", "box", "sphere", "cylinder", "cone", "torus", "ellipsoid", "sphereBed", "spheres"};
+    static const std::map<std::string, Reader> readers{
+        {"plane", plane},    {"box", box},     {"sphere", sphere},       {"cylinder", cylinder},
+        {"cone", cone},      {"torus", torus}, {"ellipsoid", ellipsoid}, {"sphereBed", sphereBed},
+        {"spheres", spheres}};
+    static const std::vector<std::string> types{"plane", "box",       "sphere",    "cylinder", "cone",
+                                                "torus", "ellipsoid", "sphereBed", "spheres"};
 
     const auto before = wall.diagnostics().errors();
     const auto type = wall.choose("type", types);
     if (wall.diagnostics().errors() != before)
     {
-        for (const auto& key : wall.keys()) wall.ignore(key);   // which entries belong here is not known
+        for (const auto& key : wall.keys()) wall.ignore(key); // which entries belong here is not known
         return {};
     }
     auto shapes = readers.at(type)(wall, g);

@@ -30,7 +30,8 @@ std::array<int, 2> shifts(const Geometry& g, const Shape& shape, int direction, 
     const auto b = shape.bounds();
     if (std::isinf(b.low.*c) || std::isinf(b.high.*c)) return {0, 0};
     const double L = g.length(direction);
-    return {int(std::ceil((g.low.*c - reach - b.high.*c)/L - 1e-9)), int(std::floor((g.high.*c + reach - b.low.*c)/L + 1e-9))};
+    return {int(std::ceil((g.low.*c - reach - b.high.*c) / L - 1e-9)),
+            int(std::floor((g.high.*c + reach - b.low.*c) / L + 1e-9))};
 }
 
 /// Copies of two originals may coincide: spheres given on both sides of a periodic domain.
@@ -80,14 +81,14 @@ void repeatPeriodically(Geometry& g, double reach)
                 for (int i = x[0]; i <= x[1]; ++i)
                 {
                     const bool moved = i != 0 || k != 0 || l != 0;
-                    const Vector<3> by{i*g.length(0), k*g.length(1), l*g.length(2)};
+                    const Vector<3> by{i * g.length(0), k * g.length(1), l * g.length(2)};
                     auto shape = moved ? std::shared_ptr<const Shape>(original.shape->shifted(by)) : original.shape;
                     const bool isRepeated = g.periodic[0] || g.periodic[1] || g.periodic[2];
                     if (!isRepeated || shape->distanceTo(flat) <= reach) copies.push_back({std::move(shape), original.wall});
                 }
     }
     const double size = std::max({g.length(0), g.length(1), g.dimension == 3 ? g.length(2) : 0.0});
-    g.patches = withoutTwins(std::move(copies), 1e-9*size);
+    g.patches = withoutTwins(std::move(copies), 1e-9 * size);
     g.reach = reach;
     g.grid = std::make_shared<PatchGrid>(g, reach);
     g.tree = std::make_shared<PatchTree>(g.patches);

@@ -11,8 +11,8 @@ std::vector<TriangleSurface> wallSurfaces(const Geometry& g, double margin, doub
     Box within{g.low - m, g.high + m};
     if (g.dimension == 2)
     {
-        within.low.z = -0.5*size;
-        within.high.z = 0.5*size;
+        within.low.z = -0.5 * size;
+        within.high.z = 0.5 * size;
     }
     std::vector<TriangleSurface> surfaces(g.walls.size());
     for (const auto& patch : g.patches) append(surfaces[patch.wall], triangulate(*patch.shape, within, size));
@@ -56,9 +56,11 @@ std::string vtpText(const Geometry& g, const std::vector<TriangleSurface>& surfa
         for (std::size_t i = 0; i < count; ++i) fmt::format_to(to, "{}\n", value(i));
         fmt::format_to(to, "</DataArray>\n");
     };
-    fmt::format_to(to, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
-                       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                   all.points.size(), all.triangles.size());
+    fmt::format_to(
+        to,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+        "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+        all.points.size(), all.triangles.size());
     fmt::format_to(to, "<CellData Scalars=\"wall\">\n");
     array("Int32", "Name=\"wall\"", wallOf.size(), [&](std::size_t i) { return wallOf[i]; });
     array("Float64", "Name=\"contactAngle\"", wallOf.size(), [&](std::size_t i) { return g.walls[wallOf[i]].contactAngle; });
@@ -66,9 +68,9 @@ std::string vtpText(const Geometry& g, const std::vector<TriangleSurface>& surfa
     array("Float64", "NumberOfComponents=\"3\"", all.points.size(),
           [&](std::size_t i) { return fmt::format("{:.9g} {:.9g} {:.9g}", all.points[i].x, all.points[i].y, all.points[i].z); });
     fmt::format_to(to, "</Points>\n<Polys>\n");
-    array("Int64", "Name=\"connectivity\"", all.triangles.size(), [&](std::size_t i)
-          { return fmt::format("{} {} {}", all.triangles[i][0], all.triangles[i][1], all.triangles[i][2]); });
-    array("Int64", "Name=\"offsets\"", all.triangles.size(), [](std::size_t i) { return 3*(i + 1); });
+    array("Int64", "Name=\"connectivity\"", all.triangles.size(),
+          [&](std::size_t i) { return fmt::format("{} {} {}", all.triangles[i][0], all.triangles[i][1], all.triangles[i][2]); });
+    array("Int64", "Name=\"offsets\"", all.triangles.size(), [](std::size_t i) { return 3 * (i + 1); });
     fmt::format_to(to, "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n");
     return fmt::to_string(out);
 }

@@ -7,8 +7,8 @@
 namespace sph
 {
 
-/// One surface for each of Geometry::walls, periodic copies included, cut off `margin` [m] outside the domain; edges of about `size`.
-/// A 2-D scene becomes a slice of thickness `size`.
+/// One surface for each of Geometry::walls, periodic copies included, cut off `margin` [m] outside the domain; edges of about
+/// `size`. A 2-D scene becomes a slice of thickness `size`.
 std::vector<TriangleSurface> wallSurfaces(const Geometry&, double margin, double size);
 
 /// ascii STL with a region `solid <name>` for each wall, normals into the fluid.

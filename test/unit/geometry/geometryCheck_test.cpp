@@ -46,26 +46,29 @@ TEST(GeometryCheck, countsTheContactsOfTouchingSpheres)
     const auto sc = check(cube + "walls { grains { type sphereBed; lattice sc; radius 0.5; period 1; } }", 0.1);
     EXPECT_EQ(sc.errors, "");
     EXPECT_EQ(sc.report.contacts, 3);
-    EXPECT_NEAR(sc.report.fluidFraction, 1 - std::numbers::pi/6, 3*sc.report.fluidFractionError);
+    EXPECT_NEAR(sc.report.fluidFraction, 1 - std::numbers::pi / 6, 3 * sc.report.fluidFractionError);
     const auto bcc = check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4330127019; period 1; } }", 0.1);
     EXPECT_EQ(bcc.errors, "");
     EXPECT_EQ(bcc.report.contacts, 8);
     EXPECT_EQ(bcc.report.walls[0].contacts, 8);
-    EXPECT_NEAR(bcc.report.fluidFraction, 1 - std::sqrt(3.0)*std::numbers::pi/8, 3*bcc.report.fluidFractionError);
-    const auto shifted = check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.25; period 0.5; origin (0.1 0.07 0.33); } }",
-                               0.1);
-    EXPECT_TRUE(contains(shifted.errors, "overlap near")) << shifted.errors;
+    EXPECT_NEAR(bcc.report.fluidFraction, 1 - std::sqrt(3.0) * std::numbers::pi / 8, 3 * bcc.report.fluidFractionError);
+    const auto shifted =
+        check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.25; period 0.5; origin (0.1 0.07 0.33); } }", 0.1);
+    EXPECT_TRUE(contains(shifted.errors, "overlap in 64 places, most sharply near")) << shifted.errors;
 }
 
 // The narrowest gap and its place: between neighbours of a bcc bed, sqrt(3)/2 - 2 R.
 TEST(GeometryCheck, reportsTheNarrowestGap)
 {
-    const auto [report, errors, warnings] = check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.1);
+    const auto [report, errors, warnings] =
+        check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.1);
     EXPECT_EQ(errors, "");
     EXPECT_EQ(report.contacts, 0);
     EXPECT_NEAR(report.walls[0].narrowest.width, std::sqrt(0.75) - 0.8, 1e-14);
-    EXPECT_TRUE(contains(warnings, "constant/geometry:2: the gap between \"grains\" and \"grains\" narrows to 0.06603 m, 0.66 of the kernel "
-                                   "support, at (")) << warnings;
+    EXPECT_TRUE(contains(
+        warnings, "constant/geometry:2: the gap between \"grains\" and \"grains\" narrows to 0.06603 m, 0.66 of the kernel "
+                  "support, at ("))
+        << warnings;
     EXPECT_EQ(check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.05).warnings, "");
 }
 
@@ -80,13 +83,17 @@ TEST(GeometryCheck, findsGapsOfGeneralShapes)
     const auto rings = gap("a { type torus; centre (-0.4 0 0); axis (0 0 1); ringRadius 0.25; tubeRadius 0.1; fluid outside; }\n"
                            "b { type torus; centre (0.4 0 0); axis (0 0 1); ringRadius 0.3; tubeRadius 0.1; fluid outside; }");
     EXPECT_NEAR(rings.width, 0.05, 1e-8);
-    EXPECT_NEAR(gap("a { type plane; point (0 0.02 0); normal (0 -1 0); } b { type plane; point (0 -0.02 0); normal (0 1 0); }").width,
-                0.04, 1e-14);
+    EXPECT_NEAR(
+        gap("a { type plane; point (0 0.02 0); normal (0 -1 0); } b { type plane; point (0 -0.02 0); normal (0 1 0); }").width,
+        0.04, 1e-14);
     EXPECT_NEAR(gap("a { type plane; point (0 -0.5 0); normal (0 1 0); }"
-                    "b { type cylinder; point (0.3 -0.16 0); axis (0 0 1); radius 0.3; fluid outside; }").width, 0.04, 1e-9);
+                    "b { type cylinder; point (0.3 -0.16 0); axis (0 0 1); radius 0.3; fluid outside; }")
+                    .width,
+                0.04, 1e-9);
 }
 
-// Curvature against the support, inside and outside, with place and remedy; the ring of a torus and the tip of an ellipsoid count.
+// Curvature against the support, inside and outside, with place and remedy; the ring of a torus and the tip of an ellipsoid
+// count.
 TEST(GeometryCheck, refusesCurvesTighterThanTheSupport)
 {
     const auto errors = [](const std::string& wall, double H) { return check(open + wall + "\n}", H).errors; };
@@ -103,8 +110,8 @@ TEST(GeometryCheck, refusesCurvesTighterThanTheSupport)
     EXPECT_NE(errors("a { type cone; apex (0 -0.9 0); axis (0 1 0); halfAngle 30; fluid inside; }", 0.2), "");
 }
 
-// What may meet: corners of a tank, ends of a tube, a hemisphere and a step on the floor, a ball at rest on it. What may not: grains
-// that overlap, a ball that sinks into the floor.
+// What may meet: corners of a tank, ends of a tube, a hemisphere and a step on the floor, a ball at rest on it. What may not:
+// grains that overlap, a ball that sinks into the floor.
 TEST(GeometryCheck, tellsCornersFromOverlaps)
 {
     const auto errors = [](const std::string& walls) { return check(open + walls + "\n}", 0.1).errors; };
@@ -114,28 +121,33 @@ TEST(GeometryCheck, tellsCornersFromOverlaps)
     EXPECT_EQ(errors(floor + "h { type sphere; centre (0 -0.5 0); radius 0.4; fluid outside; }"), "");
     EXPECT_EQ(errors(floor + "s { type box; min (-0.3 -0.7 -0.3); max (0.3 -0.2 0.3); fluid outside; }"), "");
     EXPECT_EQ(errors(floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }"), "");
-    EXPECT_EQ(check(open + floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }\n}", 0.1).report.contacts, 1);
+    EXPECT_EQ(check(open + floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }\n}", 0.1).report.contacts,
+              1);
     EXPECT_TRUE(contains(errors(floor + "b { type sphere; centre (0 -0.11 0); radius 0.4; fluid outside; }"),
                          "constant/geometry:4: wall \"f\" and wall \"b\" overlap near"))
         << errors(floor + "b { type sphere; centre (0 -0.11 0); radius 0.4; fluid outside; }");
-    EXPECT_NE(errors("a { type sphere; centre (-0.39 0 0); radius 0.4; fluid outside; } b { type sphere; centre (0.39 0 0); radius 0.4; fluid outside; }"),
+    EXPECT_NE(errors("a { type sphere; centre (-0.39 0 0); radius 0.4; fluid outside; } b { type sphere; centre (0.39 0 0); "
+                     "radius 0.4; fluid outside; }"),
               "");
     EXPECT_NE(errors("a { type ellipsoid; centre (-0.39 0 0); semiAxes (0.4 0.3 0.3); fluid outside; }"
-                     " b { type ellipsoid; centre (0.399 0 0); semiAxes (0.4 0.3 0.3); fluid outside; }"), "");
+                     " b { type ellipsoid; centre (0.399 0 0); semiAxes (0.4 0.3 0.3); fluid outside; }"),
+              "");
 }
 
 // The sign of a normal is the commonest mistake.
 TEST(GeometryCheck, saysWhenThereIsNoFluid)
 {
-    EXPECT_TRUE(contains(check(open + "a { type plane; point (0 -1 0); normal (0 -1 0); } }", 0.1).errors, "the walls leave no fluid in the domain"));
+    EXPECT_TRUE(contains(check(open + "a { type plane; point (0 -1 0); normal (0 -1 0); } }", 0.1).errors,
+                         "the walls leave no fluid in the domain"));
 }
 
 // A 2-D bed: two touching circles of a square array, fluid fraction 1 - pi/4.
 TEST(GeometryCheck, worksIn2D)
 {
     const auto [report, errors, warnings] = check("dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\n"
-                                                  "walls { g { type sphereBed; lattice sc; radius 0.5; period 1; } }", 0.1);
+                                                  "walls { g { type sphereBed; lattice sc; radius 0.5; period 1; } }",
+                                                  0.1);
     EXPECT_EQ(errors, "");
     EXPECT_EQ(report.contacts, 2);
-    EXPECT_NEAR(report.fluidFraction, 1 - std::numbers::pi/4, 3*report.fluidFractionError);
+    EXPECT_NEAR(report.fluidFraction, 1 - std::numbers::pi / 4, 3 * report.fluidFractionError);
 }

@@ -6,10 +6,10 @@
 using namespace sph;
 using namespace sph::test;
 
-// bcc, radius 0.3, period 1, reach 0.1: the 8 corners and the centre touch the domain, and the 6 neighbouring centres are 0.5 - 0.3
-// away from it, beyond the reach: 9. With reach 0.25 they count: 15. A reach of 0.71 adds the corners next to the domain's
-// (1 - 0.3 = 0.7 off a corner): each of 8 corners has 3, 24 more; and the centres across edges, sqrt(0.5) - 0.3 = 0.41: 12 more, and
-// across corners, sqrt(0.75) - 0.3 = 0.566: 8 more.
+// bcc, radius 0.3, period 1, reach 0.1: the 8 corners and the centre touch the domain, and the 6 neighbouring centres are 0.5 -
+// 0.3 away from it, beyond the reach: 9. With reach 0.25 they count: 15. A reach of 0.71 adds the corners next to the domain's
+// (1 - 0.3 = 0.7 off a corner): each of 8 corners has 3, 24 more; and the centres across edges, sqrt(0.5) - 0.3 = 0.41: 12
+// more, and across corners, sqrt(0.75) - 0.3 = 0.566: 8 more.
 TEST(PeriodicCopies, ofABccBedAreMadeOnceEach)
 {
     for (const auto& [reach, expected] : {std::pair{0.1, 9u}, std::pair{0.25, 15u}, std::pair{0.71, 15u + 24 + 12 + 8}})
@@ -22,7 +22,7 @@ TEST(PeriodicCopies, ofABccBedAreMadeOnceEach)
         for (const auto& p : g.patches)
         {
             const auto c = dynamic_cast<const Sphere&>(*p.shape).centre();
-            centres.insert({std::lround(2*c.x), std::lround(2*c.y), std::lround(2*c.z)});
+            centres.insert({std::lround(2 * c.x), std::lround(2 * c.y), std::lround(2 * c.z)});
         }
         EXPECT_EQ(centres.size(), expected);
     }
@@ -31,7 +31,8 @@ TEST(PeriodicCopies, ofABccBedAreMadeOnceEach)
 // The same spheres written out by hand with some on both sides of the domain are not doubled.
 TEST(PeriodicCopies, ofSpheresGivenTwiceAreOne)
 {
-    const auto [g, errors] = read(cube + "walls { grains { type spheres; spheres ((0 0 0 0.3) (1 1 0 0.3) (1 1 1 0.3) (0.5 0.5 0.5 0.3)); } }");
+    const auto [g, errors] =
+        read(cube + "walls { grains { type spheres; spheres ((0 0 0 0.3) (1 1 0 0.3) (1 1 1 0.3) (0.5 0.5 0.5 0.3)); } }");
     EXPECT_EQ(errors, "");
     EXPECT_EQ(g.patches.size(), 9u);
 }
@@ -39,8 +40,11 @@ TEST(PeriodicCopies, ofSpheresGivenTwiceAreOne)
 // The lattice must fit the domain; rounding of its length in the dictionary (1e-7) is taken out.
 TEST(SphereBed, mustAgreeWithThePeriodicDomain)
 {
-    EXPECT_NE(read(bcc("0.45")).errors.find("the domain repeats in x after 1 m, which is not a whole number of cells of the bcc lattice "
-                                           "(0.45 m each): make it 0.9 m"), std::string::npos) << read(bcc("0.45")).errors;
+    EXPECT_NE(read(bcc("0.45"))
+                  .errors.find("the domain repeats in x after 1 m, which is not a whole number of cells of the bcc lattice "
+                               "(0.45 m each): make it 0.9 m"),
+              std::string::npos)
+        << read(bcc("0.45")).errors;
     EXPECT_EQ(read(bcc("0.50000001")).errors, "");
     EXPECT_EQ(read(bcc("0.50000001")).geometry.originals.size(), 16u);
 }
@@ -61,7 +65,8 @@ TEST(SphereBed, latticesHaveTheirCoordinationNumbers)
                     for (int k = -1; k <= 1; ++k)
                         for (int l = -1; l <= 1; ++l)
                         {
-                            const double r = mag(b - a + Vector<3>{i*lattice.period.x, k*lattice.period.y, l*lattice.period.z});
+                            const double r =
+                                mag(b - a + Vector<3>{i * lattice.period.x, k * lattice.period.y, l * lattice.period.z});
                             EXPECT_TRUE(r == 0 || r > distance - 1e-12) << name;
                             count += std::abs(r - distance) < 1e-12;
                         }
@@ -73,7 +78,8 @@ TEST(SphereBed, latticesHaveTheirCoordinationNumbers)
 // Distance far from every copy within reach: the nearest sphere is across the boundary, 0.2 - 0.05 away.
 TEST(Geometry, distanceSeesCopiesBeyondTheReach)
 {
-    const auto [g, errors] = read(cube + "walls { grain { type sphere; centre (0.1 0.5 0.5); radius 0.03; fluid outside; } }", 0.01);
+    const auto [g, errors] =
+        read(cube + "walls { grain { type sphere; centre (0.1 0.5 0.5); radius 0.03; fluid outside; } }", 0.01);
     EXPECT_EQ(g.patches.size(), 1u);
     EXPECT_NEAR(g.distance({0.9, 0.5, 0.5}), 0.17, 1e-15);
 }

@@ -7,9 +7,10 @@ using namespace sph::test;
 // The example of the documentation, entry by entry.
 TEST(ReadGeometry, readsWallsAndTheirProperties)
 {
-    const auto [g, errors] = read("dimension 3;\ndomain { min (0 0 0); max (1 2 3); periodic (x z); }\nwalls\n{\n"
-                                  "    floor { type plane; point (0 0 0); normal (0 2 0); contactAngle 30; }\n"
-                                  "    lid { type plane; point (0 2 0); normal (0 -1 0); velocity (1 0 0); omega (0 3 0); origin (0.5 0 0.5); }\n}\n");
+    const auto [g, errors] =
+        read("dimension 3;\ndomain { min (0 0 0); max (1 2 3); periodic (x z); }\nwalls\n{\n"
+             "    floor { type plane; point (0 0 0); normal (0 2 0); contactAngle 30; }\n"
+             "    lid { type plane; point (0 2 0); normal (0 -1 0); velocity (1 0 0); omega (0 3 0); origin (0.5 0 0.5); }\n}\n");
     EXPECT_EQ(errors, "");
     EXPECT_EQ(g.dimension, 3);
     EXPECT_EQ(g.periodic, (std::array<bool, 3>{true, false, true}));
@@ -71,11 +72,13 @@ TEST(ReadGeometry, reportsEveryMistakeWithFileAndLine)
 TEST(ReadGeometry, refusesWallsAcrossPeriodicDirections)
 {
     const auto channel = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x); }\nwalls { w { type ";
-    EXPECT_NE(read(channel + std::string("plane; point (0 0 0); normal (1 0 0); } }")).errors.find(
-                  "constant/geometry:2: the fluid ends at this wall, so that the domain cannot be periodic in x"), std::string::npos);
+    EXPECT_NE(read(channel + std::string("plane; point (0 0 0); normal (1 0 0); } }"))
+                  .errors.find("constant/geometry:2: the fluid ends at this wall, so that the domain cannot be periodic in x"),
+              std::string::npos);
     EXPECT_NE(read(channel + std::string("sphere; centre (0.5 0.5 0.5); radius 0.4; fluid inside; } }")).errors, "");
-    EXPECT_NE(read(channel + std::string("cylinder; point (0 0 0); axis (1 1 0); radius 0.1; fluid outside; } }")).errors.find(
-                  "oblique to the periodic direction x"), std::string::npos);
+    EXPECT_NE(read(channel + std::string("cylinder; point (0 0 0); axis (1 1 0); radius 0.1; fluid outside; } }"))
+                  .errors.find("oblique to the periodic direction x"),
+              std::string::npos);
     EXPECT_EQ(read(channel + std::string("plane; point (0 0 0); normal (0 1 1); } }")).errors, "");
     EXPECT_EQ(read(channel + std::string("cylinder; point (0 0.5 0.5); axis (1 0 0); radius 0.4; fluid inside; } }")).errors, "");
 }

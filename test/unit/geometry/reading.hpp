@@ -32,6 +32,9 @@ inline Reading read(const std::string& text, double reach = 0.1)
 inline const std::string cube = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\n";
 inline const std::string square = "dimension 2; domain { min (0 0 0); max (1 1 0); }\n";
 
-inline std::string bcc(const std::string& period) { return cube + "walls { grains { type sphereBed; lattice bcc; radius 0.3; period " + period + "; } }"; }
+inline std::string bcc(const std::string& period)
+{
+    return cube + "walls { grains { type sphereBed; lattice bcc; radius 0.3; period " + period + "; } }";
+}
 
 }

@@ -49,7 +49,7 @@ inline std::vector<Vector<3>> pointsNear(const Shape& shape, double reach, int c
         const Vector<3> x{u(random), u(random), u(random)};
         const auto f = shape.foot(x);
         const double largest = std::max(std::abs(f.k1), std::abs(f.k2));
-        if (f.smooth && f.distance > 0 && f.distance < reach && largest*f.distance < 0.8) points.push_back(x);
+        if (f.smooth && f.distance > 0 && f.distance < reach && largest * f.distance < 0.8) points.push_back(x);
     }
     return points;
 }

@@ -17,7 +17,7 @@ TEST(Shapes, footPointLiesOnTheSurface)
         {
             const auto f = shape->foot(x);
             EXPECT_NEAR(mag(f.normal), 1, 1e-14) << name;
-            const auto onSurface = shape->foot(x - f.distance*f.normal);
+            const auto onSurface = shape->foot(x - f.distance * f.normal);
             EXPECT_NEAR(onSurface.distance, 0, 5e-15) << name;
             EXPECT_NEAR(mag(onSurface.normal - f.normal), 0, 1e-13) << name;
         }
@@ -31,7 +31,7 @@ TEST(Shapes, normalIsTheGradientOfTheDistance)
         for (const auto& x : pointsNear(*shape, 0.4, 100))
         {
             const auto slope = [&](const Vector<3>& e)
-            { return (shape->foot(x + h*e).distance - shape->foot(x - h*e).distance)/(2*h); };
+            { return (shape->foot(x + h * e).distance - shape->foot(x - h * e).distance) / (2 * h); };
             const Vector<3> gradient{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
             EXPECT_NEAR(mag(gradient - shape->foot(x).normal), 0, 1e-8) << name;
         }
@@ -45,9 +45,9 @@ TEST(Shapes, curvaturesAreMinusTheDivergenceOfTheNormal)
         for (const auto& x : pointsNear(*shape, 0.4, 100))
         {
             const auto f = shape->foot(x);
-            const auto p = x - f.distance*f.normal;
+            const auto p = x - f.distance * f.normal;
             const auto slope = [&](const Vector<3>& e)
-            { return dot(e, shape->foot(p + h*e).normal - shape->foot(p - h*e).normal)/(2*h); };
+            { return dot(e, shape->foot(p + h * e).normal - shape->foot(p - h * e).normal) / (2 * h); };
             EXPECT_NEAR(-(slope({1, 0, 0}) + slope({0, 1, 0}) + slope({0, 0, 1})), f.k1 + f.k2, 1e-5) << name;
         }
 }
@@ -63,20 +63,21 @@ TEST(Shapes, smallestRadiusBoundsTheCurvature)
             const auto f = shape->foot(x);
             largest = std::max({largest, std::abs(f.k1), std::abs(f.k2)});
         }
-        const double bound = 1/shape->smallestRadius();
-        EXPECT_LE(largest, bound*(1 + 1e-12)) << name;
-        EXPECT_TRUE(largest >= 0.98*bound || std::isinf(bound)) << name;   // the apex of a cone is not reached
+        const double bound = 1 / shape->smallestRadius();
+        EXPECT_LE(largest, bound * (1 + 1e-12)) << name;
+        EXPECT_TRUE(largest >= 0.98 * bound || std::isinf(bound)) << name; // the apex of a cone is not reached
     }
 }
 
-// The distance of an ellipsoid against 160,000 points of its surface, refined: a search that knows nothing of the equation solved.
-// Points inside, outside, near the middle plane (1e-9 off) and far along each axis; 1e-9 is what the refinement reaches.
+// The distance of an ellipsoid against 160,000 points of its surface, refined: a search that knows nothing of the equation
+// solved. Points inside, outside, near the middle plane (1e-9 off) and far along each axis; 1e-9 is what the refinement reaches.
 TEST(Ellipsoid, distanceAgreesWithSearch)
 {
     const Vector<3> a{1.5, 0.4, 1};
     const Ellipsoid ellipsoid({}, a, outside);
-    const auto surface = [&](double theta, double phi)
-    { return Vector<3>{a.x*std::sin(theta)*std::cos(phi), a.y*std::sin(theta)*std::sin(phi), a.z*std::cos(theta)}; };
+    const auto surface = [&](double theta, double phi) {
+        return Vector<3>{a.x * std::sin(theta) * std::cos(phi), a.y * std::sin(theta) * std::sin(phi), a.z * std::cos(theta)};
+    };
     const auto search = [&](const Vector<3>& x)
     {
         double theta = 0, phi = 0, best = 1e9;
@@ -87,16 +88,17 @@ TEST(Ellipsoid, distanceAgreesWithSearch)
             for (int i = 0; i <= 100; ++i)
                 for (int k = 0; k <= 100; ++k)
                 {
-                    const double t = low1 + i*(high1 - low1)/100, p = low2 + k*(high2 - low2)/100;
+                    const double t = low1 + i * (high1 - low1) / 100, p = low2 + k * (high2 - low2) / 100;
                     if (const double r = mag(surface(t, p) - x); r < best) best = r, theta = t, phi = p;
                 }
-            const double w1 = (high1 - low1)/20, w2 = (high2 - low2)/20;
+            const double w1 = (high1 - low1) / 20, w2 = (high2 - low2) / 20;
             low1 = theta - w1, high1 = theta + w1, low2 = phi - w2, high2 = phi + w2;
         }
         return best;
     };
-    std::vector<Vector<3>> points{{0.3, 1e-9, 0.1}, {0.3, -1e-9, 0.1}, {1, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3},
-                                  {1e-12, 0.2, 1e-12}, {1.4, 1e-14, 0}, {1.499, 0.001, 0.001}};
+    std::vector<Vector<3>> points{{0.3, 1e-9, 0.1},    {0.3, -1e-9, 0.1}, {1, 0, 0},
+                                  {3, 0, 0},           {0, 3, 0},         {0, 0, 3},
+                                  {1e-12, 0.2, 1e-12}, {1.4, 1e-14, 0},   {1.499, 0.001, 0.001}};
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1.6, 1.6);
     for (int i = 0; i < 20; ++i) points.push_back({u(random), u(random), u(random)});
@@ -116,8 +118,8 @@ TEST(Ellipsoid, extremeRatiosStayExact)
         {
             const Vector<3> x{u(random), u(random), u(random)};
             const auto f = e.foot(x);
-            const auto p = x - f.distance*f.normal;
-            EXPECT_NEAR(sqr(p.x/a.x) + sqr(p.y/a.y) + sqr(p.z/a.z), 1, 1e-9);
+            const auto p = x - f.distance * f.normal;
+            EXPECT_NEAR(sqr(p.x / a.x) + sqr(p.y / a.y) + sqr(p.z / a.z), 1, 1e-9);
         }
     }
 }
@@ -137,7 +139,8 @@ TEST(Shapes, sayWhereThereIsNoImage)
     EXPECT_TRUE(Ellipsoid({}, {2, 1, 0.5}, outside).foot({3, 0, 0}).smooth);
 }
 
-// Distances to faces, edges and corners by Pythagoras; images only where one face alone is nearest, to the point and to its image.
+// Distances to faces, edges and corners by Pythagoras; images only where one face alone is nearest, to the point and to its
+// image.
 TEST(SolidBox, hasImagesOnlyBehindFaces)
 {
     const SolidBox box({0, 0, 0}, {1, 1, 1});
@@ -161,7 +164,7 @@ TEST(Triangles, coverTheSurfaceAndFaceTheFluid)
     const auto area = [](const TriangleSurface& s)
     {
         double sum = 0;
-        for (const auto& [a, b, c] : s.triangles) sum += 0.5*mag(cross(s.points[b] - s.points[a], s.points[c] - s.points[a]));
+        for (const auto& [a, b, c] : s.triangles) sum += 0.5 * mag(cross(s.points[b] - s.points[a], s.points[c] - s.points[a]));
         return sum;
     };
     for (const auto& [name, shape] : allShapes())
@@ -171,13 +174,13 @@ TEST(Triangles, coverTheSurfaceAndFaceTheFluid)
         for (const auto& [a, b, c] : surface.triangles)
         {
             const auto &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
-            EXPECT_GT(dot(cross(q - p, r - p), shape->foot((p + q + r)/3).normal), 0) << name;
+            EXPECT_GT(dot(cross(q - p, r - p), shape->foot((p + q + r) / 3).normal), 0) << name;
         }
     }
     constexpr double pi = 3.14159265358979;
-    EXPECT_NEAR(area(triangulate(Sphere({}, 1, outside), around, 0.05)), 4*pi, 0.003*4*pi);
-    EXPECT_NEAR(area(triangulate(Torus({}, {1, 2, 3}, 1, 0.5, outside), around, 0.05)), 2*pi*pi, 0.003*2*pi*pi);
+    EXPECT_NEAR(area(triangulate(Sphere({}, 1, outside), around, 0.05)), 4 * pi, 0.003 * 4 * pi);
+    EXPECT_NEAR(area(triangulate(Torus({}, {1, 2, 3}, 1, 0.5, outside), around, 0.05)), 2 * pi * pi, 0.003 * 2 * pi * pi);
     EXPECT_NEAR(area(triangulate(SolidBox({-1, -1, -1}, {1, 1, 1}), around, 0.05)), 24, 1e-10);
     EXPECT_NEAR(area(triangulate(Plane({}, {0, 0, 1}), around, 0.05)), 16, 1e-10);
-    EXPECT_NEAR(area(triangulate(Cylinder({}, {0, 0, 1}, 1, inside), around, 0.05)), 8*pi, 0.003*8*pi);
+    EXPECT_NEAR(area(triangulate(Cylinder({}, {0, 0, 1}, 1, inside), around, 0.05)), 8 * pi, 0.003 * 8 * pi);
 }

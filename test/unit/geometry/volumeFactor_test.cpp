@@ -16,7 +16,7 @@ struct Row
     std::string name;
     double factor;
     std::shared_ptr<const Shape> shape;
-    Vector<3> foot;   ///< a point of the surface; the particle is d away along the normal
+    Vector<3> foot; ///< a point of the surface; the particle is d away along the normal
 };
 
 /// Jacobians of the mirror image by central differences, computed without this code (column numeric_jacobian, d = 0.2; rounded to
@@ -29,10 +29,10 @@ std::vector<Row> table()
     const auto cone = [](FluidSide side) { return std::make_shared<Cone>(Vector<3>{}, Vector<3>{0, 0, 1}, 30, side); };
     const auto onTorus = [](double degrees)
     {
-        const double theta = degrees*std::numbers::pi/180;
-        return Vector<3>{2 - 0.8*std::cos(theta), 0, 0.8*std::sin(theta)};
+        const double theta = degrees * std::numbers::pi / 180;
+        return Vector<3>{2 - 0.8 * std::cos(theta), 0, 0.8 * std::sin(theta)};
     };
-    const Vector<3> unit{1, 0, 0}, onCone{1.5*0.5, 0, 1.5*std::sqrt(0.75)};
+    const Vector<3> unit{1, 0, 0}, onCone{1.5 * 0.5, 0, 1.5 * std::sqrt(0.75)};
     return {{"cylinder inside", 1.5, cylinder(inside), unit},
             {"sphere inside", 2.25, sphere(inside), unit},
             {"torus 0 inside", 1.190476190, torus(inside), onTorus(0)},
@@ -58,7 +58,7 @@ double jacobian(const Shape& shape, const Vector<3>& x)
     const auto column = [&](const Vector<3>& e)
     {
         const auto image = [&](const Vector<3>& y) { return mirrorImage(y, shape.foot(y)); };
-        return (image(x + h*e) - image(x - h*e))/(2*h);
+        return (image(x + h * e) - image(x - h * e)) / (2 * h);
     };
     return std::abs(dot(column({1, 0, 0}), cross(column({0, 1, 0}), column({0, 0, 1}))));
 }
@@ -71,7 +71,7 @@ TEST(VolumeFactor, agreesWithReferenceJacobians)
     for (const auto& row : table())
     {
         const auto normal = row.shape->foot(row.foot).normal;
-        const auto foot = row.shape->foot(row.foot + d*normal);
+        const auto foot = row.shape->foot(row.foot + d * normal);
         EXPECT_NEAR(foot.distance, d, 1e-14) << row.name;
         EXPECT_NEAR(volumeFactor(foot), row.factor, 1e-8) << row.name;
     }
@@ -88,23 +88,23 @@ TEST(VolumeFactor, ofTheReferenceEllipsoidIsReached)
         for (double theta = 0.005; theta < 1.57; theta += 0.005)
             for (double phi = 0.005; phi < 1.57; phi += 0.005)
             {
-                const Vector<3> p{1.5*std::sin(theta)*std::cos(phi), 1.2*std::sin(theta)*std::sin(phi), std::cos(theta)};
-                const auto f = e.foot(p + d*e.foot(p).normal);
+                const Vector<3> p{1.5 * std::sin(theta) * std::cos(phi), 1.2 * std::sin(theta) * std::sin(phi), std::cos(theta)};
+                const auto f = e.foot(p + d * e.foot(p).normal);
                 nearest = std::min(nearest, std::abs(volumeFactor(f) - expected));
             }
         EXPECT_LT(nearest, 1e-3);
     }
 }
 
-// The volume factor is the Jacobian of the mirror image, for every shape on both sides; central differences of step 1e-5 are good to
-// 1e-10 relative times the largest higher derivative (curvatures up to 2, kd up to 0.8: factor 1e3), hence 1e-6.
+// The volume factor is the Jacobian of the mirror image, for every shape on both sides; central differences of step 1e-5 are
+// good to 1e-10 relative times the largest higher derivative (curvatures up to 2, kd up to 0.8: factor 1e3), hence 1e-6.
 TEST(VolumeFactor, isTheJacobianOfTheMirrorImage)
 {
     for (const auto& [name, shape] : allShapes())
         for (const auto& x : pointsNear(*shape, 0.4, 200))
         {
             const double factor = volumeFactor(shape->foot(x));
-            EXPECT_NEAR(jacobian(*shape, x)/factor, 1, 1e-6) << name << " at " << x.x << " " << x.y << " " << x.z;
+            EXPECT_NEAR(jacobian(*shape, x) / factor, 1, 1e-6) << name << " at " << x.x << " " << x.y << " " << x.z;
         }
 }
 

@@ -1,5 +1,5 @@
-/// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes, becomes
-/// constant/walls, and constant/triSurface/walls.{stl,vtp} to look at.
+/// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
+/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at.
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
@@ -17,7 +17,7 @@ namespace
 
 struct Resolution
 {
-    double spacing, support;   ///< [m], [spacings]
+    double spacing, support; ///< [m], [spacings]
 };
 
 Resolution readResolution(const sph::Case& theCase)
@@ -34,7 +34,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     const auto source = theCase.dictionary("constant/geometry");
     theCase.diagnostics().throwIfAny();
 
-    const double H = support*spacing;
+    const double H = support * spacing;
     const auto geometry = sph::readGeometry(source, H);
     source.reportUnused();
     theCase.diagnostics().throwIfAny();
@@ -47,11 +47,11 @@ int prepare(const std::filesystem::path& folder, bool full)
 
     // Fine enough to look round: a fortieth of the domain, or half a support where that is coarser.
     const double largest = std::max({geometry.length(0), geometry.length(1), geometry.dimension == 3 ? geometry.length(2) : 0.0});
-    const auto surfaces = sph::wallSurfaces(geometry, H, std::max(0.5*H, largest/40));
-    sph::createFolders(folder/"constant"/"triSurface");
-    sph::writeFile(folder/"constant"/"triSurface"/"walls.stl", sph::stlText(geometry, surfaces));
-    sph::writeFile(folder/"constant"/"triSurface"/"walls.vtp", sph::vtpText(geometry, surfaces));
-    sph::writeFile(folder/"constant"/"walls", sph::wallsText(geometry, sph::geometryStamp(folder, spacing, support)));
+    const auto surfaces = sph::wallSurfaces(geometry, H, std::max(0.5 * H, largest / 40));
+    sph::createFolders(folder / "constant" / "triSurface");
+    sph::writeFile(folder / "constant" / "triSurface" / "walls.stl", sph::stlText(geometry, surfaces));
+    sph::writeFile(folder / "constant" / "triSurface" / "walls.vtp", sph::vtpText(geometry, surfaces));
+    sph::writeFile(folder / "constant" / "walls", sph::wallsText(geometry, sph::geometryStamp(folder, spacing, support)));
     fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp\n\nEnd\n");
     return 0;
 }
@@ -62,7 +62,8 @@ int main(int argc, char** argv)
 {
     bool check = false;
     return sph::runApplication(
-        "meshToGhost", argc, argv, "Prepares the walls of constant/geometry for the solver and checks that reflection can represent them.",
+        "meshToGhost", argc, argv,
+        "Prepares the walls of constant/geometry for the solver and checks that reflection can represent them.",
         [&](CLI::App& app) { app.add_flag("--check", check, "Print curvature, gaps, contacts and motion of every wall"); },
         [&](const std::filesystem::path& folder) { return prepare(folder, check); });
 }
