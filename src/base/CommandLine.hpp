@@ -35,9 +35,10 @@ namespace sph
 /// a `--`. CLI::App::parse(vector) wants the reverse order; runApplication sees to that.
 std::vector<std::string> openFoamArguments(int argc, const char* const* argv);
 
-/// Runs an application: `options` declares its options beside `-help` and `-case <dir>` (default: the current folder), `body` does
-/// the work and returns the exit code. Writes usage to stdout. Mistakes on the command line, CaseError and any other exception are
-/// written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that catches them.
+/// Runs an application: `options` declares its options beside `-help` and `-case <dir>` (default: the current folder), `body`
+/// does the work and returns the exit code. Writes usage to stdout. Mistakes on the command line, CaseError and any other
+/// exception are written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that
+/// catches them.
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
                    const std::function<void(CLI::App&)>& options,
                    const std::function<int(const std::filesystem::path& caseFolder)>& body);

@@ -37,8 +37,8 @@ int distance(const std::string& a, const std::string& b)
     return last.back();
 }
 
-/// A third of the letters may be wrong, three at most: of two short words ("dx", "dt") neither is a slip of the other. A word that is
-/// the beginning of one known word alone ("cubic" of "cubicSpline") means that one.
+/// A third of the letters may be wrong, three at most: of two short words ("dx", "dt") neither is a slip of the other. A word
+/// that is the beginning of one known word alone ("cubic" of "cubicSpline") means that one.
 std::string nearest(const std::string& word, std::span<const std::string> known)
 {
     const std::string* best = nullptr;

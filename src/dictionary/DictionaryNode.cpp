@@ -33,8 +33,8 @@ DictionaryEntry* Node::find(const std::string& key)
     return nullptr;
 }
 
-/// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator. A pattern such as
-/// "p.*" would match any path that begins with p, so that patterns see whole paths last.
+/// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator. A pattern
+/// such as "p.*" would match any path that begins with p, so that patterns see whole paths last.
 DictionaryEntry* Node::descend(const std::string& path)
 {
     if (auto* entry = findExact(path)) return entry;
@@ -112,8 +112,8 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     case InputMode::overwrite:
         break;
     }
-    // Overriding a macro's or an included file's value is the usual way to vary a base case; the same keyword twice in one block is
-    // most likely a slip.
+    // Overriding a macro's or an included file's value is the usual way to vary a base case; the same keyword twice in one
+    // block is most likely a slip.
     if (mode == InputMode::merge && !before->copied && !entry.copied && before->where.file == entry.where.file &&
         before->where.line != entry.where.line)
         diagnostics->warning(entry.where, previous + "; the last one counts");

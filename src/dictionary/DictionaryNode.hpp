@@ -58,7 +58,8 @@ struct Dictionary::Node
     DictionaryEntry* findExact(const std::string& key);
     /// The entry of that keyword, or the last pattern that matches it.
     DictionaryEntry* find(const std::string& key);
-    /// As a macro names it: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up, `...a` two up.
+    /// As a macro names it: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up,
+    /// `...a` two up.
     DictionaryEntry* findScoped(const std::string& name);
 
     void add(DictionaryEntry, InputMode);

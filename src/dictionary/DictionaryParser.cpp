@@ -192,9 +192,9 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
     }
 }
 
-/// Whether the value ended with the token before, although no ';' was written: the next token begins a line (or closes the block) and
-/// reads like the next entry. Values may go on over several lines, so a word that is indented further than its keyword continues a
-/// value that ends in a word; it cannot continue a number, a string or a list.
+/// Whether the value ended with the token before, although no ';' was written: the next token begins a line (or closes the
+/// block) and reads like the next entry. Values may go on over several lines, so a word that is indented further than its
+/// keyword continues a value that ends in a word; it cannot continue a number, a string or a list.
 bool DictionaryParser::semicolonMissing(const Token& keyword, bool hasValue) const
 {
     const Token& t = peek();
@@ -226,8 +226,8 @@ void DictionaryParser::listedDictionary(Dictionary::Node& scope, DictionaryEntry
     e.value.push_back(std::move(t));
 }
 
-/// Coefficients of a scheme may stand in its value: `div(phi,Y) Gauss multivariate { U upwind; };`. The ';' behind the block tells
-/// them from a dictionary whose name has a blank.
+/// Coefficients of a scheme may stand in its value: `div(phi,Y) Gauss multivariate { U upwind; };`. The ';' behind the block
+/// tells them from a dictionary whose name has a blank.
 bool DictionaryParser::blockClosesValue() const
 {
     int depth = 0;
@@ -239,7 +239,8 @@ bool DictionaryParser::blockClosesValue() const
     return false;
 }
 
-/// Goes on at the first line behind the opening bracket that begins, no further in than the keyword, with a word; else behind the ';'.
+/// Goes on at the first line behind the opening bracket that begins, no further in than the keyword, with a word; else behind
+/// the ';'.
 void DictionaryParser::listNotClosed(const Token& keyword, const Token& opening)
 {
     error(opening.line, fmt::format("the '{}' of \"{}\" is never closed", opening.text, keyword.text));

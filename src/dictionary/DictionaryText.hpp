@@ -5,8 +5,8 @@
 namespace sph
 {
 
-/// An entry by its path, "functions.probes.interval" (or with '/' or ':' between the keywords): its value alone, macros expanded and
-/// without ';', or "{ .. }" of a dictionary. Throws CaseError where it is missing.
+/// An entry by its path, "functions.probes.interval" (or with '/' or ':' between the keywords): its value alone, macros
+/// expanded and without ';', or "{ .. }" of a dictionary. Throws CaseError where it is missing.
 std::string valueText(const Dictionary&, const std::string& path);
 
 /// The same with its keyword, as a dictionary file has it; an empty path gives the whole dictionary.

@@ -21,9 +21,9 @@ struct ExpressionValue
     std::optional<Vector<3>> vector = {};
 };
 
-/// The value of `text`: numbers, `$macro` and `${macro}` (looked up by name), + - * / % ^ with the usual precedence, ^ to the right
-/// and before a minus sign, comparisons and && || ! (1 or 0), condition ? a : b, and functions; a misspelt function is answered with their list.
-/// Throws ExpressionError: what is wrong, and where in the text.
+/// The value of `text`: numbers, `$macro` and `${macro}` (looked up by name), + - * / % ^ with the usual precedence, ^ to the
+/// right and before a minus sign, comparisons and && || ! (1 or 0), condition ? a : b, and functions; a misspelt function is
+/// answered with their list. Throws ExpressionError: what is wrong, and where in the text.
 ExpressionValue evaluate(const std::string& text, const std::function<ExpressionValue(const std::string&)>& lookUp);
 
 }

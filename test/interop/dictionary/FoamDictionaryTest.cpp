@@ -100,8 +100,8 @@ std::string normal(const std::string& text)
 
 }
 
-// Each entry of a dictionary with every supported construct has the value that OpenFOAM's own foamDictionary gives it, to 9 digits
-// (foamDictionary prints 10). And a file that was edited in place is still a dictionary for OpenFOAM.
+// Each entry of a dictionary with every supported construct has the value that OpenFOAM's own foamDictionary gives it, to 9
+// digits (foamDictionary prints 10). And a file that was edited in place is still a dictionary for OpenFOAM.
 TEST(FoamDictionary, readsTheSameValues)
 {
     if (std::system("command -v foamDictionary >/dev/null 2>&1") != 0)

@@ -8,7 +8,8 @@ using namespace sph;
 namespace
 {
 
-/// What an application "demo" with an option -entry, a flag -keywords, a number -value and an optional file made of its arguments.
+/// What an application "demo" with an option -entry, a flag -keywords, a number -value and an optional file made of its
+/// arguments.
 struct Demo
 {
     int code = -1;

@@ -3,8 +3,8 @@
 
 using namespace sph;
 
-// Whatever is done to a file, reading it ends, throws nothing and leaves either a dictionary or errors that name lines of the file.
-// 4000 files with characters changed, dropped, doubled or cut off at random, the same ones in each run.
+// Whatever is done to a file, reading it ends, throws nothing and leaves either a dictionary or errors that name lines of the
+// file. 4000 files with characters changed, dropped, doubled or cut off at random, the same ones in each run.
 TEST(DictionaryDamage, readingAlwaysEnds)
 {
     const std::string whole = R"(FoamFile { version 2.0; class dictionary; }

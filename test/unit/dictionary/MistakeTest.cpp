@@ -5,7 +5,8 @@ using namespace sph;
 using Words = std::vector<std::string>;
 using Numbers = std::vector<double>;
 
-// A missing ';' is reported in its own line, and the entry that follows is read: one line or several, numbers, words, lists, blocks.
+// A missing ';' is reported in its own line, and the entry that follows is read: one line or several, numbers, words, lists,
+// blocks.
 TEST(DictionaryMistakes, missingSemicolon)
 {
     const Parsed p("deltaT 0.1\nwriteControl timeStep\nwriteInterval 5;\ng (0 0 -9.81)\nname \"x\"\nsub\n{\n    a 1\n    b 2\n}\n"

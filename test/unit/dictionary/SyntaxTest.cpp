@@ -68,7 +68,8 @@ TEST(DictionarySyntax, lists)
 TEST(DictionarySyntax, dimensionedValues)
 {
     const Parsed p(R"(nu [0 2 -1 0 0 0 0] 1e-6; nu2 nu [0 2 -1 0 0 0 0] 1e-6; nu3 [m^2/s] 1e-6; nu4 [0 2 -1 0 0] 1e-6;
-        nu5 1e-6 [m^2/s]; nu6 1e-6; mu [Pa s] 1e-3; sigma [N/m] 0.072; sigma2 [J m^-2] 0.072; rho [kg/(m m^2)] 1000; n [] 2; n2 [-] 2;
+        nu5 1e-6 [m^2/s]; nu6 1e-6; mu [Pa s] 1e-3; sigma [N/m] 0.072; sigma2 [J m^-2] 0.072;
+        rho [kg/(m m^2)] 1000; n [] 2; n2 [-] 2;
         g [m s^-2] (0 -9.81 0); f [1/s] 3;)");
     for (const auto* key : {"nu", "nu2", "nu3", "nu4", "nu5", "nu6"})
         EXPECT_EQ(p.dict.get(key, units::kinematicViscosity), 1e-6) << key;
