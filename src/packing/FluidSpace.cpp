@@ -37,7 +37,7 @@ double fractionAbove(double d, const Vector<3>& n, const Vector<3>& edge, int di
     if (d >= sum/2) return 1;
     if (d <= -sum/2) return 0;
 
-    // A normal along an axis makes the sum 0/0; leaning it by 1e-4 changes the fraction by less than 1e-8.
+    // A normal along an axis makes the sum 0/0; leaning it by 1e-4 rounds the fraction off within 1e-4 of its ends, 0 and 1.
     double product = 1;
     for (int k = 0; k < dimension; ++k) product *= m[k] = std::max(m[k], 1e-4*sum);
     double alpha = d;

@@ -19,7 +19,7 @@ constexpr double largestStep = 0.1;
 /// Particles are kept this many spacings off a wall; relaxed ones stand about half a spacing off.
 constexpr double wallInset = 0.2;
 
-/// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings after relaxing a simple cubic bed, its
+/// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
 template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
 {

@@ -3,7 +3,7 @@
 /// A particle (or a periodic copy of it) is reflected in each patch near it; the mirror image is reflected again in patches that
 /// face it, up to three times in all. This fills the corners of a box (1/4 and 1/8 of the kernel), channels down to half a support
 /// wide, and the pinch between two touching spheres, where one reflection leaves the number density at 0.86 of its value at a half gap
-/// of 0.31 spacings and the second brings it to 0.96.
+/// of 0.31 spacings and the second brings it to 0.96 (a prototype's quadrature; not remeasured here).
 #pragma once
 #include "Geometry.hpp"
 #include "Points.hpp"
