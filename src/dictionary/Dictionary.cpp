@@ -168,6 +168,15 @@ std::vector<std::string> Dictionary::keys() const
     return all;
 }
 
+bool Dictionary::isWord(const std::string& key, const std::string& word) const
+{
+    node_->lookUp(key);
+    auto* entry = node_->find(key);
+    const bool is = entry && entry->value.size() == 1 && entry->value[0].kind == Token::Kind::word && entry->value[0].text == word;
+    if (is) entry->used = true;
+    return is;
+}
+
 bool Dictionary::isDictionary(const std::string& key) const
 {
     const auto* entry = node_->find(key);
@@ -357,7 +366,8 @@ void reportUnusedIn(Dictionary::Node& node)
                 if (token.dictionary && token.dictionary->visited) reportUnusedIn(*token.dictionary);
             continue;
         }
-        // An included file may serve several dictionaries, each of which reads a part of it: there, a near miss alone is a mistake.
+        // An included file may serve several dictionaries, each of which reads a part of it: there, a near miss alone is a
+        // mistake.
         const auto meant = nearest(e.keyword, node.lookedUp);
         if (e.included && (meant.empty() || node.find(meant))) continue;
         node.diagnostics->error(e.where, fmt::format("{} \"{}\" is not used here. {}", e.dictionary ? "dictionary" : "entry",

@@ -44,6 +44,8 @@ public:
     /// Keywords in the order of the file, "FoamFile" left out. Listing does not count as reading.
     std::vector<std::string> keys() const;
     bool isDictionary(const std::string& key) const;
+    /// True where the entry is this one word, as in `soundSpeed automatic;`.
+    bool isWord(const std::string& key, const std::string& word) const;
 
     /// A missing sub-dictionary is an error; `subDictOrEmpty` gives an empty one silently.
     Dictionary subDict(const std::string& key) const;

@@ -152,8 +152,8 @@ template<int dim> void ParticleSystem<dim>::keepInside()
             Vector<dim> v_i;
             fetch(v_i, [&](int c) { return v[c][i]; });
             const double inward = std::fmin(0.0, dot(v_i, n));
-            store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
-            store(x_i, [&](int c, double q) { x[c][i] = q; });
+            sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
+            sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
         }
         if (outside && i < lost) lost = i;
     }

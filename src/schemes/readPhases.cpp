@@ -72,8 +72,8 @@ void readPhases(const Case& theCase, Settings& settings)
         c.restDensity.push_back(rho);
         c.viscosity.push_back(phase.getNonNegative("mu", units::viscosity, 0));
         double sound = 1;
-        if (phase.found("soundSpeed") && phase.get<std::string>("soundSpeed", "") != "automatic")
-            sound = phase.getPositive("soundSpeed", units::mPerS);
+        const bool automatic = phase.isWord("soundSpeed", "automatic") || !phase.found("soundSpeed");
+        if (!automatic) sound = phase.getPositive("soundSpeed", units::mPerS);
         else
         {
             const auto most = expectedVelocity(dict, c, rho);

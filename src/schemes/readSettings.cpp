@@ -126,7 +126,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
 
     double gamma = 0;
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
-    const bool automatic = !dict.found("backgroundPressure") || dict.get<std::string>("backgroundPressure", "") == "automatic";
+    const bool automatic = dict.isWord("backgroundPressure", "automatic") || !dict.found("backgroundPressure");
     if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
     else if (choice.tension == "interfaceStress")
     {
