@@ -24,8 +24,8 @@ Foot nearestFoot(const Geometry& geometry, const Vector<3>& x)
 double wallAreaBelow(const Foot& f, double V, double layer)
 {
     if (f.distance < 0 || f.distance >= layer) return 0;
-    const double growth = (1 - f.k1*f.distance)*(1 - f.k2*f.distance);
-    return growth > 0 ? V/(layer*growth) : 0;
+    const double growth = (1 - f.k1 * f.distance) * (1 - f.k2 * f.distance);
+    return growth > 0 ? V / (layer * growth) : 0;
 }
 
 double defaultLength(const Geometry& g)
@@ -41,8 +41,11 @@ double defaultLength(const Geometry& g)
 }
 
 BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& context)
-    : context_(context), phases_(context.phases), liquid_(readPhase(d, "liquid", context.phases)),
-      length_(d.getPositive("length", units::m, defaultLength(context.geometry))), samples_(d.get("samples", 64)),
+    : context_(context),
+      phases_(context.phases),
+      liquid_(readPhase(d, "liquid", context.phases)),
+      length_(d.getPositive("length", units::m, defaultLength(context.geometry))),
+      samples_(d.get("samples", 64)),
       where_(d.location())
 {
     if (d.found("porosity")) porosity_ = d.getPositive("porosity", units::none);
@@ -66,22 +69,22 @@ void BedHydrodynamics::sampleBed(double layer)
 {
     const auto size = high_ - low_;
     const bool flat = context_.geometry.dimension == 2;
-    const double cellVolume = size.x/samples_*size.y/samples_*(flat ? 1 : size.z/samples_);
-    const double thickness = std::max(layer, 1.5*std::max({size.x, size.y, flat ? 0 : size.z})/samples_);
+    const double cellVolume = size.x / samples_ * size.y / samples_ * (flat ? 1 : size.z / samples_);
+    const double thickness = std::max(layer, 1.5 * std::max({size.x, size.y, flat ? 0 : size.z}) / samples_);
     long pores = 0, all = 0;
     double area = 0;
     for (int k = 0; k < (flat ? 1 : samples_); ++k)
         for (int j = 0; j < samples_; ++j)
             for (int i = 0; i < samples_; ++i)
             {
-                const Vector<3> x{low_.x + (i + 0.5)*size.x/samples_, low_.y + (j + 0.5)*size.y/samples_,
-                                  flat ? 0 : low_.z + (k + 0.5)*size.z/samples_};
+                const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
+                                  flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
                 const auto foot = nearestFoot(context_.geometry, x);
                 ++all;
                 pores += foot.distance > 0;
                 area += wallAreaBelow(foot, cellVolume, thickness);
             }
-    if (!porosity_) porosity_ = double(pores)/double(all);
+    if (!porosity_) porosity_ = double(pores) / double(all);
     wallArea_ = area;
 }
 
@@ -92,7 +95,7 @@ void BedHydrodynamics::execute(const ParticleView& view)
 
     const SampledField U(view, "U", where_);
     const auto size = high_ - low_;
-    const double bed = size.x*size.y*(flat ? 1 : size.z);
+    const double bed = size.x * size.y * (flat ? 1 : size.z);
     std::vector<double> volume(std::max<std::size_t>(1, view.phases.size()), 0.0);
     std::vector<Vector<3>> flux(volume.size());
     double wetted = 0, area = 0;
@@ -102,7 +105,7 @@ void BedHydrodynamics::execute(const ParticleView& view)
         if (!inBed(x)) continue;
         const auto k = phaseOf(view, i);
         volume.at(k) += view.volume[i];
-        flux[k] += view.volume[i]*Vector<3>{U(0, i), U(1, i), U(2, i)};
+        flux[k] += view.volume[i] * Vector<3>{U(0, i), U(1, i), U(2, i)};
         if (view.geometry->patches.empty()) continue;
         const double a = wallAreaBelow(nearestFoot(*view.geometry, x), view.volume[i], view.spacing);
         area += a;
@@ -111,37 +114,38 @@ void BedHydrodynamics::execute(const ParticleView& view)
     if (view.phases.size() < 2) area = *wallArea_;
 
     const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = view.surfaceTension;
-    const auto superficial = flux.at(liquid_)/bed;
+    const auto superficial = flux.at(liquid_) / bed;
     std::vector<std::string> columns{"porosity", "saturation", "holdUp"};
-    std::vector<double> scalars{*porosity_, volume.at(liquid_)/(*porosity_*bed), volume.at(liquid_)/bed};
+    std::vector<double> scalars{*porosity_, volume.at(liquid_) / (*porosity_ * bed), volume.at(liquid_) / bed};
     std::vector<std::string> cells;
     for (const double s : scalars) cells.push_back(cell(s));
     for (std::size_t k = 0; k < flux.size(); ++k)
     {
         const auto phase = k < phases_.size() ? "_" + phases_[k] : std::string();
         columns.insert(columns.end(), {"superficial" + phase, "interstitial" + phase});
-        cells.insert(cells.end(), {cell(flux[k]/bed), cell(volume[k] > 0 ? flux[k]/volume[k] : Vector<3>{})});
+        cells.insert(cells.end(), {cell(flux[k] / bed), cell(volume[k] > 0 ? flux[k] / volume[k] : Vector<3>{})});
     }
     const auto add = [&](const char* name, double value)
     {
         columns.push_back(name);
         cells.push_back(cell(value));
     };
-    if (!view.geometry->patches.empty()) add("wettedFraction", area > 0 ? wetted/area : 0);
+    if (!view.geometry->patches.empty()) add("wettedFraction", area > 0 ? wetted / area : 0);
     if (gamma > 0)
     {
-        add("Bo", rho*mag(view.g)*length_*length_/gamma);
-        add("Ca", mu*mag(superficial)/gamma);
+        add("Bo", rho * mag(view.g) * length_ * length_ / gamma);
+        add("Ca", mu * mag(superficial) / gamma);
     }
-    if (mu > 0) add("Re", rho*mag(superficial)*length_/mu);
+    if (mu > 0) add("Re", rho * mag(superficial) * length_ / mu);
 
     if (!table_)
         table_.emplace(context_.file("bedHydrodynamics.dat"),
-                       std::vector<std::string>{fmt::format("velocities [m/s]; liquid {}; length {} m", liquid_ < phases_.size() ? phases_[liquid_] : "", cell(length_))},
+                       std::vector<std::string>{fmt::format("velocities [m/s]; liquid {}; length {} m",
+                                                            liquid_ < phases_.size() ? phases_[liquid_] : "", cell(length_))},
                        columns);
     table_->row(view.time, cells);
-    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, scalars[1], scalars[2],
-                          mag(superficial));
+    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, scalars[1],
+                          scalars[2], mag(superficial));
 }
 
 }

@@ -9,9 +9,13 @@ namespace sph
 {
 
 Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
-    : context_(context), phases_(context.phases), angular_(d.get("angularMomentum", false)), origin_(d.get("origin", Vector<3>{})),
+    : context_(context),
+      phases_(context.phases),
+      angular_(d.get("angularMomentum", false)),
+      origin_(d.get("origin", Vector<3>{})),
       where_(d.location())
-{}
+{
+}
 
 Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>& origin, const Location& where)
 {
@@ -29,11 +33,11 @@ Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>&
         const double m = view.mass[i];
         const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
         s.mass.at(phaseOf(view, i)) += m;
-        s.momentum += m*u;
-        s.angularMomentum += m*cross(x - origin, u);
-        s.kineticEnergy += 0.5*m*dot(u, u);
-        s.potentialEnergy -= m*dot(g, x);
-        s.momentumScale += m*mag(u);
+        s.momentum += m * u;
+        s.angularMomentum += m * cross(x - origin, u);
+        s.kineticEnergy += 0.5 * m * dot(u, u);
+        s.potentialEnergy -= m * dot(g, x);
+        s.momentumScale += m * mag(u);
     }
     return s;
 }
@@ -50,7 +54,8 @@ void Conservation::execute(const ParticleView& view)
         columns.insert(columns.end(), {"momentum", "kineticEnergy", "potentialEnergy"});
         if (angular_) columns.push_back("angularMomentum");
         table_.emplace(context_.file("conservation.dat"),
-                       std::vector<std::string>{"mass [kg], momentum [kg m/s], energy [J], angular momentum [kg m^2/s]; per metre of depth in 2-D"},
+                       std::vector<std::string>{
+                           "mass [kg], momentum [kg m/s], energy [J], angular momentum [kg m^2/s]; per metre of depth in 2-D"},
                        columns);
     }
     std::vector<std::string> cells;

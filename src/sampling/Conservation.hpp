@@ -28,7 +28,7 @@ public:
         std::vector<double> mass;
         Vector<3> momentum, angularMomentum;
         double kineticEnergy = 0, potentialEnergy = 0;
-        double momentumScale = 0;   ///< sum m|u| [kg m/s]
+        double momentumScale = 0; ///< sum m|u| [kg m/s]
     };
     static Sums sums(const ParticleView&, const Vector<3>& origin, const Location& where);
 

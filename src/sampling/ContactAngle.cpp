@@ -21,11 +21,12 @@ std::vector<Vector<3>> directions(int dimension)
     const int n = dimension == 2 ? 360 : 1000;
     std::vector<Vector<3>> result;
     for (int k = 0; k < n; ++k)
-        if (dimension == 2) result.push_back({std::cos(2*pi*(k + 0.5)/n), std::sin(2*pi*(k + 0.5)/n), 0});
+        if (dimension == 2)
+            result.push_back({std::cos(2 * pi * (k + 0.5) / n), std::sin(2 * pi * (k + 0.5) / n), 0});
         else
         {
-            const double y = 1 - 2*(k + 0.5)/n, r = std::sqrt(1 - y*y), angle = k*pi*(3 - std::sqrt(5.0));
-            result.push_back({r*std::cos(angle), y, r*std::sin(angle)});
+            const double y = 1 - 2 * (k + 0.5) / n, r = std::sqrt(1 - y * y), angle = k * pi * (3 - std::sqrt(5.0));
+            result.push_back({r * std::cos(angle), y, r * std::sin(angle)});
         }
     return result;
 }
@@ -40,7 +41,7 @@ ContactAngle::ContactAngle(const Dictionary& d, const Geometry&, const std::vect
 
 Measurement ContactAngle::operator()(const ParticleView& view) const
 {
-    constexpr double degree = std::numbers::pi/180;
+    constexpr double degree = std::numbers::pi / 180;
     Measurement result;
     result.value = std::numeric_limits<double>::quiet_NaN();
     const Drop drop(view, phase_);
@@ -80,29 +81,30 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     // A cap is convex: each ray from its centre of volume leaves it once. The last point inside the fluid of a ray towards the wall
     // is no point of the surface.
     std::vector<Vector<3>> surface;
-    const double step = view.spacing/2;
+    const double step = view.spacing / 2;
     for (const auto& direction : directions(view.dimension))
     {
-        const auto at = [&](double r) { return drop.centre + r*direction; };
+        const auto at = [&](double r) { return drop.centre + r * direction; };
         const auto height = [&](double r) { return dot(at(r) - drop.centre, foot.normal) + foot.distance; };
         double in = 0, out = step;
         while (out < farthest + view.support && height(out) > 0 && fraction(at(out)) >= 0.5) in = std::exchange(out, out + step);
-        if (out >= farthest + view.support || height(out) <= above_*view.spacing) continue;
+        if (out >= farthest + view.support || height(out) <= above_ * view.spacing) continue;
         for (int k = 0; k < 20; ++k)
         {
-            const double middle = (in + out)/2;
+            const double middle = (in + out) / 2;
             (fraction(at(middle)) >= 0.5 ? in : out) = middle;
         }
-        if (height(in) > above_*view.spacing) surface.push_back(at(in));
+        if (height(in) > above_ * view.spacing) surface.push_back(at(in));
     }
 
     const auto sphere = fitSphere(surface, view.dimension);
     if (sphere.radius > 0)
     {
         const double h = dot(sphere.centre - drop.centre, foot.normal) + foot.distance;
-        result.value = std::acos(std::clamp(-h/sphere.radius, -1.0, 1.0))/degree;
+        result.value = std::acos(std::clamp(-h / sphere.radius, -1.0, 1.0)) / degree;
     }
-    else result.note = "the surface of the drop does not rise far enough above the wall to be fitted";
+    else
+        result.note = "the surface of the drop does not rise far enough above the wall to be fitted";
     return result;
 }
 

@@ -15,7 +15,7 @@ namespace sph
 class ContactAngle
 {
     std::size_t phase_;
-    double angle_, above_;   ///< [degrees], negative: that of the wall; [spacings]
+    double angle_, above_; ///< [degrees], negative: that of the wall; [spacings]
 
 public:
     /// phase (the first); angle (by default the wall's contactAngle, turned round for other phases than the first); above 2.5.

@@ -7,35 +7,38 @@ namespace sph
 
 namespace
 {
-constexpr double imagesBelow = 0.05;   // nu t/L^2
+constexpr double imagesBelow = 0.05; // nu t/L^2
 }
 
-Couette::Couette(double nu, double speed, double width)
-    : nu_(nu), L_(width), V_{speed, 0, 0}, normal_{0, 1, 0}, steady_(false)
-{}
+Couette::Couette(double nu, double speed, double width) : nu_(nu), L_(width), V_{speed, 0, 0}, normal_{0, 1, 0}, steady_(false) {}
 
 Couette::Couette(const Dictionary& d)
-    : nu_(d.getPositive("nu", units::kinematicViscosity)), L_(d.getPositive("width", units::m)),
-      V_(d.getVector("velocity", units::mPerS)), normal_(readDirection(d, "normal", {0, 1, 0})), origin_(d.get("origin", Vector<3>{})),
+    : nu_(d.getPositive("nu", units::kinematicViscosity)),
+      L_(d.getPositive("width", units::m)),
+      V_(d.getVector("velocity", units::mPerS)),
+      normal_(readDirection(d, "normal", {0, 1, 0})),
+      origin_(d.get("origin", Vector<3>{})),
       steady_(d.get("steady", false))
-{}
+{
+}
 
 double Couette::relativeSpeed(double y, double t) const
 {
     constexpr double pi = std::numbers::pi;
-    if (steady_) return y/L_;
+    if (steady_) return y / L_;
     if (t <= 0) return 0;
 
-    const double tau = nu_*t/(L_*L_);
+    const double tau = nu_ * t / (L_ * L_);
     double sum = 0;
     if (tau < imagesBelow)
     {
-        const double s = 2*std::sqrt(nu_*t);
-        for (int k = 0; k < 4; ++k) sum += std::erfc((2*k*L_ + L_ - y)/s) - std::erfc((2*k*L_ + L_ + y)/s);
+        const double s = 2 * std::sqrt(nu_ * t);
+        for (int k = 0; k < 4; ++k) sum += std::erfc((2 * k * L_ + L_ - y) / s) - std::erfc((2 * k * L_ + L_ + y) / s);
         return sum;
     }
-    for (int n = 1; n < 15; ++n) sum += (n%2 ? -1 : 1)*2/(n*pi)*std::sin(n*pi*y/L_)*std::exp(-n*n*pi*pi*tau);
-    return y/L_ + sum;
+    for (int n = 1; n < 15; ++n)
+        sum += (n % 2 ? -1 : 1) * 2 / (n * pi) * std::sin(n * pi * y / L_) * std::exp(-n * n * pi * pi * tau);
+    return y / L_ + sum;
 }
 
 }

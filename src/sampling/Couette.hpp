@@ -24,7 +24,7 @@ public:
 
     /// v/V
     double relativeSpeed(double y, double t) const;
-    Vector<3> velocity(const Vector<3>& x, double t) const { return relativeSpeed(dot(x - origin_, normal_), t)*V_; }
+    Vector<3> velocity(const Vector<3>& x, double t) const { return relativeSpeed(dot(x - origin_, normal_), t) * V_; }
 };
 
 }

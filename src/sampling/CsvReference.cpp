@@ -18,9 +18,12 @@ std::vector<std::string> cellsOf(const std::string& line)
     std::vector<std::string> cells(1);
     bool quoted = false;
     for (const char c : line)
-        if (c == '"') quoted = !quoted;
-        else if (c == ',' && !quoted) cells.emplace_back();
-        else if (c != '\r') cells.back() += c;
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            cells.emplace_back();
+        else if (c != '\r')
+            cells.back() += c;
     for (auto& cell : cells)
     {
         cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
@@ -49,13 +52,13 @@ double interpolate(const std::vector<double>& x, const std::vector<double>& y, d
 {
     count = std::min(count, x.size());
     const auto above = std::size_t(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-    const auto first = std::min(above > count/2 ? above - count/2 : 0, x.size() - count);
+    const auto first = std::min(above > count / 2 ? above - count / 2 : 0, x.size() - count);
     double sum = 0;
     for (auto i = first; i < first + count; ++i)
     {
         double term = y[i];
         for (auto k = first; k < first + count; ++k)
-            if (k != i) term *= (at - x[k])/(x[i] - x[k]);
+            if (k != i) term *= (at - x[k]) / (x[i] - x[k]);
         sum += term;
     }
     return sum;
@@ -78,18 +81,22 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     const auto coordinateName = columns.get<std::string>("coordinate"), valueName = columns.get<std::string>("value");
     const auto timeName = columns.get("time", "");
     steady_ = timeName.empty();
-    axis_ = readDirection(d, "axis", coordinateName == "x" ? Vector<3>{1, 0, 0} : coordinateName == "z" ? Vector<3>{0, 0, 1} : Vector<3>{0, 1, 0});
+    axis_ = readDirection(d, "axis",
+                          coordinateName == "x"   ? Vector<3>{1, 0, 0}
+                          : coordinateName == "z" ? Vector<3>{0, 0, 1}
+                                                  : Vector<3>{0, 1, 0});
     if (!d.found("axis") && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
         d.error("axis", fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
 
     const auto units = d.subDictOrEmpty("units");
-    const double coordinateUnit = units.get("coordinate", 1.0), timeUnit = units.get("time", 1.0), valueUnit = units.get("value", 1.0);
+    const double coordinateUnit = units.get("coordinate", 1.0), timeUnit = units.get("time", 1.0),
+                 valueUnit = units.get("value", 1.0);
     const auto select = d.subDictOrEmpty("select");
     std::map<std::string, std::string> wanted;
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
     if (fileName.empty() || coordinateName.empty() || valueName.empty()) return;
 
-    std::ifstream file(caseFolder/fileName);
+    std::ifstream file(caseFolder / fileName);
     std::string line;
     if (!file || !std::getline(file, line)) return d.error("file", fmt::format("cannot read {}", fileName));
     const auto header = cellsOf(line);
@@ -124,10 +131,10 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             if (!value) d.diagnostics().error(here, fmt::format("\"{}\" in column {} is not a number", cells[k], header[k]));
             return value.value_or(0);
         };
-        const double time = steady_ ? 0 : timeUnit*number_(t), coordinate = coordinateUnit*number_(c);
-        if (!table[time].emplace(coordinate, valueUnit*number_(v)).second)
-            d.diagnostics().error(here, fmt::format("a second value at {} = {}: say by `select` which rows are meant", coordinateName,
-                                                    cells[c]));
+        const double time = steady_ ? 0 : timeUnit * number_(t), coordinate = coordinateUnit * number_(c);
+        if (!table[time].emplace(coordinate, valueUnit * number_(v)).second)
+            d.diagnostics().error(
+                here, fmt::format("a second value at {} = {}: say by `select` which rows are meant", coordinateName, cells[c]));
     }
     for (const auto& [time, rows] : table)
     {
@@ -137,7 +144,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             profile.coordinate.push_back(coordinate);
             profile.value.push_back(value);
         }
-        if (rows.size() < 2) d.error("file", fmt::format("{} has only one row at {} = {}", fileName, timeName, time/timeUnit));
+        if (rows.size() < 2) d.error("file", fmt::format("{} has only one row at {} = {}", fileName, timeName, time / timeUnit));
         profiles_.push_back(std::move(profile));
         times_.push_back(time);
     }
@@ -151,7 +158,7 @@ std::optional<double> CsvReference::at(double coordinate, double t) const
     {
         const auto& x = profile.coordinate;
         if (x.size() < 2) return {};
-        if (coordinate < 2*x[0] - x[1] || coordinate > 2*x.back() - x[x.size() - 2]) return {};
+        if (coordinate < 2 * x[0] - x[1] || coordinate > 2 * x.back() - x[x.size() - 2]) return {};
         // Beyond the ends a straight line: a cubic may overshoot there.
         const bool outside = coordinate < x.front() || coordinate > x.back();
         return interpolate(x, profile.value, coordinate, outside ? 2 : points);
@@ -159,11 +166,11 @@ std::optional<double> CsvReference::at(double coordinate, double t) const
     if (profiles_.empty()) return {};
     if (steady_) return in(profiles_.front());
 
-    const double slack = 1e-9*(times_.back() - times_.front() + std::abs(times_.back()));   // round-off of a sum of time steps
+    const double slack = 1e-9 * (times_.back() - times_.front() + std::abs(times_.back())); // round-off of a sum of time steps
     if (t < times_.front() - slack || t > times_.back() + slack) return {};
     const auto above = std::size_t(std::upper_bound(times_.begin(), times_.end(), t) - times_.begin());
     const auto count = std::min(points, times_.size());
-    const auto first = std::min(above > count/2 ? above - count/2 : 0, times_.size() - count);
+    const auto first = std::min(above > count / 2 ? above - count / 2 : 0, times_.size() - count);
     const std::vector<double> nearTimes(times_.begin() + long(first), times_.begin() + long(first + count));
     std::vector<double> values;
     for (auto k = first; k < first + count; ++k)

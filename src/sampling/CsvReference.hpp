@@ -26,7 +26,7 @@ class CsvReference
     {
         std::vector<double> coordinate, value;
     };
-    std::vector<Profile> profiles_;   ///< ascending in time and coordinate
+    std::vector<Profile> profiles_; ///< ascending in time and coordinate
     std::vector<double> times_;
     Vector<3> axis_, origin_;
     bool mirror_ = false, cubic_ = false, steady_ = true;

@@ -19,9 +19,32 @@ constexpr double pi = std::numbers::pi;
 const std::map<std::string, std::vector<std::pair<double, double>>>& references()
 {
     static const std::map<std::string, std::vector<std::pair<double, double>>> table{
-        {"sc", {{0.001, 1.21214}, {0.027, 2.00775}, {0.064, 2.81020}, {0.125, 4.29159}, {0.216, 7.44194}, {0.343, 15.400}, {0.45, 28.08}, {0.5236, 42.08}}},
-        {"bcc", {{0.001, 1.21682}, {0.027, 2.04406}, {0.064, 2.88939}, {0.125, 4.44639}, {0.216, 7.73881}, {0.343, 16.335}, {0.45, 31.69}, {0.6802, 162.6}}},
-        {"fcc", {{0.001, 1.21680}, {0.027, 2.04387}, {0.064, 2.88875}, {0.125, 4.44572}, {0.216, 7.75764}, {0.343, 16.639}, {0.45, 33.49}}},
+        {"sc",
+         {{0.001, 1.21214},
+          {0.027, 2.00775},
+          {0.064, 2.81020},
+          {0.125, 4.29159},
+          {0.216, 7.44194},
+          {0.343, 15.400},
+          {0.45, 28.08},
+          {0.5236, 42.08}}},
+        {"bcc",
+         {{0.001, 1.21682},
+          {0.027, 2.04406},
+          {0.064, 2.88939},
+          {0.125, 4.44639},
+          {0.216, 7.73881},
+          {0.343, 16.335},
+          {0.45, 31.69},
+          {0.6802, 162.6}}},
+        {"fcc",
+         {{0.001, 1.21680},
+          {0.027, 2.04387},
+          {0.064, 2.88875},
+          {0.125, 4.44572},
+          {0.216, 7.75764},
+          {0.343, 16.639},
+          {0.45, 33.49}}},
         {"square", {{0.05, 15.56}, {0.10, 24.83}, {0.20, 51.53}, {0.40, 217.89}, {0.60, 1763}}},
     };
     return table;
@@ -33,22 +56,25 @@ constexpr double sameSolidFraction = 1e-3;
 /// Spheres per cell of edge `period`.
 int spheresPerCell(const std::string& lattice) { return lattice == "bcc" ? 2 : lattice == "fcc" ? 4 : 1; }
 
-double referenceOf(const Dictionary& d, const std::string& lattice, double solidFraction, const std::vector<std::string>& lattices)
+double referenceOf(const Dictionary& d, const std::string& lattice, double solidFraction,
+                   const std::vector<std::string>& lattices)
 {
     const auto known = references().find(lattice);
     if (known == references().end())
     {
-        if (!d.found("lattice")) d.error("lattice", "dragFactor needs a lattice or a reference. Known lattices: " + list(lattices));
+        if (!d.found("lattice"))
+            d.error("lattice", "dragFactor needs a lattice or a reference. Known lattices: " + list(lattices));
         return 1;
     }
     std::string fractions;
     for (const auto& [fraction, K] : known->second)
     {
-        if (std::abs(fraction - solidFraction) <= sameSolidFraction*fraction) return K;
+        if (std::abs(fraction - solidFraction) <= sameSolidFraction * fraction) return K;
         fractions += fmt::format("{}{}", fractions.empty() ? "" : ", ", fraction);
     }
-    d.error("lattice", fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
-                                   lattice, solidFraction, fractions));
+    d.error("lattice",
+            fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
+                        lattice, solidFraction, fractions));
     return 1;
 }
 
@@ -57,20 +83,23 @@ double referenceOf(const Dictionary& d, const std::string& lattice, double solid
 DragFactor::DragFactor(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
     : phase_(readPhase(d, "phase", phases)), radius_(d.getPositive("radius", units::m))
 {
-    const std::vector<std::string> lattices = geometry.dimension == 2 ? std::vector<std::string>{"square"}
-                                                                      : std::vector<std::string>{"sc", "bcc", "fcc"};
+    const std::vector<std::string> lattices =
+        geometry.dimension == 2 ? std::vector<std::string>{"square"} : std::vector<std::string>{"sc", "bcc", "fcc"};
     std::string lattice;
     if (d.found("lattice")) lattice = d.choose("lattice", lattices);
     if (d.found("period"))
     {
-        const double period = d.getPositive("period", units::m), a = radius_/period;
-        solidFraction_ = geometry.dimension == 2 ? pi*a*a : spheresPerCell(lattice)*4.0/3*pi*a*a*a;
+        const double period = d.getPositive("period", units::m), a = radius_ / period;
+        solidFraction_ = geometry.dimension == 2 ? pi * a * a : spheresPerCell(lattice) * 4.0 / 3 * pi * a * a * a;
         if (lattice.empty()) d.error("lattice", "lattice is needed where period is given. Known lattices: " + list(lattices));
     }
-    else solidFraction_ = d.getPositive("solidFraction", units::none);
+    else
+        solidFraction_ = d.getPositive("solidFraction", units::none);
 
-    if (d.found("reference")) reference_ = d.getPositive("reference", units::none);
-    else reference_ = referenceOf(d, lattice, solidFraction_, lattices);
+    if (d.found("reference"))
+        reference_ = d.getPositive("reference", units::none);
+    else
+        reference_ = referenceOf(d, lattice, solidFraction_, lattices);
 }
 
 Measurement DragFactor::operator()(const ParticleView& view) const
@@ -80,13 +109,14 @@ Measurement DragFactor::operator()(const ParticleView& view) const
     Measurement result;
     result.reference = reference_;
     result.particles = view.n;
-    const auto down = g > 0 ? view.g/g : Vector<3>{};
+    const auto down = g > 0 ? view.g / g : Vector<3>{};
     double superficial = 0;
     for (std::size_t i = 0; i < view.n; ++i)
-        superficial += view.volume[i]*(U(0, i)*down.x + U(1, i)*down.y + U(2, i)*down.z)/Vcell;
+        superficial += view.volume[i] * (U(0, i) * down.x + U(1, i) * down.y + U(2, i) * down.z) / Vcell;
     const double rho = view.restDensity.at(phase_), mu = view.viscosity.at(phase_);
     const double a = radius_, phi = solidFraction_;
-    result.value = view.dimension == 2 ? rho*g*pi*a*a/(phi*mu*superficial) : 2*a*a*rho*g/(9*phi*mu*superficial);
+    result.value = view.dimension == 2 ? rho * g * pi * a * a / (phi * mu * superficial)
+                                       : 2 * a * a * rho * g / (9 * phi * mu * superficial);
     if (superficial == 0)
     {
         result.value = std::numeric_limits<double>::quiet_NaN();

@@ -7,7 +7,7 @@ namespace sph
 
 namespace
 {
-constexpr double Vector<3>::* axes[]{&Vector<3>::x, &Vector<3>::y, &Vector<3>::z};
+constexpr double Vector<3>::*axes[]{&Vector<3>::x, &Vector<3>::y, &Vector<3>::z};
 }
 
 Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
@@ -16,7 +16,8 @@ Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
     // It only serves to unfold the drop: the mean of displacements from it is the centre of volume.
     Vector<3> sine, cosine, first;
     const auto* geometry = view.geometry;
-    const auto angle = [&](int k, double x) { return 2*std::numbers::pi*(x - geometry->low.*axes[k])/(geometry->high.*axes[k] - geometry->low.*axes[k]); };
+    const auto angle = [&](int k, double x)
+    { return 2 * std::numbers::pi * (x - geometry->low.*axes[k]) / (geometry->high.*axes[k] - geometry->low.*axes[k]); };
     for (std::size_t i = 0; i < view.n; ++i)
     {
         if (phaseOf(view, i) != phase) continue;
@@ -27,8 +28,8 @@ Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
             for (int k = 0; k < view.dimension; ++k)
                 if (geometry->periodic[k])
                 {
-                    sine.*axes[k] += view.volume[i]*std::sin(angle(k, x.*axes[k]));
-                    cosine.*axes[k] += view.volume[i]*std::cos(angle(k, x.*axes[k]));
+                    sine.*axes[k] += view.volume[i] * std::sin(angle(k, x.*axes[k]));
+                    cosine.*axes[k] += view.volume[i] * std::cos(angle(k, x.*axes[k]));
                 }
     }
     if (particles == 0) return;
@@ -38,12 +39,12 @@ Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
             if (geometry->periodic[k])
             {
                 const double period = geometry->high.*axes[k] - geometry->low.*axes[k];
-                const double turn = std::atan2(sine.*axes[k], cosine.*axes[k])/(2*std::numbers::pi);
-                centre.*axes[k] = geometry->low.*axes[k] + period*(turn - std::floor(turn));
+                const double turn = std::atan2(sine.*axes[k], cosine.*axes[k]) / (2 * std::numbers::pi);
+                centre.*axes[k] = geometry->low.*axes[k] + period * (turn - std::floor(turn));
             }
     Vector<3> mean;
     for (std::size_t i = 0; i < view.n; ++i)
-        if (phaseOf(view, i) == phase) mean += view.volume[i]/volume*displacement(view, centre, position(view, i));
+        if (phaseOf(view, i) == phase) mean += view.volume[i] / volume * displacement(view, centre, position(view, i));
     centre += mean;
 }
 
@@ -55,7 +56,7 @@ Vector<3> displacement(const ParticleView& view, const Vector<3>& a, const Vecto
             if (view.geometry->periodic[k])
             {
                 const double period = view.geometry->high.*axes[k] - view.geometry->low.*axes[k];
-                d.*axes[k] -= period*std::round(d.*axes[k]/period);
+                d.*axes[k] -= period * std::round(d.*axes[k] / period);
             }
     return d;
 }
@@ -63,7 +64,7 @@ Vector<3> displacement(const ParticleView& view, const Vector<3>& a, const Vecto
 double domainVolume(const Geometry& geometry)
 {
     const auto size = geometry.high - geometry.low;
-    return size.x*size.y*(geometry.dimension == 3 ? size.z : 1);
+    return size.x * size.y * (geometry.dimension == 3 ? size.z : 1);
 }
 
 }

@@ -8,7 +8,7 @@ namespace sph
 struct Drop
 {
     std::size_t phase = 0, particles = 0;
-    double volume = 0;    ///< [m^3], in 2-D [m^2]
+    double volume = 0; ///< [m^3], in 2-D [m^2]
     Vector<3> centre;
 
     Drop(const ParticleView&, std::size_t phase);

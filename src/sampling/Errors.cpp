@@ -14,7 +14,8 @@ namespace
 
 ErrorRow compareMeasure(const std::string& name, const Measurement& m, bool relative)
 {
-    const double difference = std::abs(m.value - m.reference), error = relative ? relativeTo(std::abs(m.reference), difference) : difference;
+    const double difference = std::abs(m.value - m.reference),
+                 error = relative ? relativeTo(std::abs(m.reference), difference) : difference;
     return {name, {error, error, error}, m.particles, m.value, m.reference, m.note};
 }
 
@@ -22,7 +23,8 @@ ErrorRow compareMeasure(const std::string& name, const Measurement& m, bool rela
 
 Errors::Errors(const Dictionary& d, const FunctionContext& context) : context_(context)
 {
-    if (!d.found("fields")) readComparison(d);
+    if (!d.found("fields"))
+        readComparison(d);
     else
         for (const auto& comparison : d.dictionaries("fields")) readComparison(comparison);
 }
@@ -39,11 +41,12 @@ void Errors::readComparison(const Dictionary& d)
     if (type == "csv")
     {
         auto csv = CsvReference(reference, context_.output.caseFolder(context_.name));
-        comparisons_.push_back(FieldComparison(d, context_, [csv](const Vector<3>& x, double t) -> std::optional<Vector<3>>
-        {
-            const auto value = csv(x, t);
-            return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
-        }));
+        comparisons_.push_back(FieldComparison(d, context_,
+                                               [csv](const Vector<3>& x, double t) -> std::optional<Vector<3>>
+                                               {
+                                                   const auto value = csv(x, t);
+                                                   return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
+                                               }));
     }
     if (!type) leaveRest();
     if (type != "formula") return;
@@ -63,12 +66,15 @@ void Errors::readComparison(const Dictionary& d)
     }
     const auto exact = readFormula(name, reference, d.get<std::string>("field"));
     const auto component = d.get("component", "");
-    comparisons_.push_back(FieldComparison(d, context_, [=](const Vector<3>& x, double t) -> std::optional<Vector<3>>
-    {
-        const auto v = exact(x, t);
-        return component == "y" ? Vector<3>{v.y, 0, 0} : component == "z" ? Vector<3>{v.z, 0, 0}
-               : component == "x" ? Vector<3>{v.x, 0, 0} : v;
-    }));
+    comparisons_.push_back(FieldComparison(d, context_,
+                                           [=](const Vector<3>& x, double t) -> std::optional<Vector<3>>
+                                           {
+                                               const auto v = exact(x, t);
+                                               return component == "y"   ? Vector<3>{v.y, 0, 0}
+                                                      : component == "z" ? Vector<3>{v.z, 0, 0}
+                                                      : component == "x" ? Vector<3>{v.x, 0, 0}
+                                                                         : v;
+                                           }));
 }
 
 void Errors::execute(const ParticleView& view)
@@ -79,13 +85,14 @@ void Errors::execute(const ParticleView& view)
         const auto row = comparison(view);
         if (!row) continue;
         if (!table_)
-            table_.emplace(context_.file("errors.dat"), std::vector<std::string>{},
-                           std::vector<std::string>{"field", "L1", "L2", "Linf", "nParticles", "executionTime", "value", "reference"});
-        table_->row(view.time, std::vector<std::string>{row->field, cell(row->error.L1), cell(row->error.L2), cell(row->error.Linf),
-                                                        fmt::format("{}", row->particles), cell(view.executionTime),
-                                                        cell(row->value), cell(row->reference)});
-        report_ += fmt::format("{}{}: {} L2 {:.4g} Linf {:.4g}{}{}", report_.empty() ? "" : "\n", context_.name, row->field, row->error.L2,
-                               row->error.Linf, row->note.empty() ? "" : "; ", row->note);
+            table_.emplace(
+                context_.file("errors.dat"), std::vector<std::string>{},
+                std::vector<std::string>{"field", "L1", "L2", "Linf", "nParticles", "executionTime", "value", "reference"});
+        table_->row(view.time, std::vector<std::string>{row->field, cell(row->error.L1), cell(row->error.L2),
+                                                        cell(row->error.Linf), fmt::format("{}", row->particles),
+                                                        cell(view.executionTime), cell(row->value), cell(row->reference)});
+        report_ += fmt::format("{}{}: {} L2 {:.4g} Linf {:.4g}{}{}", report_.empty() ? "" : "\n", context_.name, row->field,
+                               row->error.L2, row->error.Linf, row->note.empty() ? "" : "; ", row->note);
     }
 }
 

@@ -15,8 +15,11 @@ bool readsRelative(const Dictionary& d)
 }
 
 FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference)
-    : field_(d.get<std::string>("field")), relative_(readsRelative(d)), removeMean_(d.get("removeMean", false)),
-      where_(d.where("field")), reference_(std::move(reference))
+    : field_(d.get<std::string>("field")),
+      relative_(readsRelative(d)),
+      removeMean_(d.get("removeMean", false)),
+      where_(d.where("field")),
+      reference_(std::move(reference))
 {
     static const std::vector<std::string> components{"x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"};
     if (d.found("component"))
@@ -46,7 +49,8 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
                                                 field.components() == 1 ? "It is a scalar" : "Known components: " + list(names)));
         only = int(found - names.begin());
     }
-    else if (field.components() > 3) throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
+    else if (field.components() > 3)
+        throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
 
     const auto selected = [&](std::size_t i)
     {
@@ -71,12 +75,15 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
         const auto exact = reference_(position(view, i), view.time);
         if (!exact) continue;
         Sample s{view.volume[i], {}, *exact};
-        if (only >= 0) s.value.x = field(only, i);
-        else if (field.components() == 1) s.value.x = field(0, i);
-        else s.value = {field(0, i), field(1, i), field(2, i)};
+        if (only >= 0)
+            s.value.x = field(only, i);
+        else if (field.components() == 1)
+            s.value.x = field(0, i);
+        else
+            s.value = {field(0, i), field(1, i), field(2, i)};
         volume += s.volume;
-        meanValue += s.volume*s.value;
-        meanExact += s.volume*s.exact;
+        meanValue += s.volume * s.value;
+        meanExact += s.volume * s.exact;
         samples.push_back(s);
     }
     if (samples.empty()) return {};
@@ -86,8 +93,8 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     {
         if (removeMean_)
         {
-            s.value -= meanValue/volume;
-            s.exact -= meanExact/volume;
+            s.value -= meanValue / volume;
+            s.exact -= meanExact / volume;
         }
         errors.add(s.volume, mag(s.value - s.exact));
         values.add(s.volume, mag(s.value));
@@ -96,7 +103,10 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : exacts.norms();
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
                     relative_ ? relativeTo(scale, errors.norms()) : errors.norms(),
-                    samples.size(), values.norms().L2, scale.L2, {}};
+                    samples.size(),
+                    values.norms().L2,
+                    scale.L2,
+                    {}};
 }
 
 }

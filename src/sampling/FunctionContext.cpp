@@ -12,9 +12,9 @@ std::filesystem::path FunctionContext::file(const std::string& fileName) const
 
 std::filesystem::path FunctionContext::fileOfTime(const std::string& fileName) const
 {
-    const auto folder = output.caseFolder(name)/"postProcessing"/name/output.timeName();
+    const auto folder = output.caseFolder(name) / "postProcessing" / name / output.timeName();
     createFolders(folder);
-    return folder/fileName;
+    return folder / fileName;
 }
 
 }

@@ -8,9 +8,9 @@ namespace sph
 
 struct FunctionContext
 {
-    std::string name;                         ///< the object's own, also of its folder below postProcessing/
+    std::string name; ///< the object's own, also of its folder below postProcessing/
     const Geometry& geometry;
-    const std::vector<std::string>& phases;   ///< only while the object is made
+    const std::vector<std::string>& phases; ///< only while the object is made
     OutputPlace output;
 
     /// postProcessing/<name>/<startTime>/<file>, whose folder is made. Asked for at the first row, so that a run that writes nothing

@@ -36,13 +36,19 @@ class FunctionObjects
     {
         std::string name;
         std::unique_ptr<FunctionObject> object;
-        double interval;            ///< in time [s] or steps, by `control`
-        enum class Control { writeTime, timeStep, runTime, onEnd } control;
-        double next;                ///< runTime: the next time [s]; writeTime: the number of write times so far
+        double interval; ///< in time [s] or steps, by `control`
+        enum class Control
+        {
+            writeTime,
+            timeStep,
+            runTime,
+            onEnd
+        } control;
+        double next; ///< runTime: the next time [s]; writeTime: the number of write times so far
     };
     std::vector<Entry> entries_;
-    void read(const Dictionary&, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&, const std::string& name,
-              double now);
+    void read(const Dictionary&, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&,
+              const std::string& name, double now);
     static bool due(const Entry&, const RunTime&, bool writeTime, bool end);
 
 public:

@@ -41,9 +41,9 @@ const std::vector<Type>& catalogue()
 
 /// The next multiple of the interval after t, so that a restarted run samples at the same times. The fraction forgives the round-off
 /// of a sum of time steps.
-double nextMultiple(double interval, double t) { return interval*(std::floor(t/interval + 1e-6) + 1); }
+double nextMultiple(double interval, double t) { return interval * (std::floor(t / interval + 1e-6) + 1); }
 
-constexpr double roundOff = 1e-6;   ///< of an interval
+constexpr double roundOff = 1e-6; ///< of an interval
 
 }
 
@@ -70,7 +70,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     using Control = Entry::Control;
     std::vector<std::string> types;
     for (const auto& t : catalogue()) types.push_back(t.name);
-    const std::vector<std::string> controls{"writeTime", "timeStep", "runTime", "onEnd"};   // in the order of Control
+    const std::vector<std::string> controls{"writeTime", "timeStep", "runTime", "onEnd"}; // in the order of Control
 
     if (!functions.isDictionary(name))
         return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
@@ -90,7 +90,8 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     {
         entry.interval = d.get("executeInterval", 1);
         entry.next = 0;
-        if (entry.interval < 1) d.error("executeInterval", fmt::format("executeInterval of {} counts and must be at least 1", control));
+        if (entry.interval < 1)
+            d.error("executeInterval", fmt::format("executeInterval of {} counts and must be at least 1", control));
     }
     for (const auto& t : catalogue())
         if (t.name == *type)
@@ -106,10 +107,14 @@ bool FunctionObjects::due(const Entry& entry, const RunTime& time, bool writeTim
     using Control = Entry::Control;
     switch (entry.control)
     {
-    case Control::writeTime: return writeTime && std::fmod(entry.next, entry.interval) == 0;
-    case Control::timeStep: return time.index()%long(entry.interval) == 0;
-    case Control::runTime: return time.value() >= entry.next - roundOff*entry.interval;
-    case Control::onEnd: return end;
+    case Control::writeTime:
+        return writeTime && std::fmod(entry.next, entry.interval) == 0;
+    case Control::timeStep:
+        return time.index() % long(entry.interval) == 0;
+    case Control::runTime:
+        return time.value() >= entry.next - roundOff * entry.interval;
+    case Control::onEnd:
+        return end;
     }
     return false;
 }
@@ -128,7 +133,7 @@ std::vector<std::string> FunctionObjects::execute(const ParticleView& view, cons
     for (auto& entry : entries_)
     {
         const bool now = due(entry, time, writeTime, end);
-        if (entry.control == Control::writeTime && writeTime) ++entry.next;   // counts write times
+        if (entry.control == Control::writeTime && writeTime) ++entry.next; // counts write times
         if (!now) continue;
         if (entry.control == Control::runTime) entry.next = nextMultiple(entry.interval, time.value());
         entry.object->execute(view);

@@ -13,7 +13,7 @@ struct PointWeights
 {
     std::vector<std::size_t> particle;
     std::vector<double> weight;
-    double coverage = 0;   ///< sum_j V_j W_j: 1 inside the fluid, about a half on a free surface or wall, 0 far from it
+    double coverage = 0; ///< sum_j V_j W_j: 1 inside the fluid, about a half on a free surface or wall, 0 far from it
 
     bool empty() const { return particle.empty(); }
     /// NaN where there is nothing to interpolate: gnuplot and ParaView leave such points out. A null array is zero.
@@ -23,15 +23,19 @@ struct PointWeights
 /// shepard: w_j = V_j W_j/sum_k V_k W_k, between the smallest and the largest f_j, first order.
 /// linear: w_j = V_j W_j b(0).M^-1 b(x_j - x), b = (1, dx/H, ...), M = sum_j V_j W_j b b: exact for linear fields, second order, also
 /// at walls and surfaces. Where the eigenvalues of M are too unequal (few particles, all on one line or far to one side), shepard.
-enum class Interpolation { shepard, linear };
+enum class Interpolation
+{
+    shepard,
+    linear
+};
 
 class Interpolator
 {
     std::variant<Kernel<2>, Kernel<3>> kernel_;
     double H_;
     const double* volume_;
-    Vector<3> low_, period_;                  ///< period 0: not periodic in that direction
-    std::vector<Vector<3>> x_;                ///< of the particles and their periodic copies, in the order of the cells
+    Vector<3> low_, period_;   ///< period 0: not periodic in that direction
+    std::vector<Vector<3>> x_; ///< of the particles and their periodic copies, in the order of the cells
     std::vector<std::size_t> source_;
     std::vector<std::size_t> cellStart_;
     Vector<3> origin_;

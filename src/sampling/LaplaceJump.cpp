@@ -8,17 +8,19 @@ namespace sph
 {
 
 LaplaceJump::LaplaceJump(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), radius_(d.getNonNegative("radius", units::m, 0)),
+    : phase_(readPhase(d, "phase", phases)),
+      radius_(d.getNonNegative("radius", units::m, 0)),
       sigma_(d.getNonNegative("sigma", units::surfaceTension, 0))
-{}
+{
+}
 
 Measurement LaplaceJump::operator()(const ParticleView& view) const
 {
     constexpr double pi = std::numbers::pi;
     const Drop drop(view, phase_);
-    const double R = radius_ > 0          ? radius_
-                     : view.dimension == 2 ? std::sqrt(drop.volume/pi)
-                                           : std::cbrt(3*drop.volume/(4*pi));
+    const double R = radius_ > 0           ? radius_
+                     : view.dimension == 2 ? std::sqrt(drop.volume / pi)
+                                           : std::cbrt(3 * drop.volume / (4 * pi));
     const double gamma = sigma_ > 0 ? sigma_ : view.surfaceTension;
     const SampledField p(view, "p", {});
 
@@ -29,19 +31,20 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
         const double r = mag(displacement(view, drop.centre, position(view, i))), V = view.volume[i];
         if (phaseOf(view, i) == phase_ && r < R - view.support)
         {
-            inside += V*p(0, i);
+            inside += V * p(0, i);
             insideVolume += V;
             ++result.particles;
         }
         else if (phaseOf(view, i) != phase_ && r > R + view.support)
         {
-            outside += V*p(0, i);
+            outside += V * p(0, i);
             outsideVolume += V;
             ++result.particles;
         }
     }
-    result.reference = (view.dimension - 1)*gamma/R;
-    if (insideVolume > 0) result.value = inside/insideVolume - (outsideVolume > 0 ? outside/outsideVolume : 0);
+    result.reference = (view.dimension - 1) * gamma / R;
+    if (insideVolume > 0)
+        result.value = inside / insideVolume - (outsideVolume > 0 ? outside / outsideVolume : 0);
     else
     {
         result.value = std::numeric_limits<double>::quiet_NaN();

@@ -14,7 +14,7 @@ namespace sph
 class LaplaceJump
 {
     std::size_t phase_;
-    double radius_, sigma_;   ///< 0: from the volume of the drop's particles; the scene's
+    double radius_, sigma_; ///< 0: from the volume of the drop's particles; the scene's
 
 public:
     /// phase (the first); radius (by default that of a drop of the phase's volume); sigma (by default that of the scene).

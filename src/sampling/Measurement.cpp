@@ -40,7 +40,8 @@ std::vector<std::string> measureNames()
     return names;
 }
 
-Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry,
+                    const std::vector<std::string>& phases)
 {
     for (const auto& m : catalogue())
         if (m.name == name) return m.read(d, geometry, phases);
@@ -51,7 +52,7 @@ std::size_t readPhase(const Dictionary& d, const std::string& key, const std::ve
 {
     if (phases.empty()) return 0;
     const auto name = d.choose(key, phases, phases.front());
-    return std::size_t(std::max<long>(0, std::find(phases.begin(), phases.end(), name) - phases.begin()))%phases.size();
+    return std::size_t(std::max<long>(0, std::find(phases.begin(), phases.end(), name) - phases.begin())) % phases.size();
 }
 
 }

@@ -9,8 +9,8 @@ namespace sph
 
 struct Measurement
 {
-    double value = 0, reference = 0;   ///< value is NaN where it cannot be measured; `note` then says why
-    std::size_t particles = 0;         ///< that the value rests on
+    double value = 0, reference = 0; ///< value is NaN where it cannot be measured; `note` then says why
+    std::size_t particles = 0;       ///< that the value rests on
     std::string note;
 };
 

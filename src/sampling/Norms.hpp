@@ -19,17 +19,17 @@ public:
     void add(double volume, double magnitude)
     {
         volume_ += volume;
-        first_ += volume*magnitude;
-        second_ += volume*magnitude*magnitude;
-        if (!(magnitude <= largest_)) largest_ = std::isnan(largest_) ? largest_ : magnitude;   // NaN stays
+        first_ += volume * magnitude;
+        second_ += volume * magnitude * magnitude;
+        if (!(magnitude <= largest_)) largest_ = std::isnan(largest_) ? largest_ : magnitude; // NaN stays
     }
 
     /// NaN where nothing was added.
-    Norms norms() const { return {first_/volume_, std::sqrt(second_/volume_), volume_ > 0 ? largest_ : first_/volume_}; }
+    Norms norms() const { return {first_ / volume_, std::sqrt(second_ / volume_), volume_ > 0 ? largest_ : first_ / volume_}; }
 };
 
 /// error/scale, 0 where both are 0: fluid at rest that should be at rest has no error.
-inline double relativeTo(double scale, double error) { return error == 0 ? 0 : error/scale; }
+inline double relativeTo(double scale, double error) { return error == 0 ? 0 : error / scale; }
 
 inline Norms relativeTo(const Norms& scale, const Norms& e)
 {

@@ -17,9 +17,9 @@ OutputPlace outputOf(const std::filesystem::path& caseFolder, const std::string&
 {
     const auto file = [caseFolder, first](const std::string& function, const std::string& name)
     {
-        const auto path = caseFolder/"postProcessing"/function/first/name;
+        const auto path = caseFolder / "postProcessing" / function / first / name;
         if (!std::filesystem::exists(path)) return path;
-        return path.parent_path()/fmt::format("{}_{}{}", path.stem().string(), first, path.extension().string());
+        return path.parent_path() / fmt::format("{}_{}{}", path.stem().string(), first, path.extension().string());
     };
     return {[caseFolder](const std::string&) { return caseFolder; }, file, [&current] { return current; }};
 }

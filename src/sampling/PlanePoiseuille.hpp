@@ -24,7 +24,7 @@ public:
 
     /// [m/s]
     double speed(double y, double t) const;
-    Vector<3> velocity(const Vector<3>& x, double t) const { return speed(dot(x - origin_, normal_), t)*direction_; }
+    Vector<3> velocity(const Vector<3>& x, double t) const { return speed(dot(x - origin_, normal_), t) * direction_; }
 };
 
 }

@@ -20,8 +20,10 @@ bool inside(const Geometry& g, const Vector<3>& x)
 }
 
 Probes::Probes(const Dictionary& d, const FunctionContext& context)
-    : context_(context), fields_(d.get<std::vector<std::string>>("fields")),
-      locations_(d.get<std::vector<Vector<3>>>("probeLocations")), fieldsWhere_(d.where("fields"))
+    : context_(context),
+      fields_(d.get<std::vector<std::string>>("fields")),
+      locations_(d.get<std::vector<Vector<3>>>("probeLocations")),
+      fieldsWhere_(d.where("fields"))
 {
     for (std::size_t k = 0; k < locations_.size(); ++k)
         if (!inside(context.geometry, locations_[k]))

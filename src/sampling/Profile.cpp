@@ -8,8 +8,12 @@ namespace sph
 {
 
 Profile::Profile(const Dictionary& d, const FunctionContext& context)
-    : context_(context), start_(d.get<Vector<3>>("start")), end_(d.get<Vector<3>>("end")),
-      fields_(d.get<std::vector<std::string>>("fields")), fieldsWhere_(d.where("fields")), points_(d.get("nPoints", 0)),
+    : context_(context),
+      start_(d.get<Vector<3>>("start")),
+      end_(d.get<Vector<3>>("end")),
+      fields_(d.get<std::vector<std::string>>("fields")),
+      fieldsWhere_(d.where("fields")),
+      points_(d.get("nPoints", 0)),
       bins_(d.get("bins", 0))
 {
     if (!(mag(end_ - start_) > 0)) d.error("end", "start and end of a profile must differ");
@@ -34,7 +38,7 @@ std::string Profile::pointRows(const ParticleView& view) const
     std::string rows;
     for (int k = 0; k < points_; ++k)
     {
-        const auto along = double(k)/(points_ - 1)*(end_ - start_);
+        const auto along = double(k) / (points_ - 1) * (end_ - start_);
         const auto weights = interpolator.weights(start_ + along);
         rows += cell(mag(along));
         for (const auto& name : fields_)
@@ -50,8 +54,8 @@ std::string Profile::pointRows(const ParticleView& view) const
 std::string Profile::binRows(const ParticleView& view) const
 {
     const double length = mag(end_ - start_);
-    const auto direction = (end_ - start_)/length;
-    const auto binOf = [&](std::size_t i) { return std::floor(dot(position(view, i) - start_, direction)/length*bins_); };
+    const auto direction = (end_ - start_) / length;
+    const auto binOf = [&](std::size_t i) { return std::floor(dot(position(view, i) - start_, direction) / length * bins_); };
     const auto bins = std::size_t(bins_);
 
     std::vector<double> volume(bins, 0.0);
@@ -70,14 +74,14 @@ std::string Profile::binRows(const ParticleView& view) const
         {
             auto& mean = means.emplace_back(bins, 0.0);
             for (std::size_t i = 0; i < view.n; ++i)
-                if (const double b = binOf(i); b >= 0 && b < bins_) mean[std::size_t(b)] += view.volume[i]*field(c, i);
+                if (const double b = binOf(i); b >= 0 && b < bins_) mean[std::size_t(b)] += view.volume[i] * field(c, i);
         }
     }
     std::string rows;
     for (std::size_t b = 0; b < bins; ++b)
     {
-        rows += cell((double(b) + 0.5)*length/bins_);
-        for (const auto& mean : means) rows += "\t" + cell(mean[b]/volume[b]);
+        rows += cell((double(b) + 0.5) * length / bins_);
+        for (const auto& mean : means) rows += "\t" + cell(mean[b] / volume[b]);
         rows += fmt::format("\t{}\n", particles[b]);
     }
     return rows;

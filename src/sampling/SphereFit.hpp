@@ -9,7 +9,7 @@ namespace sph
 struct SphereFit
 {
     Vector<3> centre;
-    double radius = 0;   ///< 0 where the points do not determine a sphere
+    double radius = 0; ///< 0 where the points do not determine a sphere
 };
 
 /// Starts from the linear fit of |x|^2 - 2 c.x = R^2 - c^2 (Kasa 1976), which makes short noisy arcs too small, and goes on with

@@ -19,7 +19,7 @@ TwoLayerPoiseuille fromDictionary(const Dictionary& d)
 {
     const auto mu = pairOf(d, "viscosities"), H = pairOf(d, "heights"), rho = pairOf(d, "densities");
     const double dp = d.get("pressureGradient", units::forcePerVolume, 0), f = d.get("acceleration", units::mPerS2, 0);
-    return {mu[0], mu[1], H[0], H[1], dp + rho[0]*f, dp + rho[1]*f};
+    return {mu[0], mu[1], H[0], H[1], dp + rho[0] * f, dp + rho[1] * f};
 }
 }
 
@@ -27,8 +27,8 @@ TwoLayerPoiseuille::TwoLayerPoiseuille(double mu1, double mu2, double H1, double
     : mu1_(mu1), mu2_(mu2), H1_(H1), H2_(H2), G1_(G1), G2_(G2), direction_{1, 0, 0}, normal_{0, 1, 0}
 {
     // tau_L = G_1 H_1 + G_2 H_2 - tau_0 in v_1(H_1) = v_2(H_1)
-    const double total = G1*H1 + G2*H2;
-    tau0_ = (H2*(2*total - G2*H2)/mu2 + G1*H1*H1/mu1)/(2*(H1/mu1 + H2/mu2));
+    const double total = G1 * H1 + G2 * H2;
+    tau0_ = (H2 * (2 * total - G2 * H2) / mu2 + G1 * H1 * H1 / mu1) / (2 * (H1 / mu1 + H2 / mu2));
     tauL_ = total - tau0_;
 }
 
@@ -41,9 +41,9 @@ TwoLayerPoiseuille::TwoLayerPoiseuille(const Dictionary& d) : TwoLayerPoiseuille
 
 double TwoLayerPoiseuille::speed(double y) const
 {
-    if (y < H1_) return y/(2*mu1_)*(2*tau0_ - G1_*y);
+    if (y < H1_) return y / (2 * mu1_) * (2 * tau0_ - G1_ * y);
     const double z = H1_ + H2_ - y;
-    return z/(2*mu2_)*(2*tauL_ - G2_*z);
+    return z / (2 * mu2_) * (2 * tauL_ - G2_ * z);
 }
 
 }

@@ -25,7 +25,7 @@ public:
 
     double speed(double y) const;
     double wallStress() const { return tau0_; }
-    Vector<3> velocity(const Vector<3>& x, double) const { return speed(dot(x - origin_, normal_))*direction_; }
+    Vector<3> velocity(const Vector<3>& x, double) const { return speed(dot(x - origin_, normal_)) * direction_; }
 };
 
 }

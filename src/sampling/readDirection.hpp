@@ -9,7 +9,7 @@ namespace sph
 inline Vector<3> readDirection(const Dictionary& dictionary, const std::string& key, const Vector<3>& fallback)
 {
     const auto v = dictionary.get(key, fallback);
-    if (mag(v) > 0) return v/mag(v);
+    if (mag(v) > 0) return v / mag(v);
     dictionary.error(key, key + " must not be a zero vector");
     return fallback;
 }

@@ -1,5 +1,5 @@
-#include "CsvReference.hpp"
 #include "Errors.hpp"
+#include "CsvReference.hpp"
 #include "Particles.hpp"
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ struct ErrorsCase
     std::unique_ptr<Errors> make(const Particles& particles, const std::string& text)
     {
         const auto d = Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics());
-        auto object = std::make_unique<Errors>(d, FunctionContext{"errors", particles.geometry, particles.phases, outputOf(time)});
+        auto object =
+            std::make_unique<Errors>(d, FunctionContext{"errors", particles.geometry, particles.phases, outputOf(time)});
         d.reportUnused();
         mistakes = errorsOf(theCase.diagnostics());
         return object;
@@ -58,13 +59,13 @@ TEST(Norms, areThoseByHand)
     const auto& row = rows[0];
     ASSERT_EQ(row.size(), 9u);
     EXPECT_EQ(row[1], "U.x");
-    EXPECT_NEAR(std::stod(row[2]), 6.5/4, 1e-15);
-    EXPECT_NEAR(std::stod(row[3]), std::sqrt(12.25/4), 1e-15);
+    EXPECT_NEAR(std::stod(row[2]), 6.5 / 4, 1e-15);
+    EXPECT_NEAR(std::stod(row[3]), std::sqrt(12.25 / 4), 1e-15);
     EXPECT_NEAR(std::stod(row[4]), 2, 1e-15);
     EXPECT_EQ(row[5], "2");
     EXPECT_EQ(row[6], "1.5");
-    EXPECT_NEAR(std::stod(row[7]), std::sqrt(28.0/4), 1e-15);
-    EXPECT_NEAR(std::stod(row[8]), std::sqrt((2.25 + 3)/4), 1e-15);
+    EXPECT_NEAR(std::stod(row[7]), std::sqrt(28.0 / 4), 1e-15);
+    EXPECT_NEAR(std::stod(row[8]), std::sqrt((2.25 + 3) / 4), 1e-15);
 }
 
 TEST(Norms, relativeOnesAreDividedByTheSameNormOfTheReference)
@@ -72,9 +73,9 @@ TEST(Norms, relativeOnesAreDividedByTheSameNormOfTheReference)
     ErrorsCase c;
     c.folder.write("table.csv", "y,v\n0.5,1.5\n1.5,1\n");
     const auto row = c.rowsOf(two(), "field U; component x;\n" + std::string(zeroToFour)).at(0);
-    EXPECT_NEAR(std::stod(row[2]), 6.5/4.5, 1e-15);
-    EXPECT_NEAR(std::stod(row[3]), std::sqrt(12.25/5.25), 1e-15);
-    EXPECT_NEAR(std::stod(row[4]), 2/1.5, 1e-15);
+    EXPECT_NEAR(std::stod(row[2]), 6.5 / 4.5, 1e-15);
+    EXPECT_NEAR(std::stod(row[3]), std::sqrt(12.25 / 5.25), 1e-15);
+    EXPECT_NEAR(std::stod(row[4]), 2 / 1.5, 1e-15);
 }
 
 TEST(Norms, canBeScaledByAGivenValue)
@@ -92,7 +93,8 @@ TEST(Norms, ofNothingWhereNothingShouldBeAreZero)
     ErrorsCase c;
     auto particles = two();
     particles.ux = {0, 0};
-    const auto row = c.rowsOf(particles, "field U; reference { type formula; name planePoiseuille; nu 1; acceleration 1; width 2; }").at(0);
+    const auto row =
+        c.rowsOf(particles, "field U; reference { type formula; name planePoiseuille; nu 1; acceleration 1; width 2; }").at(0);
     EXPECT_EQ(row[1], "U");
     EXPECT_EQ(row[2], "0");
     EXPECT_EQ(row[4], "0");
@@ -114,10 +116,12 @@ TEST(Errors, vectorsAreComparedByTheMagnitudeOfTheirDifference)
     ErrorsCase c;
     auto particles = two();
     particles.uy = {0.4, 0};
-    const auto row = c.rowsOf(particles, "field U; norm absolute; reference { type formula; name couette; steady yes; nu 1; width 2;"
-                                         " velocity (1 0 0); }").at(0);
+    const auto row =
+        c.rowsOf(particles, "field U; norm absolute; reference { type formula; name couette; steady yes; nu 1; width 2;"
+                            " velocity (1 0 0); }")
+            .at(0);
     EXPECT_NEAR(std::stod(row[4]), 2.25, 1e-15);
-    EXPECT_NEAR(std::stod(row[2]), (std::hypot(0.75, 0.4) + 3*2.25)/4, 1e-15);
+    EXPECT_NEAR(std::stod(row[2]), (std::hypot(0.75, 0.4) + 3 * 2.25) / 4, 1e-15);
 }
 
 TEST(Errors, meansCanBeRemovedFromAPressure)
@@ -125,9 +129,10 @@ TEST(Errors, meansCanBeRemovedFromAPressure)
     // p = 1, 2 against hydrostatic 1.5, 0.5 (g = 1, rho = 1): means 1.75 and 0.75 go, differences 0.75 + 0.75 and 0.25 + 0.25.
     ErrorsCase c;
     const auto row = c.rowsOf(two(), "field p; norm absolute; removeMean yes;"
-                                     "reference { type formula; name hydrostatic; heights (2); densities (1); g (0 -1 0); }").at(0);
+                                     "reference { type formula; name hydrostatic; heights (2); densities (1); g (0 -1 0); }")
+                         .at(0);
     EXPECT_NEAR(std::stod(row[4]), 1.5, 1e-15);
-    EXPECT_NEAR(std::stod(row[2]), (1.5 + 3*0.5)/4, 1e-15);
+    EXPECT_NEAR(std::stod(row[2]), (1.5 + 3 * 0.5) / 4, 1e-15);
 }
 
 TEST(Errors, canBeRestrictedToAPhaseOrARegion)
@@ -171,14 +176,16 @@ TEST(Errors, unknownWordsAreExplained)
 {
     ErrorsCase c;
     c.make(two(), "field U;\nreference\n{\n    type formula;\n    name planePoisseuille;\n}\n");
-    EXPECT_EQ(c.mistakes, "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
-                          "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, laplaceJump, contactAngle, dragFactor.");
+    EXPECT_EQ(c.mistakes,
+              "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
+              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, laplaceJump, contactAngle, dragFactor.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)
 {
     ErrorsCase c;
-    const auto errors = c.make(two(), "\nfield UU;\n" + std::string("reference { type csv; file \"table.csv\"; columns { coordinate y; value v; } }"));
+    const auto errors = c.make(
+        two(), "\nfield UU;\n" + std::string("reference { type csv; file \"table.csv\"; columns { coordinate y; value v; } }"));
     try
     {
         errors->execute(two().view());
@@ -229,9 +236,10 @@ TEST(CsvReference, cubicInterpolationIsExactForCubics)
 {
     Table table;
     std::string rows = "y,v\n";
-    for (const double y : {0.0, 0.5, 0.8, 1.5, 2.0, 3.0}) rows += std::to_string(y) + "," + std::to_string(y*y*y - 2*y) + "\n";
+    for (const double y : {0.0, 0.5, 0.8, 1.5, 2.0, 3.0})
+        rows += std::to_string(y) + "," + std::to_string(y * y * y - 2 * y) + "\n";
     const auto v = table.read(rows, "columns { coordinate y; value v; } interpolation cubic;");
-    for (const double y : {0.1, 0.7, 1.1, 2.9}) EXPECT_NEAR(*v.at(y, 123), y*y*y - 2*y, 1e-12);
+    for (const double y : {0.1, 0.7, 1.1, 2.9}) EXPECT_NEAR(*v.at(y, 123), y * y * y - 2 * y, 1e-12);
 }
 
 TEST(CsvReference, reachesOneIntervalBeyondTheEnds)

@@ -1,5 +1,5 @@
-#include "Couette.hpp"
 #include "Formulas.hpp"
+#include "Couette.hpp"
 #include "Hydrostatic.hpp"
 #include "Particles.hpp"
 #include "PlanePoiseuille.hpp"
@@ -15,7 +15,7 @@ using namespace sph;
 TEST(PlanePoiseuille, agreesWithTheTabulatedSeries)
 {
     const PlanePoiseuille flow(1e-6, 1e-4, 1e-3);
-    const auto at = [&](double y, double tau) { return flow.speed(y, tau*1e-3*1e-3/1e-6); };
+    const auto at = [&](double y, double tau) { return flow.speed(y, tau * 1e-3 * 1e-3 / 1e-6); };
     EXPECT_NEAR(at(0.5e-3, 0.1), 7.691906e-6, 1e-12);
     EXPECT_NEAR(at(2.5e-5, 0.0225), 3.9287047e-07, 1e-14);
     EXPECT_NEAR(at(5e-5, 0.045), 1.0766441e-06, 1e-13);
@@ -43,8 +43,8 @@ TEST(PlanePoiseuille, imagesAndSeriesMeetWhereOneTakesOver)
     const Couette couette(1, 1, 1);
     for (const double y : {0.01, 0.1, 0.37, 0.5, 0.8, 0.99})
     {
-        EXPECT_NEAR(poiseuille.speed(y, 0.05*(1 - 1e-9)), poiseuille.speed(y, 0.05), 1e-10);
-        EXPECT_NEAR(couette.relativeSpeed(y, 0.05*(1 - 1e-9)), couette.relativeSpeed(y, 0.05), 1e-9);
+        EXPECT_NEAR(poiseuille.speed(y, 0.05 * (1 - 1e-9)), poiseuille.speed(y, 0.05), 1e-10);
+        EXPECT_NEAR(couette.relativeSpeed(y, 0.05 * (1 - 1e-9)), couette.relativeSpeed(y, 0.05), 1e-9);
     }
 }
 
@@ -68,7 +68,8 @@ TEST(TaylorGreen, decaysAsTabulatedAndHasNoDivergence)
     const double d = 1e-4;
     const Vector<3> x{0.13, 0.41, 0};
     const double divergence = (flow.velocity(x + Vector<3>{d, 0, 0}, 0).x - flow.velocity(x - Vector<3>{d, 0, 0}, 0).x +
-                               flow.velocity(x + Vector<3>{0, d, 0}, 0).y - flow.velocity(x - Vector<3>{0, d, 0}, 0).y)/(2*d);
+                               flow.velocity(x + Vector<3>{0, d, 0}, 0).y - flow.velocity(x - Vector<3>{0, d, 0}, 0).y) /
+                              (2 * d);
     EXPECT_NEAR(divergence, 0, 1e-10);
 }
 
@@ -79,10 +80,10 @@ TEST(TaylorGreen, pressureBalancesTheConvection)
     const double d = 1e-4;
     const Vector<3> x{0.13, 0.41, 0}, dx{d, 0, 0}, dy{0, d, 0};
     const auto u = flow.velocity(x, 0);
-    const double dudx = (flow.velocity(x + dx, 0).x - flow.velocity(x - dx, 0).x)/(2*d),
-                 dudy = (flow.velocity(x + dy, 0).x - flow.velocity(x - dy, 0).x)/(2*d),
-                 dpdx = (flow.pressure(x + dx, 0) - flow.pressure(x - dx, 0))/(2*d);
-    EXPECT_NEAR(3*(u.x*dudx + u.y*dudy), -dpdx, 1e-4);
+    const double dudx = (flow.velocity(x + dx, 0).x - flow.velocity(x - dx, 0).x) / (2 * d),
+                 dudy = (flow.velocity(x + dy, 0).x - flow.velocity(x - dy, 0).x) / (2 * d),
+                 dpdx = (flow.pressure(x + dx, 0) - flow.pressure(x - dx, 0)) / (2 * d);
+    EXPECT_NEAR(3 * (u.x * dudx + u.y * dudy), -dpdx, 1e-4);
     EXPECT_GT(std::abs(dpdx), 1);
 }
 
@@ -102,7 +103,7 @@ TEST(TwoLayerPoiseuille, agreesWithTheTabulatedSolutions)
 {
     const TwoLayerPoiseuille byPressure(1e-3, 1.8e-5, 5e-4, 5e-4, 1, 1), byForce(1e-3, 1.8e-5, 5e-4, 5e-4, 1, 1e-3);
     EXPECT_NEAR(byPressure.speed(5e-4), 2.455796e-4, 1e-10);
-    EXPECT_NEAR(byPressure.speed(2.2e-3/3), 1.859371e-3, 1e-9);
+    EXPECT_NEAR(byPressure.speed(2.2e-3 / 3), 1.859371e-3, 1e-9);
     EXPECT_NEAR(byPressure.speed(1.66667e-5), 1.2213763e-5, 1e-10);
     EXPECT_NEAR(byForce.speed(5e-4), 1.229126e-4, 1e-10);
     EXPECT_NEAR(byForce.speed(3.83333e-4), 1.1659408e-4, 1e-10);
@@ -130,7 +131,8 @@ TEST(Formulas, mistakesNameFileAndLine)
     const auto d = Dictionary::parse("name hydrostatic;\nheights (1 2);\ndensities (1000);\n", "system/controlDict", diagnostics);
     readFormula("hydrostatic", d, "U");
     readFormula("hydrostatic", d, "p");
-    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
-                                      "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
-                                      "2 errors");
+    EXPECT_EQ(errorsOf(*diagnostics),
+              "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
+              "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
+              "2 errors");
 }

@@ -19,7 +19,8 @@ struct Functions
 
     FunctionObjects make(const Particles& particles, const std::string& text)
     {
-        return {Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics()), particles.geometry, particles.phases, time};
+        return {Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics()), particles.geometry, particles.phases,
+                time};
     }
     std::string mistakes() const { return errorsOf(theCase.diagnostics()); }
     void run(const Particles& particles, const std::string& text)
@@ -36,14 +37,16 @@ struct Functions
 TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
 {
     Functions f;
-    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\n");
-    EXPECT_EQ(f.mistakes(),
-              "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-              "bedHydrodynamics, errors.\n"
-              "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
-              "executeControl, executeInterval, angularMomentum, origin.\n"
-              "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
-              "3 errors");
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
+           "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\n");
+    EXPECT_EQ(
+        f.mistakes(),
+        "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
+        "bedHydrodynamics, errors.\n"
+        "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
+        "executeControl, executeInterval, angularMomentum, origin.\n"
+        "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
+        "3 errors");
 }
 
 TEST(FunctionObjects, areDueWhenTheirControlSays)
@@ -61,14 +64,15 @@ TEST(FunctionObjects, areDueWhenTheirControlSays)
     {
         f.time.advance(0.1);
         particles.time = f.time.value();
-        const bool write = step%2 == 0, end = step == 6;
+        const bool write = step % 2 == 0, end = step == 6;
         EXPECT_EQ(functions.due(f.time, write, end), step > 1) << step;
         functions.execute(particles.view(), f.time, write, end);
     }
     const auto times = [&](const std::string& name)
     {
         std::vector<int> steps;
-        for (const auto& row : f.folder.rows("postProcessing/" + name + "/0/conservation.dat")) steps.push_back(int(std::lround(10*std::stod(row[0]))));
+        for (const auto& row : f.folder.rows("postProcessing/" + name + "/0/conservation.dat"))
+            steps.push_back(int(std::lround(10 * std::stod(row[0]))));
         return steps;
     };
     EXPECT_EQ(times("w"), (std::vector{2, 4, 6}));
@@ -84,7 +88,7 @@ TEST(FunctionObjects, noneLeaveNoFiles)
     const Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
     EXPECT_TRUE(f.make(particles, "").empty());
     EXPECT_FALSE(f.make(particles, "a { type conservation; }").empty());
-    EXPECT_FALSE(std::filesystem::exists(f.folder.folder()/"postProcessing"));
+    EXPECT_FALSE(std::filesystem::exists(f.folder.folder() / "postProcessing"));
 }
 
 TEST(Probes, writeOpenFoamsFormat)
@@ -93,7 +97,7 @@ TEST(Probes, writeOpenFoamsFormat)
     Functions f;
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
     particles.setP([](Vector<3>) { return 2.0; });
-    particles.setU([](Vector<3> x) { return Vector<3>{4*x.x, 0, 0}; });
+    particles.setU([](Vector<3> x) { return Vector<3>{4 * x.x, 0, 0}; });
     f.run(particles, "points { type probes; fields (U p); probeLocations ((0.5 0.5 0) (0.25 1 0)); }");
     const auto U = f.folder.read("postProcessing/points/0/U");
     EXPECT_TRUE(U.starts_with("# Probe 0 (0.5 0.5 0)\n# Probe 1 (0.25 1 0)\n# Time\t0\t1\n0\t(")) << U;
@@ -108,7 +112,8 @@ TEST(Probes, writeOpenFoamsFormat)
 TEST(Probes, outsideTheDomainAreAnError)
 {
     Functions f;
-    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "points\n{\n    type probes;\n    fields (p);\n    probeLocations ((0 0 0) (2 0 0));\n}\n");
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
+           "points\n{\n    type probes;\n    fields (p);\n    probeLocations ((0 0 0) (2 0 0));\n}\n");
     EXPECT_EQ(f.mistakes(), "system/controlDict:5: probe 1 at (2 0 0) lies outside the domain from (0 0 0) to (1 1 0)");
 }
 
@@ -116,7 +121,7 @@ TEST(Profile, samplesALine)
 {
     Functions f;
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
-    particles.setP([](Vector<3> x) { return 3*x.y; });
+    particles.setP([](Vector<3> x) { return 3 * x.y; });
     f.run(particles, "line { type profile; start (0.5 0.1 0); end (0.5 0.9 0); nPoints 5; fields (p U); }");
     EXPECT_TRUE(f.folder.read("postProcessing/line/0/line_p_U.xy").starts_with("# distance\tp\tU_x\tU_y\tU_z\n"));
     const auto rows = f.folder.rows("postProcessing/line/0/line_p_U.xy");
@@ -165,7 +170,7 @@ TEST(Conservation, writesAllDigitsAndReportsTheChange)
 {
     Functions f;
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
-    particles.mass = {0.1, 0.2, 1.0/3, 0.4};
+    particles.mass = {0.1, 0.2, 1.0 / 3, 0.4};
     particles.setU([](Vector<3>) { return Vector<3>{1, 0, 0}; });
     auto functions = f.make(particles, "sums { type conservation; angularMomentum yes; }");
     functions.execute(particles.view(), f.time, true, false);
@@ -173,8 +178,9 @@ TEST(Conservation, writesAllDigitsAndReportsTheChange)
     const auto reports = functions.execute(particles.view(), f.time, true, false);
     EXPECT_EQ(reports.at(0), "sums: relative change of mass 0.0968, momentum 0.0882, energy 0.0882");
     const auto text = f.folder.read("postProcessing/sums/0/conservation.dat");
-    EXPECT_NE(text.find("# Time\tmass_water\tmomentum\tkineticEnergy\tpotentialEnergy\tangularMomentum\n"), std::string::npos) << text;
-    const double mass = ((0.1 + 0.2) + 1.0/3) + 0.4;
+    EXPECT_NE(text.find("# Time\tmass_water\tmomentum\tkineticEnergy\tpotentialEnergy\tangularMomentum\n"), std::string::npos)
+        << text;
+    const double mass = ((0.1 + 0.2) + 1.0 / 3) + 0.4;
     EXPECT_EQ(std::stod(f.folder.rows("postProcessing/sums/0/conservation.dat").at(0).at(1)), mass);
 }
 
@@ -198,9 +204,11 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
     particles.g = {0, -9.81, 0};
     f.run(particles, "bed { type bedHydrodynamics; length 0.01; }");
     const auto text = f.folder.read("postProcessing/bed/0/bedHydrodynamics.dat");
-    EXPECT_NE(text.find("# Time\tporosity\tsaturation\tholdUp\tsuperficial_water\tinterstitial_water\tsuperficial_air\tinterstitial_air\t"
-                        "wettedFraction\tBo\tCa\tRe\n"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find(
+            "# Time\tporosity\tsaturation\tholdUp\tsuperficial_water\tinterstitial_water\tsuperficial_air\tinterstitial_air\t"
+            "wettedFraction\tBo\tCa\tRe\n"),
+        std::string::npos)
         << text;
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     const auto number = [&](std::size_t k) { return std::stod(row.at(k)); };
@@ -210,9 +218,9 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
     EXPECT_NEAR(std::stod(row[4].substr(3)), -0.1, 1e-12) << row[4];
     EXPECT_NEAR(std::stod(row[5].substr(3)), -0.4, 1e-12) << row[5];
     EXPECT_NEAR(number(8), 0.5, 1e-12);
-    EXPECT_NEAR(number(9), 1000*9.81*1e-4/0.072, 1e-9);
-    EXPECT_NEAR(number(10), 1e-3*0.1/0.072, 1e-12);
-    EXPECT_NEAR(number(11), 1000*0.1*0.01/1e-3, 1e-9);
+    EXPECT_NEAR(number(9), 1000 * 9.81 * 1e-4 / 0.072, 1e-9);
+    EXPECT_NEAR(number(10), 1e-3 * 0.1 / 0.072, 1e-12);
+    EXPECT_NEAR(number(11), 1000 * 0.1 * 0.01 / 1e-3, 1e-9);
 }
 
 TEST(BedHydrodynamics, porosityOfASphereIsSampled)
@@ -223,7 +231,8 @@ TEST(BedHydrodynamics, porosityOfASphereIsSampled)
     particles.geometry.walls.resize(1);
     particles.geometry.patches = {{std::make_shared<Sphere>(Vector<3>{0.5, 0.5, 0.5}, 0.4, FluidSide::outside), 0}};
     f.run(particles, "bed { type bedHydrodynamics; }");
-    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(1)), 1 - 4.0/3*std::numbers::pi*0.064, 1e-3);
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(1)),
+                1 - 4.0 / 3 * std::numbers::pi * 0.064, 1e-3);
 }
 
 TEST(BedHydrodynamics, wettedAreaWithoutGasIsAFractionOfTheWholeWall)

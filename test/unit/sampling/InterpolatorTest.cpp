@@ -13,7 +13,7 @@ Particles disturbed(int dimension, double dx)
 {
     Particles particles(dimension, {0, 0, 0}, {1, 1, 1}, dx);
     std::mt19937 random(1);
-    std::uniform_real_distribution<double> shift(-0.2*dx, 0.2*dx);
+    std::uniform_real_distribution<double> shift(-0.2 * dx, 0.2 * dx);
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
         particles.x[i] += shift(random);
@@ -34,7 +34,7 @@ TEST(Interpolator, linearFieldsAreExactAlsoAtBoundaries)
         {
             auto particles = disturbed(dimension, 0.1);
             particles.kernel = kernel;
-            const auto field = [&](Vector<3> x) { return 3 + 2*x.x - 5*x.y + (dimension == 3 ? 7*x.z : 0); };
+            const auto field = [&](Vector<3> x) { return 3 + 2 * x.x - 5 * x.y + (dimension == 3 ? 7 * x.z : 0); };
             particles.setP(field);
             const Interpolator interpolator(particles.view());
             for (const Vector<3> x : {Vector<3>{0.52, 0.47, 0.51}, {0.01, 0.5, 0.5}, {0.02, 0.98, 0.03}})
@@ -68,10 +68,10 @@ TEST(Interpolator, isSecondOrder)
     const auto error = [](double dx)
     {
         Particles particles(2, {0, 0, 0}, {1, 1, 1}, dx);
-        particles.setP([](Vector<3> x) { return std::sin(3*x.x); });
+        particles.setP([](Vector<3> x) { return std::sin(3 * x.x); });
         return std::abs(Interpolator(particles.view()).weights({0.5, 0.5, 0})(particles.p.data()) - std::sin(1.5));
     };
-    EXPECT_NEAR(std::log2(error(0.05)/error(0.025)), 2, 0.1);
+    EXPECT_NEAR(std::log2(error(0.05) / error(0.025)), 2, 0.1);
 }
 
 TEST(Interpolator, wrapsPeriodicDirections)
@@ -79,7 +79,7 @@ TEST(Interpolator, wrapsPeriodicDirections)
     // cos(2 pi x) has period 1: the value at the boundary, from either side and from a period away, is that of a lattice shifted by 1/2.
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
     particles.geometry.periodic = {true, false, false};
-    const auto wave = [](double x) { return std::cos(2*M_PI*x); };
+    const auto wave = [](double x) { return std::cos(2 * M_PI * x); };
     particles.setP([&](Vector<3> x) { return wave(x.x); });
     const Interpolator interpolator(particles.view());
     const auto at = [&](double x) { return interpolator.weights({x, 0.5, 0})(particles.p.data()); };

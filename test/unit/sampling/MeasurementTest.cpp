@@ -32,12 +32,12 @@ void addFloor(Geometry& geometry, double contactAngle)
 /// A cap of the given angle and about the given height on the plane y = 0 in a gas, or alone.
 Particles cap(int dimension, double degrees, double spacing, double height, bool gas)
 {
-    const double theta = degrees*pi/180, R = height/(1 - std::cos(theta));
-    const double halfBase = degrees < 90 ? R*std::sin(theta) : R;
-    const double half = spacing*std::ceil(halfBase/spacing + 4);
-    Particles particles(dimension, {-half, 0, -half}, {half, spacing*std::ceil(height/spacing + 4), half}, spacing);
+    const double theta = degrees * pi / 180, R = height / (1 - std::cos(theta));
+    const double halfBase = degrees < 90 ? R * std::sin(theta) : R;
+    const double half = spacing * std::ceil(halfBase / spacing + 4);
+    Particles particles(dimension, {-half, 0, -half}, {half, spacing * std::ceil(height / spacing + 4), half}, spacing);
     addFloor(particles.geometry, 77);
-    const Vector<3> centre{0.3*spacing, -R*std::cos(theta), 0.2*spacing};
+    const Vector<3> centre{0.3 * spacing, -R * std::cos(theta), 0.2 * spacing};
     const auto inside = [&](Vector<3> x)
     {
         if (dimension == 2) x.z = centre.z;
@@ -61,9 +61,11 @@ TEST(SphereFit, recoversCirclesAndSpheresFromShortArcs)
     std::vector<Vector<3>> arc, shell;
     for (int k = 0; k <= 20; ++k)
     {
-        const double angle = (80 + k)*pi/180;
-        arc.push_back({5 + 2*std::cos(angle), -3 + 2*std::sin(angle), 0});
-        for (int m = 0; m < 5; ++m) shell.push_back({1 + 0.5*std::cos(angle)*std::cos(m), 2 + 0.5*std::sin(angle), 3 + 0.5*std::cos(angle)*std::sin(m)});
+        const double angle = (80 + k) * pi / 180;
+        arc.push_back({5 + 2 * std::cos(angle), -3 + 2 * std::sin(angle), 0});
+        for (int m = 0; m < 5; ++m)
+            shell.push_back(
+                {1 + 0.5 * std::cos(angle) * std::cos(m), 2 + 0.5 * std::sin(angle), 3 + 0.5 * std::cos(angle) * std::sin(m)});
     }
     const auto circle = fitSphere(arc, 2), sphere = fitSphere(shell, 3);
     EXPECT_NEAR(circle.radius, 2, 1e-9);
@@ -140,7 +142,9 @@ TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
     particles.geometry.periodic = {true, true, true};
     particles.surfaceTension = 1;
     particles.supportInSpacings = 2;
-    const auto r = [](Vector<3> x) { return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)}); };
+    const auto r = [](Vector<3> x) {
+        return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)});
+    };
     particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
     particles.setP([&](Vector<3> x) { return r(x) < 0.25 ? 8.0 : 0.0; });
     const auto m = measure(particles, "laplaceJump", "radius 0.25;");
@@ -172,7 +176,7 @@ TEST(DragFactor, isStokesLawTurnedRound)
     particles.g = {0, -2, 0};
     particles.setU([](Vector<3>) { return Vector<3>{9, -0.04, 0}; });
     const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.343; lattice sc;");
-    EXPECT_NEAR(m.value, 2*0.01*2000/(9*0.343*1e-3*0.02), 1e-6);
+    EXPECT_NEAR(m.value, 2 * 0.01 * 2000 / (9 * 0.343 * 1e-3 * 0.02), 1e-6);
     EXPECT_EQ(m.reference, 15.40);
     EXPECT_EQ(measure(particles, "dragFactor", "radius 0.1; solidFraction 0.4; reference 20.5;").reference, 20.5);
 }
@@ -182,8 +186,10 @@ TEST(DragFactor, knowsTheLatticesByPeriod)
     Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.25);
     const auto reference = [&](const char* lattice, int spheres, double phi)
     {
-        const double a = std::cbrt(3*phi/(4*pi*spheres));
-        return measure(particles, "dragFactor", "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";").reference;
+        const double a = std::cbrt(3 * phi / (4 * pi * spheres));
+        return measure(particles, "dragFactor",
+                       "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";")
+            .reference;
     };
     EXPECT_EQ(reference("sc", 1, 0.343), 15.40);
     EXPECT_EQ(reference("bcc", 2, 0.45), 31.69);
@@ -197,7 +203,7 @@ TEST(DragFactor, ofCylindersIsTheForcePerLength)
     particles.g = {2, 0, 0};
     particles.setU([](Vector<3>) { return Vector<3>{0.02, 0, 0}; });
     const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.2; lattice square;");
-    EXPECT_NEAR(m.value, 2000*pi*0.01/0.2/(1e-3*0.02), 1e-5);
+    EXPECT_NEAR(m.value, 2000 * pi * 0.01 / 0.2 / (1e-3 * 0.02), 1e-5);
     EXPECT_EQ(m.reference, 51.53);
 }
 
@@ -205,8 +211,10 @@ TEST(DragFactor, mistakesNameFileAndLine)
 {
     Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.5);
     auto diagnostics = std::make_shared<Diagnostics>();
-    readMeasure("dragFactor", Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
+    readMeasure("dragFactor",
+                Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
                 particles.geometry, particles.phases);
-    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
-                                      "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
+    EXPECT_EQ(errorsOf(*diagnostics),
+              "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
+              "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
 }

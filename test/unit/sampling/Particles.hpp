@@ -26,11 +26,12 @@ struct Particles
         geometry.dimension = dimension;
         geometry.low = low;
         geometry.high = high;
-        const auto count = [dx](double a, double b) { return long(std::round((b - a)/dx)); };
+        const auto count = [dx](double a, double b) { return long(std::round((b - a) / dx)); };
         for (long k = 0; k < (dimension == 3 ? count(low.z, high.z) : 1); ++k)
             for (long j = 0; j < count(low.y, high.y); ++j)
                 for (long i = 0; i < count(low.x, high.x); ++i)
-                    add({low.x + (double(i) + 0.5)*dx, low.y + (double(j) + 0.5)*dx, dimension == 3 ? low.z + (double(k) + 0.5)*dx : 0});
+                    add({low.x + (double(i) + 0.5) * dx, low.y + (double(j) + 0.5) * dx,
+                         dimension == 3 ? low.z + (double(k) + 0.5) * dx : 0});
     }
 
     void add(const Vector<3>& at)
@@ -39,7 +40,7 @@ struct Particles
         y.push_back(at.y);
         z.push_back(at.z);
         volume.push_back(std::pow(spacing, geometry.dimension));
-        mass.push_back(1000*volume.back());
+        mass.push_back(1000 * volume.back());
         for (auto* values : {&phase, &ux, &uy, &uz, &p}) values->push_back(0);
     }
     std::size_t size() const { return x.size(); }
@@ -73,7 +74,8 @@ struct Particles
         v.x = x.data();
         v.y = y.data();
         v.z = flat ? nullptr : z.data();
-        v.fields = {{"U", FieldClass::vector, {ux.data(), uy.data(), flat ? nullptr : uz.data()}}, {"p", FieldClass::scalar, {p.data()}}};
+        v.fields = {{"U", FieldClass::vector, {ux.data(), uy.data(), flat ? nullptr : uz.data()}},
+                    {"p", FieldClass::scalar, {p.data()}}};
         v.mass = mass.data();
         v.volume = volume.data();
         v.phase = phase.data();
@@ -84,7 +86,7 @@ struct Particles
         v.surfaceTension = surfaceTension;
         v.g = g;
         v.spacing = spacing;
-        v.support = supportInSpacings*spacing;
+        v.support = supportInSpacings * spacing;
         v.kernel = kernel;
         v.geometry = &geometry;
         v.time = time;
@@ -102,23 +104,24 @@ public:
     TemporaryCase()
     {
         static int number = 0;
-        folder_ = std::filesystem::temp_directory_path()/("sphSampling" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        folder_ = std::filesystem::temp_directory_path() /
+                  ("sphSampling" + std::to_string(::getpid()) + "_" + std::to_string(number++));
         write("system/controlDict", "application sphFoamLike;\nstartFrom startTime;\nstartTime 0;\nstopAt endTime;\nendTime 1;\n"
                                     "deltaT 0.1;\nadjustTimeStep no;\nwriteControl timeStep;\nwriteInterval 1;\n");
-        std::filesystem::create_directories(folder_/"0");
+        std::filesystem::create_directories(folder_ / "0");
     }
     ~TemporaryCase() { std::filesystem::remove_all(folder_); }
     const std::filesystem::path& folder() const { return folder_; }
 
     void write(const std::string& file, const std::string& text) const
     {
-        std::filesystem::create_directories((folder_/file).parent_path());
-        std::ofstream(folder_/file) << text;
+        std::filesystem::create_directories((folder_ / file).parent_path());
+        std::ofstream(folder_ / file) << text;
     }
     std::string read(const std::string& file) const
     {
         std::ostringstream text;
-        text << std::ifstream(folder_/file).rdbuf();
+        text << std::ifstream(folder_ / file).rdbuf();
         return text.str();
     }
     /// The lines that are no header, each cut at tabs.

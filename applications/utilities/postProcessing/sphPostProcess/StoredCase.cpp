@@ -14,8 +14,8 @@ namespace
 Geometry loadGeometry(const Case& c)
 {
     const double H = readResolution(c.dictionary("system/sphSchemes")).H();
-    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), 1.5*H);
-    return readGeometry(c.dictionary("constant/geometry"), 1.5*H);
+    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), 1.5 * H);
+    return readGeometry(c.dictionary("constant/geometry"), 1.5 * H);
 }
 
 const double* scalarField(const Cloud& cloud, const std::string& time, const std::string& name)
@@ -34,7 +34,8 @@ std::vector<std::string> StoredCase::times() const
 {
     auto times = case_.times();
     std::erase_if(times, [this](const auto& time) { return !hasCloud(case_.folder(), time, cloudName); });
-    if (times.empty()) throw CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", case_.folder().string(), cloudName));
+    if (times.empty())
+        throw CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", case_.folder().string(), cloudName));
     return times;
 }
 
@@ -59,7 +60,7 @@ ParticleView StoredCase::load(const std::string& time)
     v.mass = scalarField(cloud_, time, "m");
     const auto* rho = scalarField(cloud_, time, "rho");
     volume_.resize(v.n);
-    for (std::size_t i = 0; i < v.n; ++i) volume_[i] = v.mass[i]/rho[i];
+    for (std::size_t i = 0; i < v.n; ++i) volume_[i] = v.mass[i] / rho[i];
     v.volume = volume_.data();
     if (c.phases.size() > 1)
     {
@@ -67,14 +68,15 @@ ParticleView StoredCase::load(const std::string& time)
         for (std::size_t i = 0; i < v.n; ++i)
             if (!(v.phase[i] >= 0 && v.phase[i] < double(c.phases.size())))
                 throw CaseError(Location{fmt::format("{}/lagrangian/{}/phase", time, cloudName), 0},
-                                fmt::format("particle {} has phase {}, but constant/phaseProperties names {}", i, v.phase[i], c.phases.size()));
+                                fmt::format("particle {} has phase {}, but constant/phaseProperties names {}", i, v.phase[i],
+                                            c.phases.size()));
     }
     v.phases = c.phases;
     v.restDensity = c.restDensity;
     v.soundSpeed = c.soundSpeed;
     v.viscosity = c.viscosity;
     v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
-    v.g = c.g + c.bodyForce/c.restDensity[0];
+    v.g = c.g + c.bodyForce / c.restDensity[0];
     v.spacing = c.spacing;
     v.support = c.support;
     v.kernel = settings_.resolution.kernel;
