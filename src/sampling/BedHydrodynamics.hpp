@@ -10,14 +10,14 @@ namespace sph
 ///   porosity = V_pore/V_bed,  saturation = V_liquid/V_pore,  hold-up = V_liquid/V_bed
 ///   superficial velocity of phase k = sum_k V_i u_i/V_bed,  interstitial = sum_k V_i u_i/sum_k V_i
 ///   wetted fraction = wall area with liquid next to it/wall area
-///   Bo = rho g L^2/gamma (gravity over capillarity),  Ca = mu |u|/gamma,  Re = rho |u| L/mu, u superficial velocity of the liquid
+///   Bo = rho g L^2/gamma (gravity over capillarity),  Ca = mu |u|/gamma,  Re = rho |u| L/mu,  u: superficial, of the liquid
 ///
 ///     type bedHydrodynamics;  liquid water;  length 2e-3;  porosity 0.388;  region { min (..); max (..); }  samples 64;
 ///
-/// `liquid`: by default the first phase. `length` L [m]: the shortest period of the domain, or its extent in x. `porosity`: by default
-/// the fraction of `samples` points per direction that lie outside the walls. `region`: the bed, by default the domain.
-/// Wall area: each particle nearer than one spacing to a wall counts with its volume divided by the local growth of area with distance,
-/// (1 - k_1 d)(1 - k_2 d); with one phase (gas left out) the area of all walls comes from the samples.
+/// `liquid`: by default the first phase. `length` L [m]: the shortest period of the domain, or its extent in x. `porosity`: by
+/// default the fraction of `samples` points per direction that lie outside the walls. `region`: the bed, by default the domain.
+/// Wall area: each particle nearer than one spacing to a wall counts with its volume divided by the local growth of area with
+/// distance, (1 - k_1 d)(1 - k_2 d); with one phase (gas left out) the area of all walls comes from the samples.
 class BedHydrodynamics : public FunctionObject
 {
     FunctionContext context_;

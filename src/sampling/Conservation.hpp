@@ -7,7 +7,8 @@ namespace sph
 
 /// What the motion should conserve, summed over all particles
 ///
-///   m_k = sum m_i of each phase,  P = sum m_i u_i,  E_kin = 1/2 sum m_i u_i^2,  E_pot = -sum m_i g.x_i,  L = sum m_i (x_i - x_0) x u_i
+///   m_k = sum m_i of each phase,  P = sum m_i u_i,  E_kin = 1/2 sum m_i u_i^2,  E_pot = -sum m_i g.x_i,
+///   L = sum m_i (x_i - x_0) x u_i
 ///
 ///     type conservation;  angularMomentum no;  origin (0 0 0);
 ///

@@ -78,8 +78,8 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     for (std::size_t i = 0; i < view.n; ++i)
         if (phaseOf(view, i) == phase_) farthest = std::max(farthest, mag(displacement(view, drop.centre, position(view, i))));
 
-    // A cap is convex: each ray from its centre of volume leaves it once. The last point inside the fluid of a ray towards the wall
-    // is no point of the surface.
+    // A cap is convex: each ray from its centre of volume leaves it once. The last point inside the fluid of a ray towards the
+    // wall is no point of the surface.
     std::vector<Vector<3>> surface;
     const double step = view.spacing / 2;
     for (const auto& direction : directions(view.dimension))

@@ -8,10 +8,10 @@ namespace sph
 ///
 ///   cos theta = -h/R
 ///
-/// R [m] radius of the circle or sphere fitted to the line where the drop's volume fraction is 1/2, h [m] height of its centre above
-/// the wall. Only points more than `above` spacings from the wall are fitted: nearer, the profile of a diffuse interface bends, and
-/// base and height of the drop would give an angle up to 10 degrees off. The volume fraction is the kernel mean of the phase; where
-/// the gas is left out, the kernel sum of V W.
+/// R [m] radius of the circle or sphere fitted to the line where the drop's volume fraction is 1/2, h [m] height of its centre
+/// above the wall. Only points more than `above` spacings from the wall are fitted: nearer, the profile of a diffuse interface
+/// bends, and base and height of the drop would give an angle up to 10 degrees off. The volume fraction is the kernel mean of
+/// the phase; where the gas is left out, the kernel sum of V W.
 class ContactAngle
 {
     std::size_t phase_;

@@ -18,8 +18,8 @@ namespace sph
 ///     mirror yes;                                             // ... its absolute value, for profiles given from the centre
 ///     interpolation linear;                                   // or cubic, through the four nearest rows
 ///
-/// Points up to one interval beyond the ends of the table are extrapolated (tables of cell centres end half a cell from the wall);
-/// farther away, and outside the table's times, there is no reference.
+/// Points up to one interval beyond the ends of the table are extrapolated (tables of cell centres end half a cell from the
+/// wall); farther away, and outside the table's times, there is no reference.
 class CsvReference
 {
     struct Profile

@@ -8,12 +8,14 @@ namespace sph
 ///
 ///   F = 6 pi mu a K U,  F = rho g V_cell/N,  N 4/3 pi a^3 = phi V_cell   =>   K = 2 a^2 rho g/(9 phi mu U),  k/a^2 = 2/(9 phi K)
 ///
-/// F [N] force per sphere that balances the drive rho g [N/m^3] on the whole cell (a pressure gradient; the hydrodynamic force of a
-/// drive by body force on the fluid alone lacks the buoyancy, a factor 1 - phi), a [m] radius, phi solid fraction, U [m/s] superficial
-/// velocity along g, U = sum_i V_i u_i/V_cell. In 2-D, cylinders: K = F/(mu U) = rho g pi a^2/(phi mu U) per unit length.
+/// F [N] force per sphere that balances the drive rho g [N/m^3] on the whole cell (a pressure gradient; the hydrodynamic force
+/// of a drive by body force on the fluid alone lacks the buoyancy, a factor 1 - phi), a [m] radius, phi solid fraction, U [m/s]
+/// superficial velocity along g, U = sum_i V_i u_i/V_cell. In 2-D, cylinders: K = F/(mu U) = rho g pi a^2/(phi mu U) per unit
+/// length.
 ///
-/// References: sc, bcc, fcc computed by periodic Stokeslets and the method of fundamental solutions, sc within 0.02 % of Zick & Homsy;
-/// square arrays of cylinders from Sangani & Acrivos (1982), table 1. K is for one solid fraction: others are given by `reference`.
+/// References: sc, bcc, fcc computed by periodic Stokeslets and the method of fundamental solutions, sc within 0.1 % of Zick &
+/// Homsy; square arrays of cylinders from Sangani & Acrivos (1982), table 1. K is for one solid fraction: others are given by
+/// `reference`.
 class DragFactor
 {
     std::size_t phase_;

@@ -12,8 +12,8 @@ using ExactField = std::function<Vector<3>(const Vector<3>& x, double t)>;
 
 std::vector<std::string> formulaNames();
 
-/// Reads the parameters of formula `name`, one of formulaNames(), from the dictionary in which `name planePoiseuille;` stands. `field`
-/// must be one that the formula gives. Mistakes are recorded, and then the result may be empty.
+/// Reads the parameters of formula `name`, one of formulaNames(), from the dictionary in which `name planePoiseuille;` stands.
+/// `field` must be one that the formula gives. Mistakes are recorded, and then the result may be empty.
 ExactField readFormula(const std::string& name, const Dictionary&, const std::string& field);
 
 }

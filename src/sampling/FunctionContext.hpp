@@ -13,8 +13,8 @@ struct FunctionContext
     const std::vector<std::string>& phases; ///< only while the object is made
     OutputPlace output;
 
-    /// postProcessing/<name>/<startTime>/<file>, whose folder is made. Asked for at the first row, so that a run that writes nothing
-    /// leaves no files.
+    /// postProcessing/<name>/<startTime>/<file>, whose folder is made. Asked for at the first row, so that a run that writes
+    /// nothing leaves no files.
     std::filesystem::path file(const std::string& file) const;
     /// postProcessing/<name>/<current time>/<file>, whose folder is made.
     std::filesystem::path fileOfTime(const std::string& file) const;

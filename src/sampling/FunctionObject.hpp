@@ -21,15 +21,16 @@ public:
     virtual std::string report() const { return ""; }
 };
 
-/// All function objects of a case; reads `functions`, records every mistake in its Diagnostics. Geometry and run time must outlive it.
+/// All function objects of a case; reads `functions`, records every mistake in its Diagnostics. Geometry and run time must
+/// outlive it.
 ///
 ///     functions
 ///     {
 ///         energies { type conservation;  executeControl timeStep;  executeInterval 10; }
 ///     }
 ///
-/// executeControl: writeTime (the default; each executeInterval-th one), timeStep (each executeInterval-th step), runTime (multiples of
-/// executeInterval [s]), onEnd.
+/// executeControl: writeTime (the default; each executeInterval-th one), timeStep (each executeInterval-th step), runTime
+/// (multiples of executeInterval [s]), onEnd.
 class FunctionObjects
 {
     struct Entry

@@ -39,8 +39,8 @@ const std::vector<Type>& catalogue()
     return types;
 }
 
-/// The next multiple of the interval after t, so that a restarted run samples at the same times. The fraction forgives the round-off
-/// of a sum of time steps.
+/// The next multiple of the interval after t, so that a restarted run samples at the same times. The fraction forgives the
+/// round-off of a sum of time steps.
 double nextMultiple(double interval, double t) { return interval * (std::floor(t / interval + 1e-6) + 1); }
 
 constexpr double roundOff = 1e-6; ///< of an interval

@@ -21,8 +21,9 @@ struct PointWeights
 };
 
 /// shepard: w_j = V_j W_j/sum_k V_k W_k, between the smallest and the largest f_j, first order.
-/// linear: w_j = V_j W_j b(0).M^-1 b(x_j - x), b = (1, dx/H, ...), M = sum_j V_j W_j b b: exact for linear fields, second order, also
-/// at walls and surfaces. Where the eigenvalues of M are too unequal (few particles, all on one line or far to one side), shepard.
+/// linear: w_j = V_j W_j b(0).M^-1 b(x_j - x), b = (1, dx/H, ...), M = sum_j V_j W_j b b: exact for linear fields, second order,
+/// also at walls and surfaces. Where the eigenvalues of M are too unequal (few particles, all on one line or far to one side),
+/// shepard.
 enum class Interpolation
 {
     shepard,

@@ -9,8 +9,8 @@ namespace sph
 ///
 ///     type probes;  fields (U p);  probeLocations ((0 0 0) (1e-3 0 0));
 ///
-/// One file per field, postProcessing/<name>/<startTime>/<field>, in OpenFOAM's format: a header line per probe, then a row per time.
-/// A probe with no particle within reach gets nan.
+/// One file per field, postProcessing/<name>/<startTime>/<field>, in OpenFOAM's format: a header line per probe, then a row per
+/// time. A probe with no particle within reach gets nan.
 class Probes : public FunctionObject
 {
     FunctionContext context_;

@@ -8,10 +8,10 @@ namespace sph
 ///
 ///     type profile;  start (0 0 0);  end (0 1e-3 0);  fields (U p);  nPoints 50;      // or: bins 20;
 ///
-/// `nPoints` interpolates at equidistant points from start to end (linear form of Interpolator): `line_U_p.xy`. `bins` divides the
-/// line into equal lengths and takes the volume-weighted mean of all particles that project on each, whatever their distance from
-/// the line: cell means, `bins_U_p.xy`, with the number of particles in the last column. Written to postProcessing/<name>/<time>/,
-/// first column the distance from start [m]; nan where there is no particle.
+/// `nPoints` interpolates at equidistant points from start to end (linear form of Interpolator): `line_U_p.xy`. `bins` divides
+/// the line into equal lengths and takes the volume-weighted mean of all particles that project on each, whatever their distance
+/// from the line: cell means, `bins_U_p.xy`, with the number of particles in the last column. Written to
+/// postProcessing/<name>/<time>/, first column the distance from start [m]; nan where there is no particle.
 class Profile : public FunctionObject
 {
     FunctionContext context_;

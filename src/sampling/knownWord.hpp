@@ -6,8 +6,8 @@
 namespace sph
 {
 
-/// As Dictionary::choose, but nothing where the word is missing or unknown. choose would go on with the first valid word, and ask for the
-/// entries of a model that nobody chose; here the other entries of the dictionary are left in peace.
+/// As Dictionary::choose, but nothing where the word is missing or unknown. choose would go on with the first valid word, and
+/// ask for the entries of a model that nobody chose; here the other entries of the dictionary are left in peace.
 inline std::optional<std::string> knownWord(const Dictionary& dictionary, const std::string& key,
                                             std::span<const std::string> valid)
 {

@@ -50,8 +50,8 @@ constexpr const char* zeroToFour = "reference { type csv; file \"table.csv\"; co
 
 TEST(Norms, areThoseByHand)
 {
-    // Reference u = 2 y = 1 and 3 minus 0.5 of the table below: errors 0.5, 0.5... with v = 1.5 and 1: |e| = 0.5 and 2, V = 1 and 3:
-    // L1 = (0.5 + 6)/4, L2 = sqrt((0.25 + 12)/4), Linf = 2.
+    // Reference u = 2 y = 1 and 3 minus 0.5 of the table below: errors 0.5, 0.5... with v = 1.5 and 1: |e| = 0.5 and 2, V = 1
+    // and 3: L1 = (0.5 + 6)/4, L2 = sqrt((0.25 + 12)/4), Linf = 2.
     ErrorsCase c;
     c.folder.write("table.csv", "y,v\n0.5,1.5\n1.5,1\n");
     const auto rows = c.rowsOf(two(), "field U; component x; norm absolute;\n" + std::string(zeroToFour));

@@ -27,8 +27,8 @@ Particles disturbed(int dimension, double dx)
 
 TEST(Interpolator, linearFieldsAreExactAlsoAtBoundaries)
 {
-    // On disturbed lattices, in the interior, at a face and in a corner: the moment condition holds to round-off times the condition of
-    // the moment matrix, at most 1/2e-3.
+    // On disturbed lattices, in the interior, at a face and in a corner: the moment condition holds to round-off times the
+    // condition of the moment matrix, at most 1/2e-3.
     for (const int dimension : {2, 3})
         for (const char* kernel : {"wendlandC2", "cubicSpline", "quinticSpline"})
         {
@@ -76,7 +76,8 @@ TEST(Interpolator, isSecondOrder)
 
 TEST(Interpolator, wrapsPeriodicDirections)
 {
-    // cos(2 pi x) has period 1: the value at the boundary, from either side and from a period away, is that of a lattice shifted by 1/2.
+    // cos(2 pi x) has period 1: the value at the boundary, from either side and from a period away, is that of a lattice shifted
+    // by 1/2.
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
     particles.geometry.periodic = {true, false, false};
     const auto wave = [](double x) { return std::cos(2 * M_PI * x); };

@@ -31,8 +31,8 @@ public:
     /// Names of the time folders that hold particles; throws CaseError if there is none.
     std::vector<std::string> times() const;
 
-    /// The particles of a time folder, valid until the next call. Needs the fields rho, m and, where there are several phases, phase.
-    /// V_i = m_i/rho_i. What it cost to compute is not on disk: executionTime is NaN.
+    /// The particles of a time folder, valid until the next call. Needs the fields rho, m and, where there are several phases,
+    /// phase. V_i = m_i/rho_i. What it cost to compute is not on disk: executionTime is NaN.
     ParticleView load(const std::string& time);
 };
 
