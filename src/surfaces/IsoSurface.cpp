@@ -1,10 +1,10 @@
 #include "IsoSurface.hpp"
+#include "Cuts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCleanPolyData.h>
-#include <vtkClipPolyData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFlyingEdges2D.h>
 #include <vtkFlyingEdges3D.h>
@@ -79,19 +79,6 @@ void toMetres(vtkPolyData* mesh, const RegularGrid& grid, int firstNode)
     mesh->SetPoints(points);
 }
 
-/// The part of a mesh where a value given at its points is positive.
-Mesh clippedBy(vtkPolyData* mesh, vtkDoubleArray* values)
-{
-    mesh->GetPointData()->SetScalars(values);
-    vtkNew<vtkClipPolyData> clip;
-    clip->SetInputData(mesh);
-    clip->SetValue(0);
-    clip->Update();
-    Mesh result = clip->GetOutput();
-    result->GetPointData()->SetScalars(nullptr);
-    return result;
-}
-
 Mesh outsideSolids(vtkPolyData* mesh, const Geometry& geometry)
 {
     if (geometry.patches.empty() || mesh->GetNumberOfPoints() == 0) return mesh;
@@ -103,7 +90,7 @@ Mesh outsideSolids(vtkPolyData* mesh, const Geometry& geometry)
         mesh->GetPoint(p, x);
         distance->SetValue(p, geometry.distance({x[0], x[1], x[2]}));
     }
-    return clippedBy(mesh, distance);
+    return clipped(mesh, distance);
 }
 
 Mesh smoothed(vtkPolyData* mesh, int passes)
@@ -111,7 +98,7 @@ Mesh smoothed(vtkPolyData* mesh, int passes)
     vtkNew<vtkWindowedSincPolyDataFilter> filter;
     filter->SetInputData(mesh);
     filter->SetNumberOfIterations(passes);
-    filter->SetPassBand(0.1);
+    filter->SetPassBand(0.03);
     filter->BoundarySmoothingOff();
     filter->NormalizeCoordinatesOn();
     filter->Update();
@@ -124,7 +111,7 @@ Mesh smoothed(vtkPolyData* mesh, int passes)
 }
 
 /// Segments joined into lines.
-Mesh joined(vtkPolyData* segments)
+Mesh linesOf(vtkPolyData* segments)
 {
     vtkNew<vtkStripper> stripper;
     stripper->SetInputData(segments);
@@ -162,7 +149,7 @@ Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, dou
     toMetres(mesh, grid, 0);
     if (smoothingPasses > 0 && mesh->GetNumberOfPoints() > 0) mesh = smoothed(mesh, smoothingPasses);
     mesh = outsideSolids(mesh, geometry);
-    return grid.dimension == 2 ? joined(mesh) : mesh;
+    return grid.dimension == 2 ? linesOf(mesh) : mesh;
 }
 
 Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance,
@@ -197,7 +184,7 @@ Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, d
     clean->ConvertLinesToPointsOff();
     clean->SetTolerance(0);
     clean->Update();
-    return grid.dimension == 2 ? joined(clean->GetOutput()) : Mesh(clean->GetOutput());
+    return grid.dimension == 2 ? linesOf(clean->GetOutput()) : Mesh(clean->GetOutput());
 }
 
 Mesh wallSurface(const RegularGrid& grid, const std::vector<double>& wallDistance, const Geometry& geometry)
@@ -220,58 +207,6 @@ Mesh wallSurface(const RegularGrid& grid, const std::vector<double>& wallDistanc
         }
     }
     return mesh;
-}
-
-Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const std::vector<double>& alsoInside)
-{
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkDoubleArray> first, second;
-    const auto addFace = [&](int axis, bool high)
-    {
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        const vtkIdType start = points->GetNumberOfPoints();
-        for (int b = 0; b < grid.nodes[v]; ++b)
-            for (int a = 0; a < grid.nodes[u]; ++a)
-            {
-                std::array<int, 3> n{};
-                n[axis] = high ? grid.nodes[axis] - 1 : 0;
-                n[u] = a;
-                n[v] = b;
-                const auto x = grid.node(n[0], n[1], n[2]);
-                points->InsertNextPoint(x.x, x.y, x.z);
-                const auto node = grid.index(n[0], n[1], n[2]);
-                first->InsertNextValue(inside[node]);
-                second->InsertNextValue(alsoInside.empty() ? 1 : alsoInside[node]);
-            }
-        for (int b = 0; b + 1 < grid.nodes[v]; ++b)
-            for (int a = 0; a + 1 < grid.nodes[u]; ++a)
-            {
-                const vtkIdType n = grid.nodes[u], p00 = start + a + n*b, p10 = p00 + 1, p01 = p00 + n, p11 = p01 + 1;
-                vtkIdType lower[3] = {p00, p10, p11}, upper[3] = {p00, p11, p01};
-                if (!high) std::swap(lower[1], lower[2]), std::swap(upper[1], upper[2]);
-                triangles->InsertNextCell(3, lower);
-                triangles->InsertNextCell(3, upper);
-            }
-    };
-    if (grid.dimension == 2) addFace(2, true);
-    else
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            addFace(axis, false);
-            addFace(axis, true);
-        }
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(triangles);
-    if (alsoInside.empty()) return clippedBy(mesh, first);
-    second->SetName("alsoInside");
-    mesh->GetPointData()->AddArray(second);
-    auto part = clippedBy(mesh, first);
-    const auto rest = vtkSmartPointer<vtkDoubleArray>(vtkDoubleArray::SafeDownCast(part->GetPointData()->GetArray("alsoInside")));
-    part->GetPointData()->RemoveArray("alsoInside");
-    return clippedBy(part, rest);
 }
 
 double measure(vtkPolyData* mesh)

@@ -23,10 +23,6 @@ Mesh closedSurface(const RegularGrid&, const std::vector<double>& colour, double
 /// The walls' own surface within the domain, with normals into the fluid; empty without walls.
 Mesh wallSurface(const RegularGrid&, const std::vector<double>& wallDistance, const Geometry&);
 
-/// The part of the domain's faces (3-D: all six; 2-D: the plane itself) that `inside` is positive on, and `alsoInside` where it is
-/// not empty: where a cut through a body shows its inside. Without normals, to be shaded flat.
-Mesh cutFaces(const RegularGrid&, const std::vector<double>& inside, const std::vector<double>& alsoInside);
-
 /// Area of the triangles (3-D) or length of the lines (2-D).
 double measure(vtkPolyData*);
 

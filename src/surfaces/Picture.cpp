@@ -1,5 +1,6 @@
 #include "Picture.hpp"
 #include "CaseError.hpp"
+#include "TriangleSurface.hpp"
 #include "VtkErrors.hpp"
 #include <algorithm>
 #include <cmath>
@@ -8,24 +9,29 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
+#include <vtkDualDepthPeelingPass.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageShrink3D.h>
 #include <vtkLight.h>
 #include <vtkLightKit.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkOpaquePass.h>
 #include <vtkOutlineSource.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSphereSource.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkTranslucentPass.h>
 #include <vtkWindowToImageFilter.h>
 
 namespace sph
@@ -36,8 +42,8 @@ namespace
 
 using Colour = std::array<double, 3>;
 
-constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.80, 0.78, 0.74}, cutStone{0.62, 0.60, 0.57}, water{0.10, 0.42, 0.80},
-    cutWater{0.16, 0.50, 0.86};
+constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.87, 0.85, 0.81}, cutStone{0.74, 0.72, 0.69}, water{0.08, 0.45, 0.86},
+    cutWater{0.20, 0.55, 0.90};
 
 /// Water, air and further phases, told apart by those who see no red or green, too (after Okabe and Ito 2008).
 constexpr Colour phaseColours[] = {{0.00, 0.45, 0.70}, {0.85, 0.90, 0.93}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
@@ -80,8 +86,9 @@ void addSolids(vtkRenderer* renderer, const Scene& scene)
     {
         auto actor = actorOf(scene.wallCuts, cutStone);
         if (scene.dimension == 2) flat(actor);
-        actor->GetProperty()->SetAmbient(0.35);
-        actor->GetProperty()->SetDiffuse(0.65);
+        actor->GetProperty()->SetInterpolationToFlat();
+        actor->GetProperty()->SetAmbient(0.55);
+        actor->GetProperty()->SetDiffuse(0.45);
         renderer->AddActor(actor);
     }
 }
@@ -91,8 +98,8 @@ void addLiquid(vtkRenderer* renderer, const Scene& scene)
     if (drawable(scene.liquid))
     {
         auto actor = actorOf(scene.liquid, water);
-        actor->GetProperty()->SetOpacity(0.72);
-        actor->GetProperty()->SetAmbient(0.20);
+        actor->GetProperty()->SetOpacity(0.66);
+        actor->GetProperty()->SetAmbient(0.22);
         actor->GetProperty()->SetDiffuse(0.75);
         actor->GetProperty()->SetSpecular(0.75);
         actor->GetProperty()->SetSpecularPower(60);
@@ -101,6 +108,7 @@ void addLiquid(vtkRenderer* renderer, const Scene& scene)
     if (drawable(scene.liquidCuts))
     {
         auto actor = actorOf(scene.liquidCuts, cutWater);
+        actor->GetProperty()->SetInterpolationToFlat();
         actor->GetProperty()->SetOpacity(0.72);
         actor->GetProperty()->SetAmbient(0.35);
         actor->GetProperty()->SetDiffuse(0.65);
@@ -161,7 +169,7 @@ void addColourBar(vtkRenderer* renderer, const Points& points, vtkScalarsToColor
     bar->SetTitle((points.title + "\n ").c_str());
     bar->SetNumberOfLabels(5);
     bar->SetLabelFormat("%.3g");
-    bar->SetPosition(0.88, 0.2);
+    bar->SetPosition(0.9, 0.2);
     bar->SetWidth(0.09);
     bar->SetHeight(0.6);
     bar->SetBarRatio(0.25);
@@ -270,40 +278,77 @@ void addTitle(vtkRenderer* renderer, const Scene& scene)
     renderer->AddActor2D(title);
 }
 
-/// A plane scene fills the picture, seen from +z; a scene in space is seen from above its front right corner.
-void setCamera(vtkRenderer* renderer, const Scene& scene)
+/// Clefts between opaque bodies are darkened (ambient occlusion), and translucent surfaces behind one another drawn in their order.
+void setPasses(vtkRenderer* renderer, const Scene& scene)
+{
+    vtkNew<vtkSSAOPass> occlusion;
+    occlusion->SetRadius(0.12*mag(scene.high - scene.low));
+    occlusion->SetBias(0.002*mag(scene.high - scene.low));
+    occlusion->SetKernelSize(64);
+    occlusion->BlurOn();
+    occlusion->SetDelegatePass(vtkNew<vtkOpaquePass>());
+    vtkNew<vtkDualDepthPeelingPass> peeling;
+    peeling->SetTranslucentPass(vtkNew<vtkTranslucentPass>());
+    peeling->SetMaximumNumberOfPeels(12);
+    peeling->SetOcclusionRatio(0);
+    vtkNew<vtkRenderStepsPass> steps;
+    steps->SetOpaquePass(occlusion);
+    steps->SetTranslucentPass(peeling);
+    renderer->SetPass(steps);
+}
+
+/// From above the front right corner; nearly straight at a plane that the scene is cut by.
+Vector<3> viewDirection(const Camera& wish)
+{
+    const auto up = wish.up/mag(wish.up);
+    if (wish.facing)
+    {
+        const auto& n = *wish.facing;
+        const auto side = cross(up, n);
+        return n + 0.3*(mag(side) > 0 ? side/mag(side) : Vector<3>{}) + 0.25*up;
+    }
+    const auto right = crossSection(up)[0];
+    return 1.75*cross(right, up) + 0.85*right + 0.75*up;
+}
+
+/// A plane scene fills the picture, seen from +z. A colour bar takes its place on the right.
+void setPlaneCamera(vtkCamera* camera, const Scene& scene)
+{
+    const auto extent = scene.high - scene.low;
+    const bool bar = !scene.points.position.empty() && scene.points.phases.empty();
+    const double aspect = double(scene.size[0])/scene.size[1];
+    const double height = std::max(1.16*extent.y, (bar ? 1.3 : 1.08)*extent.x/aspect)/scene.camera.zoom;
+    auto centre = scene.camera.focalPoint.value_or(0.5*(scene.low + scene.high));
+    if (bar) centre.x += 0.06*height*aspect;
+    camera->SetFocalPoint(centre.x, centre.y, 0);
+    camera->SetPosition(centre.x, centre.y, mag(extent));
+    camera->SetViewUp(0, 1, 0);
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.5*height);
+}
+
+void setSpaceCamera(vtkRenderer* renderer, const Scene& scene)
 {
     const auto& wish = scene.camera;
-    const auto diagonal = scene.high - scene.low;
-    const auto centre = wish.focalPoint.value_or(0.5*(scene.low + scene.high));
     auto* camera = renderer->GetActiveCamera();
-    camera->SetFocalPoint(centre.x, centre.y, scene.dimension == 2 ? 0 : centre.z);
-    if (scene.dimension == 2)
-    {
-        const double aspect = double(scene.size[0])/scene.size[1], width = scene.points.position.empty() ? 1.06 : 1.3;
-        camera->SetPosition(centre.x, centre.y, mag(diagonal));
-        camera->SetViewUp(0, 1, 0);
-        camera->ParallelProjectionOn();
-        camera->SetParallelScale(0.5*std::max(1.12*diagonal.y, width*diagonal.x/aspect)/wish.zoom);
-        renderer->ResetCameraClippingRange();
-        return;
-    }
-    const auto up = wish.up/mag(wish.up);
-    const Vector<3> anySide = std::fabs(up.x) < 0.9 ? Vector<3>{1, 0, 0} : Vector<3>{0, 1, 0};
-    auto right = anySide - dot(anySide, up)*up;
-    right = right/mag(right);
-    const auto towards = cross(right, up);
-    const auto position = wish.position.value_or(centre + mag(diagonal)*(1.75*towards + 0.85*right + 0.75*up));
+    const auto centre = wish.focalPoint.value_or(0.5*(scene.low + scene.high));
+    const auto position = wish.position.value_or(centre + mag(scene.high - scene.low)*viewDirection(wish));
+    camera->SetFocalPoint(centre.x, centre.y, centre.z);
     camera->SetPosition(position.x, position.y, position.z);
-    camera->SetViewUp(up.x, up.y, up.z);
+    camera->SetViewUp(wish.up.x, wish.up.y, wish.up.z);
     camera->SetViewAngle(24);
     if (!wish.position)
     {
-        double bounds[6] = {scene.low.x, scene.high.x, scene.low.y, scene.high.y, scene.low.z, scene.high.z};
+        const double bounds[6] = {scene.low.x, scene.high.x, scene.low.y, scene.high.y, scene.low.z, scene.high.z};
         renderer->ResetCamera(bounds);
-        camera->Zoom(1.12);
     }
     camera->Zoom(wish.zoom);
+}
+
+void setCamera(vtkRenderer* renderer, const Scene& scene)
+{
+    if (scene.dimension == 2) setPlaneCamera(renderer->GetActiveCamera(), scene);
+    else setSpaceCamera(renderer, scene);
     renderer->ResetCameraClippingRange();
 }
 
@@ -326,18 +371,14 @@ void drawPicture(const Scene& scene, const std::filesystem::path& png)
     window->SetAlphaBitPlanes(1);
     window->SetSize(oversampling*scene.size[0], oversampling*scene.size[1]);
     window->AddRenderer(renderer);
-    // Translucent surfaces behind one another need their layers sorted.
-    renderer->SetUseDepthPeeling(1);
-    renderer->SetMaximumNumberOfPeels(12);
-    renderer->SetOcclusionRatio(0);
-
     vtkNew<vtkLightKit> lights;
-    lights->SetKeyLightIntensity(0.95);
+    lights->SetKeyLightIntensity(1.05);
     lights->SetKeyLightAngle(45, 25);
     lights->SetKeyToFillRatio(2.2);
     lights->SetKeyToHeadRatio(2.6);
     lights->AddLightsToRenderer(renderer);
     setCamera(renderer, scene);
+    if (scene.dimension == 3) setPasses(renderer, scene);
     window->Render();
 
     vtkNew<vtkWindowToImageFilter> image;

@@ -13,6 +13,7 @@ namespace sph
 struct Camera
 {
     std::optional<Vector<3>> position, focalPoint;
+    std::optional<Vector<3>> facing;       ///< without a position: the normal of a plane to look at
     Vector<3> up{0, 1, 0};
     double zoom = 1;
 };

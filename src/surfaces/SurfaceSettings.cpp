@@ -79,14 +79,10 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
     picture.whereColourBy = dict.where("colourBy");
     picture.smoothing = count(dict, "smoothing", picture.smoothing);
     const auto plane = dict.subDictOrEmpty("plane");
-    picture.planePoint = plane.getVector("point", units::m, 0.5*(geometry.low + geometry.high));
-    picture.planeNormal = plane.get<Vector<3>>("normal", {0, 0, 1});
-    if (mag(picture.planeNormal) == 0)
-    {
-        plane.error("normal", "must have a direction");
-        picture.planeNormal = {0, 0, 1};
-    }
-    picture.planeNormal = picture.planeNormal/mag(picture.planeNormal);
+    picture.plane.point = plane.getVector("point", units::m, 0.5*(geometry.low + geometry.high));
+    const auto normal = plane.get<Vector<3>>("normal", {0, 0, 1});
+    if (mag(normal) > 0) picture.plane.normal = normal/mag(normal);
+    else plane.error("normal", "must have a direction");
     picture.title = dict.get("title", "");
     picture.showTime = dict.get<bool>("showTime", true);
     return picture;

@@ -1,6 +1,7 @@
 /// What system/reconstructSurfaceDict says; every entry has a default, so that the file may be missing.
 #pragma once
 #include "ColourFunction.hpp"
+#include "Cuts.hpp"
 #include "Dictionary.hpp"
 #include "Picture.hpp"
 #include <optional>
@@ -26,7 +27,7 @@ struct PictureSettings
     std::string colourBy;                  ///< a field, or "phase"; empty: none was asked for
     Location whereColourBy;
     int smoothing = 20;
-    Vector<3> planePoint, planeNormal{0, 0, 1};
+    CutPlane plane{{}, {0, 0, 1}};
     std::string title;
     bool showTime = true;
 };

@@ -1,4 +1,5 @@
 #include "CaseError.hpp"
+#include "Cuts.hpp"
 #include "Picture.hpp"
 #include "VirtualDisplay.hpp"
 #include "particles.hpp"

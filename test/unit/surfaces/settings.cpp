@@ -48,7 +48,7 @@ TEST(SurfaceSettings, DefaultsFollowFromTheCase)
     EXPECT_TRUE(s.picture.walls);
     EXPECT_FALSE(s.picture.particles);
     EXPECT_EQ(s.picture.camera.up.z, 1);
-    EXPECT_EQ(s.picture.planePoint, (Vector<3>{0.05, 0.1, 0.05}));
+    EXPECT_EQ(s.picture.plane.point, (Vector<3>{0.05, 0.1, 0.05}));
     const auto single = readSurfaceSettings(none, {1e-3, {"melt"}, {0, 1, 0}}, geometry);
     EXPECT_FALSE(single.picture.surface);
     EXPECT_TRUE(single.picture.particles);
@@ -80,7 +80,7 @@ picture
     EXPECT_EQ(s.formats, (std::vector<std::string>{"stl", "obj"}));
     EXPECT_EQ(s.picture.size, (std::array<int, 2>{640, 480}));
     EXPECT_EQ(s.picture.camera.position, (Vector<3>{1, 2, 3}));
-    EXPECT_EQ(s.picture.planeNormal, (Vector<3>{0, 1, 0}));
+    EXPECT_EQ(s.picture.plane.normal, (Vector<3>{0, 1, 0}));
     EXPECT_FALSE(s.picture.surface);
     EXPECT_EQ(s.picture.colourBy, "rho");
     EXPECT_FALSE(s.picture.showTime);

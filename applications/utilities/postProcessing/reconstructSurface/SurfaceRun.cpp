@@ -1,4 +1,5 @@
 #include "SurfaceRun.hpp"
+#include "Cuts.hpp"
 #include "EnclosedVolume.hpp"
 #include "PhaseCloud.hpp"
 #include "SurfaceWriter.hpp"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace sph
 {
@@ -102,6 +104,7 @@ Scene SurfaceRun::emptyScene(const std::string& time) const
     scene.low = geometry_.low;
     scene.high = geometry_.high;
     scene.camera = picture.camera;
+    if (picture.particles) scene.camera.facing = picture.plane.normal;
     scene.size = picture.size;
     const auto shownTime = picture.showTime ? fmt::format("Time = {} s", time) : "";
     scene.title = picture.title + (picture.title.empty() || shownTime.empty() ? "" : "      ") + shownTime;
@@ -114,7 +117,13 @@ void SurfaceRun::showWalls(Scene& scene) const
     auto solid = wallDistance_;
     for (auto& d : solid) d = -d;
     scene.wallCuts = cutFaces(grid_, solid, {});
-    if (geometry_.dimension == 3) scene.walls = wallSurface(grid_, wallDistance_, geometry_);
+    if (geometry_.dimension == 2) return;
+    scene.walls = wallSurface(grid_, wallDistance_, geometry_);
+    if (!settings_.picture.particles) return;
+    // What stands before the plane of the particles would hide them.
+    const auto& plane = settings_.picture.plane;
+    scene.walls = behind(plane, scene.walls);
+    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, geometry_));
 }
 
 void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour) const
@@ -145,11 +154,12 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
     if (byPhase) points.phases = scene_.phases;
     const auto type = cloud.fields.contains(field) ? cloud.fields.at(field).type : FieldClass::scalar;
     points.title = type == FieldClass::vector ? "|" + field + "|" : field;
-    points.diameter = scene_.spacing;
+    // Discs of the particles' own area, balls that touch.
+    points.diameter = scene_.spacing*(geometry_.dimension == 2 ? std::sqrt(4/std::numbers::pi) : 1);
     for (std::size_t p = 0; p < cloud.size(); ++p)
     {
         const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
-        if (geometry_.dimension == 3 && std::fabs(dot(x - picture.planePoint, picture.planeNormal)) > 0.5*scene_.spacing) continue;
+        if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5*scene_.spacing) continue;
         points.position.push_back(x);
         points.value.push_back(values[p]);
     }

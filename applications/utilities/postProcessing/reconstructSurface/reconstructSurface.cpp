@@ -47,6 +47,13 @@ std::vector<double> row(const std::vector<sph::SurfaceReport>& surfaces)
     return values;
 }
 
+/// What area and volume are called in a case of that dimension, with their units.
+struct Words
+{
+    const char *area, *volume;
+};
+Words wordsOf(int dimension) { return dimension == 2 ? Words{"length [m]", "area [m^2]"} : Words{"area [m^2]", "volume [m^3]"}; }
+
 int run(const std::filesystem::path& path, const Options& options)
 {
     const sph::Case folder(path);
@@ -60,22 +67,22 @@ int run(const std::filesystem::path& path, const Options& options)
     std::optional<sph::VirtualDisplay> display;
     if (options.pictures) display.emplace();
     std::optional<sph::OutputTable> table;
-    const int dimension = surfaceRun.geometry().dimension;
+    const auto words = wordsOf(surfaceRun.geometry().dimension);
     if (!options.noSurface)
     {
         const auto dat = folder.folder()/"postProcessing"/"reconstructSurface"/times.front()/"surfaces.dat";
         std::filesystem::create_directories(dat.parent_path());
-        table.emplace(dat, std::vector<std::string>{fmt::format("Surfaces of {}: area [m^{}], volume [m^{}], connected pieces",
-                                                                sph::list(surfaceRun.phaseNames()), dimension - 1, dimension)},
-                      columns(surfaceRun.phaseNames()));
+        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces", sph::list(surfaceRun.phaseNames()), words.area,
+                                        words.volume);
+        table.emplace(dat, std::vector<std::string>{header}, columns(surfaceRun.phaseNames()));
     }
     for (const auto& time : times)
     {
         fmt::print("Time = {}\n", time);
         const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
         for (const auto& s : result.surfaces)
-            fmt::print("    {}: {} particles, area {:.5g} m^{}, volume {:.5g} m^{} ({:+.2f} % of the particles' {:.5g}), {} piece{}\n", s.phase,
-                       s.particles, s.area, dimension - 1, s.volume, dimension, s.differencePercent(), s.particleVolume, s.pieces,
+            fmt::print("    {}: {} particles, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}\n", s.phase, s.particles,
+                       words.area, s.area, words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces,
                        s.pieces == 1 ? "" : "s");
         for (const auto& file : result.written) fmt::print("    {}\n", file);
         if (table) table->row(std::stod(time), row(result.surfaces));
