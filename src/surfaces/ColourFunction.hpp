@@ -11,8 +11,8 @@ namespace sph
 struct PhaseParticles
 {
     std::vector<Vector<3>> position;
-    std::vector<double> volume;            ///< V_j = m_j/rho_j [m^dim]
-    std::vector<char> inPhase;             ///< C_j^l, 1 in the phase and 0 in another
+    std::vector<double> volume; ///< V_j = m_j/rho_j [m^dim]
+    std::vector<char> inPhase;  ///< C_j^l, 1 in the phase and 0 in another
     std::size_t size() const { return position.size(); }
     /// sum_j V_j C_j^l
     double phaseVolume() const;
@@ -28,15 +28,16 @@ enum class Normalisation
     particles, ///< the sum over all particles (Shepard): where each phase is there
 };
 
-/// Barker et al. (2012), section "Spherical Packing", with C_i^l and the factor V_i that the print lacks (erratum HL12), normalised:
+/// Barker et al. (2012), section "Spherical Packing", with C_i^l and the factor V_i that the print lacks (erratum HL12),
+/// normalised:
 ///
 ///   C(x) = sum_j V_j C_j^l W(|x - x_j|) / D(x),   D = 1,  int_fluid W(|x - y|) dy  or  sum_j V_j W(|x - x_j|)
 ///
-/// W [1/m^dim] the kernel named `kernel` with radius `support`. The function goes on smoothly into solids, two steps deep, so that
-/// the iso-surface crosses the wall: cut there by the distance to the wall it ends on the wall. Particles are imaged across
+/// W [1/m^dim] the kernel named `kernel` with radius `support`. The function goes on smoothly into solids, two steps deep, so
+/// that the iso-surface crosses the wall: cut there by the distance to the wall it ends on the wall. Particles are imaged across
 /// periodic faces. Each node sums in the order of the particles, whatever the number of threads.
-/// A surface of mean curvature 2H is displaced inwards by 2H s^2/2, s^2 the kernel's second moment in one direction: 0.4 % of the volume of a
-/// sphere of 16 spacings' radius at support 2. Verified by test/unit/surfaces/sphere.cpp.
+/// A surface of mean curvature 2H is displaced inwards by 2H s^2/2, s^2 the kernel's second moment in one direction: 0.4 % of the
+/// volume of a sphere of 16 spacings' radius at support 2. Verified by test/unit/surfaces/sphere.cpp.
 std::vector<double> colourFunction(const RegularGrid&, const std::vector<double>& wallDistance, const PhaseParticles&,
                                    const std::string& kernel, double support, Normalisation);
 

@@ -19,7 +19,7 @@ void addTriangles(vtkCellArray* triangles, vtkIdType start, int nu, int nv, bool
     for (int b = 0; b + 1 < nv; ++b)
         for (int a = 0; a + 1 < nu; ++a)
         {
-            const vtkIdType p00 = start + a + vtkIdType(nu)*b, p10 = p00 + 1, p01 = p00 + nu, p11 = p01 + 1;
+            const vtkIdType p00 = start + a + vtkIdType(nu) * b, p10 = p00 + 1, p01 = p00 + nu, p11 = p01 + 1;
             vtkIdType lower[3] = {p00, p10, p11}, upper[3] = {p00, p11, p01};
             if (reversed)
             {
@@ -94,7 +94,8 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
             }
         addTriangles(triangles, start, grid.nodes[u], grid.nodes[v], !high);
     };
-    if (grid.dimension == 2) addFace(2, true);
+    if (grid.dimension == 2)
+        addFace(2, true);
     else
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -112,10 +113,10 @@ Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& ge
 {
     if (geometry.patches.empty()) return Mesh::New();
     // A square around the domain's centre that covers the domain in any direction.
-    const double half = 0.5*mag(grid.high() - grid.low);
-    const int n = 2*int(std::ceil(half/grid.smallestStep())) + 1;
-    const auto middle = 0.5*(grid.low + grid.high());
-    const auto centre = middle - plane.height(middle)*plane.normal;
+    const double half = 0.5 * mag(grid.high() - grid.low);
+    const int n = 2 * int(std::ceil(half / grid.smallestStep())) + 1;
+    const auto middle = 0.5 * (grid.low + grid.high());
+    const auto centre = middle - plane.height(middle) * plane.normal;
     const auto [e1, e2] = crossSection(plane.normal);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -123,11 +124,12 @@ Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& ge
     for (int b = 0; b < n; ++b)
         for (int a = 0; a < n; ++a)
         {
-            const auto x = centre + (half*(2.0*a/(n - 1) - 1))*e1 + (half*(2.0*b/(n - 1) - 1))*e2;
+            const auto x = centre + (half * (2.0 * a / (n - 1) - 1)) * e1 + (half * (2.0 * b / (n - 1) - 1)) * e2;
             points->InsertNextPoint(x.x, x.y, x.z);
             const auto low = x - grid.low, high = grid.high() - x;
             inDomain->InsertNextValue(std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
-            inSolid->InsertNextValue(inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2*grid.largestStep() ? -geometry.distance(x) : -1);
+            inSolid->InsertNextValue(
+                inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2 * grid.largestStep() ? -geometry.distance(x) : -1);
         }
     vtkNew<vtkCellArray> triangles;
     addTriangles(triangles, 0, n, n, false);

@@ -8,7 +8,7 @@ namespace sph
 
 struct CutPlane
 {
-    Vector<3> point, normal;   ///< unit normal
+    Vector<3> point, normal; ///< unit normal
     /// > 0 on the side that the normal points to.
     double height(const Vector<3>& x) const { return dot(x - point, normal); }
 };
@@ -19,8 +19,8 @@ Mesh clipped(vtkPolyData*, vtkDoubleArray* values);
 /// The part of a mesh on the side that the plane's normal points away from.
 Mesh behind(const CutPlane&, vtkPolyData*);
 
-/// The part of the domain's faces (3-D: all six; 2-D: the plane itself) that `inside` is positive on, and `alsoInside` where it is
-/// not empty: where a cut through a body shows its inside. Without normals, to be shaded flat.
+/// The part of the domain's faces (3-D: all six; 2-D: the plane itself) that `inside` is positive on, and `alsoInside` where it
+/// is not empty: where a cut through a body shows its inside. Without normals, to be shaded flat.
 Mesh cutFaces(const RegularGrid&, const std::vector<double>& inside, const std::vector<double>& alsoInside);
 
 /// The part of a plane within the domain that lies in solids, sampled at the grid's spacing; empty without walls.

@@ -21,13 +21,13 @@ struct Corner
 /// Where `colour` vanishes between two corners of opposite sign.
 Corner crossing(const Corner& a, const Corner& b)
 {
-    const double t = a.colour/(a.colour - b.colour);
-    return {a.x + t*(b.x - a.x), 0, a.wall + t*(b.wall - a.wall)};
+    const double t = a.colour / (a.colour - b.colour);
+    return {a.x + t * (b.x - a.x), 0, a.wall + t * (b.wall - a.wall)};
 }
 
 double volume(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
 {
-    return std::fabs(dot(cross(b.x - a.x, c.x - a.x), d.x - a.x))/6;
+    return std::fabs(dot(cross(b.x - a.x, c.x - a.x), d.x - a.x)) / 6;
 }
 
 using Tetrahedron = std::array<Corner, 4>;
@@ -41,10 +41,14 @@ template<class Part> double wherePositive(const Tetrahedron& t, const Part& part
     const auto cut = [&](int i, int o) { return crossing(inside[i], outside[o]); };
     switch (in)
     {
-    case 0: return 0;
-    case 1: return part({inside[0], cut(0, 0), cut(0, 1), cut(0, 2)});
-    case 3: return part(t) - part({outside[0], cut(0, 0), cut(1, 0), cut(2, 0)});
-    case 4: return part(t);
+    case 0:
+        return 0;
+    case 1:
+        return part({inside[0], cut(0, 0), cut(0, 1), cut(0, 2)});
+    case 3:
+        return part(t) - part({outside[0], cut(0, 0), cut(1, 0), cut(2, 0)});
+    case 4:
+        return part(t);
     }
     // A prism between the triangles at the two inside corners.
     const Corner a1 = cut(0, 0), a2 = cut(0, 1), b1 = cut(1, 0), b2 = cut(1, 1);
@@ -73,8 +77,8 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, const auto& valu
         if (va > 0) result.push_back(a);
         if ((va > 0) != (vb > 0))
         {
-            const double t = va/(va - vb);
-            result.push_back({a.x + t*(b.x - a.x), a.colour + t*(b.colour - a.colour), a.wall + t*(b.wall - a.wall)});
+            const double t = va / (va - vb);
+            result.push_back({a.x + t * (b.x - a.x), a.colour + t * (b.colour - a.colour), a.wall + t * (b.wall - a.wall)});
         }
     }
     return result;
@@ -87,7 +91,7 @@ double fluidArea(const Corner& a, const Corner& b, const Corner& c)
     double twice = 0;
     for (std::size_t k = 2; k < polygon.size(); ++k)
         twice += cross(polygon[k - 1].x - polygon[0].x, polygon[k].x - polygon[0].x).z;
-    return std::fabs(twice)/2;
+    return std::fabs(twice) / 2;
 }
 
 /// The part of the cell whose lowest node is (i, j, k) that is in the region, in cells.
@@ -107,12 +111,10 @@ class Cells
 public:
     Cells(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wall)
         : grid_(grid), colour_(colour), wall_(wall), iso_(iso), noWall_(grid.largestStep())
-    {}
-
-    bool inRegion(std::size_t node) const
     {
-        return colour_[node] > iso_ && (wall_.empty() || wall_[node] > 0);
     }
+
+    bool inRegion(std::size_t node) const { return colour_[node] > iso_ && (wall_.empty() || wall_[node] > 0); }
 
     double part(int i, int j, int k) const
     {
@@ -188,15 +190,16 @@ int pieces(const RegularGrid& grid, const Cells& cells)
 
 }
 
-Enclosed enclosedVolume(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance)
+Enclosed enclosedVolume(const RegularGrid& grid, const std::vector<double>& colour, double iso,
+                        const std::vector<double>& wallDistance)
 {
     const Cells cells(grid, colour, iso, wallDistance);
     const int columns = grid.nodes[1] - 1, layers = grid.dimension == 3 ? grid.nodes[2] - 1 : 1;
-    std::vector<double> rowSum(std::size_t(columns)*layers);
+    std::vector<double> rowSum(std::size_t(columns) * layers);
 #pragma omp parallel for schedule(dynamic, 16)
     for (std::size_t row = 0; row < rowSum.size(); ++row)
-        for (int i = 0; i + 1 < grid.nodes[0]; ++i) rowSum[row] += cells.part(i, row % columns, row/columns);
-    return {std::accumulate(rowSum.begin(), rowSum.end(), 0.0)*grid.cellVolume(), pieces(grid, cells)};
+        for (int i = 0; i + 1 < grid.nodes[0]; ++i) rowSum[row] += cells.part(i, row % columns, row / columns);
+    return {std::accumulate(rowSum.begin(), rowSum.end(), 0.0) * grid.cellVolume(), pieces(grid, cells)};
 }
 
 }

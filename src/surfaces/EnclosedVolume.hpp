@@ -8,13 +8,14 @@ namespace sph
 
 struct Enclosed
 {
-    double volume = 0;   ///< area in 2-D
-    int pieces = 0;      ///< connected through periodic faces, too
+    double volume = 0; ///< area in 2-D
+    int pieces = 0;    ///< connected through periodic faces, too
 };
 
-/// The region colour > iso outside solids. Each cell is cut into 6 tetrahedra (2 triangles), in which both functions are linear and
-/// the region a polyhedron: the error is of second order in the step, at walls and at their contact with the surface as well.
+/// The region colour > iso outside solids. Each cell is cut into 6 tetrahedra (2 triangles), in which both functions are linear
+/// and the region a polyhedron: the error is of second order in the step, at walls and at their contact with the surface as well.
 /// A piece is a set of nodes of the region that are neighbours along the grid.
-Enclosed enclosedVolume(const RegularGrid&, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance);
+Enclosed enclosedVolume(const RegularGrid&, const std::vector<double>& colour, double iso,
+                        const std::vector<double>& wallDistance);
 
 }

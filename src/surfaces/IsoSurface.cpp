@@ -29,8 +29,8 @@ vtkSmartPointer<vtkDoubleArray> view(const std::vector<double>& values)
     return array;
 }
 
-/// The iso-surface in units of steps from the first node: VTK's filters compute points in single precision, which is exact for the
-/// numbers of nodes, so that cuts at the domain's faces and periodic copies fit.
+/// The iso-surface in units of steps from the first node: VTK's filters compute points in single precision, which is exact for
+/// the numbers of nodes, so that cuts at the domain's faces and periodic copies fit.
 Mesh contourInSteps(const std::array<int, 3>& nodes, const std::vector<double>& values, double iso, bool normals)
 {
     vtkNew<vtkImageData> image;
@@ -68,12 +68,12 @@ void toMetres(vtkPolyData* mesh, const RegularGrid& grid, int firstNode)
         double x[3], n[3];
         mesh->GetPoint(p, x);
         for (int d = 0; d < 3; ++d)
-            x[d] = low[d] + step[d]*std::clamp(x[d] - (d < grid.dimension ? firstNode : 0), 0.0, double(grid.nodes[d] - 1));
+            x[d] = low[d] + step[d] * std::clamp(x[d] - (d < grid.dimension ? firstNode : 0), 0.0, double(grid.nodes[d] - 1));
         points->SetPoint(p, x);
         if (!normals) continue;
         normals->GetTuple(p, n);
-        Vector<3> unit{n[0]/step[0], n[1]/step[1], n[2]/step[2]};
-        if (const double size = mag(unit); size > 0) unit = unit/size;
+        Vector<3> unit{n[0] / step[0], n[1] / step[1], n[2] / step[2]};
+        if (const double size = mag(unit); size > 0) unit = unit / size;
         normals->SetTuple3(p, unit.x, unit.y, unit.z);
     }
     mesh->SetPoints(points);
@@ -143,7 +143,8 @@ void forEachCell(vtkCellArray* cells, const auto& visit)
 
 }
 
-Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const Geometry& geometry, int smoothingPasses)
+Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const Geometry& geometry,
+                 int smoothingPasses)
 {
     auto mesh = contourInSteps(grid.nodes, colour, iso, true);
     toMetres(mesh, grid, 0);
@@ -152,20 +153,20 @@ Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, dou
     return grid.dimension == 2 ? linesOf(mesh) : mesh;
 }
 
-Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance,
-                   double length)
+Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso,
+                   const std::vector<double>& wallDistance, double length)
 {
     const auto region = [&](int i, int j, int k)
     {
         const auto node = grid.index(i, j, k);
-        const double c = length*(colour[node] - iso);
+        const double c = length * (colour[node] - iso);
         return wallDistance.empty() ? c : std::min(c, wallDistance[node]);
     };
     // One layer more on each side, of the opposite sign; its crossings are then moved onto the faces.
     const int deep = grid.dimension == 3 ? 1 : 0;
-    const std::array<int, 3> nodes{grid.nodes[0] + 2, grid.nodes[1] + 2, grid.nodes[2] + 2*deep};
+    const std::array<int, 3> nodes{grid.nodes[0] + 2, grid.nodes[1] + 2, grid.nodes[2] + 2 * deep};
     std::vector<double> values;
-    values.reserve(std::size_t(nodes[0])*nodes[1]*nodes[2]);
+    values.reserve(std::size_t(nodes[0]) * nodes[1] * nodes[2]);
     for (int k = 0; k < nodes[2]; ++k)
         for (int j = 0; j < nodes[1]; ++j)
             for (int i = 0; i < nodes[0]; ++i)
@@ -174,7 +175,7 @@ Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, d
                           c = std::clamp(k - deep, 0, grid.nodes[2] - 1);
                 const double inner = region(a, b, c);
                 const bool padded = a != i - 1 || b != j - 1 || c != k - deep;
-                values.push_back(padded ? -std::fabs(inner) - 1e-12*length : inner);
+                values.push_back(padded ? -std::fabs(inner) - 1e-12 * length : inner);
             }
     auto mesh = contourInSteps(nodes, values, 0, false);
     toMetres(mesh, grid, 1);
@@ -194,16 +195,17 @@ Mesh wallSurface(const RegularGrid& grid, const std::vector<double>& wallDistanc
     std::transform(wallDistance.begin(), wallDistance.end(), solid.begin(), [](double d) { return -d; });
     auto mesh = contourInSteps(grid.nodes, solid, 0, true);
     toMetres(mesh, grid, 0);
-    // The exact normal is the gradient of the distance; differences over a hundredth of a step keep shading free of the grid's pattern.
+    // The exact normal is the gradient of the distance; differences over a hundredth of a step keep shading free of the grid's
+    // pattern.
     if (auto* normals = mesh->GetPointData()->GetNormals())
     {
-        const double h = 0.01*grid.smallestStep();
+        const double h = 0.01 * grid.smallestStep();
         for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
         {
             const auto x = point(mesh, p);
-            const auto slope = [&](const Vector<3>& e) { return geometry.distance(x + h*e) - geometry.distance(x - h*e); };
+            const auto slope = [&](const Vector<3>& e) { return geometry.distance(x + h * e) - geometry.distance(x - h * e); };
             const Vector<3> n{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
-            if (const double size = mag(n); size > 0) normals->SetTuple3(p, n.x/size, n.y/size, n.z/size);
+            if (const double size = mag(n); size > 0) normals->SetTuple3(p, n.x / size, n.y / size, n.z / size);
         }
     }
     return mesh;
@@ -218,7 +220,7 @@ double measure(vtkPolyData* mesh)
                     Vector<3> twice;
                     for (vtkIdType c = 2; c < n; ++c)
                         twice += cross(point(mesh, ids[c - 1]) - point(mesh, ids[0]), point(mesh, ids[c]) - point(mesh, ids[0]));
-                    sum += mag(twice)/2;
+                    sum += mag(twice) / 2;
                 });
     forEachCell(mesh->GetLines(),
                 [&](vtkIdType n, const vtkIdType* ids)
@@ -235,7 +237,7 @@ double signedVolume(vtkPolyData* mesh)
                 [&](vtkIdType n, const vtkIdType* ids)
                 {
                     for (vtkIdType c = 2; c < n; ++c)
-                        sum += dot(point(mesh, ids[0]), cross(point(mesh, ids[c - 1]), point(mesh, ids[c])))/6;
+                        sum += dot(point(mesh, ids[0]), cross(point(mesh, ids[c - 1]), point(mesh, ids[c]))) / 6;
                 });
     return sum;
 }

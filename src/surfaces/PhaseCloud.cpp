@@ -17,7 +17,8 @@ const std::vector<double>* scalars(const Cloud& cloud, const std::string& name)
 
 }
 
-PhaseParticles phaseParticles(const Cloud& cloud, int phase, double uniformVolume, const std::string& folder, Diagnostics& diagnostics)
+PhaseParticles phaseParticles(const Cloud& cloud, int phase, double uniformVolume, const std::string& folder,
+                              Diagnostics& diagnostics)
 {
     PhaseParticles particles;
     particles.position.resize(cloud.size());
@@ -45,7 +46,7 @@ PhaseParticles phaseParticles(const Cloud& cloud, int phase, double uniformVolum
                                           wrongMass ? (*m)[p] : (*rho)[p]));
             break;
         }
-        particles.volume[p] = (*m)[p]/(*rho)[p];
+        particles.volume[p] = (*m)[p] / (*rho)[p];
     }
     return particles;
 }
@@ -59,7 +60,8 @@ std::vector<double> colouringValues(const Cloud& cloud, const std::string& field
         std::vector<std::string> known;
         for (const auto& [name, content] : cloud.fields)
             if (content.type != FieldClass::symmTensor) known.push_back(name);
-        diagnostics.error(where, fmt::format("the cloud has no scalar or vector field \"{}\". {}", field, suggestion(field, "fields", known)));
+        diagnostics.error(
+            where, fmt::format("the cloud has no scalar or vector field \"{}\". {}", field, suggestion(field, "fields", known)));
         return values;
     }
     const auto& component = found->second.component;

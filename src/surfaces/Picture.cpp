@@ -42,15 +42,17 @@ namespace
 
 using Colour = std::array<double, 3>;
 
-constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.87, 0.85, 0.81}, cutStone{0.74, 0.72, 0.69}, water{0.08, 0.45, 0.86},
-    cutWater{0.20, 0.55, 0.90};
+constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.87, 0.85, 0.81}, cutStone{0.74, 0.72, 0.69},
+    water{0.08, 0.45, 0.86}, cutWater{0.20, 0.55, 0.90};
 
 /// Water, air and further phases, told apart by those who see no red or green, too (after Okabe and Ito 2008).
-constexpr Colour phaseColours[] = {{0.00, 0.45, 0.70}, {0.85, 0.90, 0.93}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
+constexpr Colour phaseColours[] = {
+    {0.00, 0.45, 0.70}, {0.85, 0.90, 0.93}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
 
 /// Dark blue over green to yellow, of even steps to the eye: nine points of the scale viridis (van der Walt and Smith 2015).
-constexpr Colour scale[] = {{0.267, 0.005, 0.329}, {0.283, 0.141, 0.458}, {0.230, 0.299, 0.535}, {0.173, 0.450, 0.558}, {0.128, 0.567, 0.551},
-                            {0.158, 0.684, 0.502}, {0.369, 0.789, 0.383}, {0.678, 0.864, 0.190}, {0.993, 0.906, 0.144}};
+constexpr Colour scale[] = {{0.267, 0.005, 0.329}, {0.283, 0.141, 0.458}, {0.230, 0.299, 0.535},
+                            {0.173, 0.450, 0.558}, {0.128, 0.567, 0.551}, {0.158, 0.684, 0.502},
+                            {0.369, 0.789, 0.383}, {0.678, 0.864, 0.190}, {0.993, 0.906, 0.144}};
 
 /// Drawn this many times larger in each direction and averaged, for smooth edges.
 constexpr int oversampling = 2;
@@ -124,7 +126,7 @@ void addOutline(vtkRenderer* renderer, const Scene& scene)
     outline->Update();
     auto actor = actorOf(outline->GetOutput(), ink);
     flat(actor);
-    actor->GetProperty()->SetLineWidth(1.2*oversampling);
+    actor->GetProperty()->SetLineWidth(1.2 * oversampling);
     renderer->AddActor(actor);
 }
 
@@ -133,9 +135,9 @@ void addContour(vtkRenderer* renderer, const Scene& scene)
     if (!drawable(scene.contour)) return;
     auto actor = actorOf(scene.contour, ink);
     flat(actor);
-    actor->GetProperty()->SetLineWidth(2.0*oversampling);
+    actor->GetProperty()->SetLineWidth(2.0 * oversampling);
     // In front of the discs, which lie in the plane z = 0.
-    actor->SetPosition(0, 0, 1e-3*mag(scene.high - scene.low));
+    actor->SetPosition(0, 0, 1e-3 * mag(scene.high - scene.low));
     renderer->AddActor(actor);
 }
 
@@ -158,7 +160,7 @@ vtkSmartPointer<vtkScalarsToColors> coloursOf(const Points& points)
     const double range = *high > *low ? *high - *low : std::max(1.0, std::fabs(*low));
     auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
     for (std::size_t k = 0; k < std::size(scale); ++k)
-        colours->AddRGBPoint(*low + range*double(k)/(std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
+        colours->AddRGBPoint(*low + range * double(k) / (std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
     return colours;
 }
 
@@ -178,7 +180,7 @@ void addColourBar(vtkRenderer* renderer, const Points& points, vtkScalarsToColor
     {
         text->SetColor(ink[0], ink[1], ink[2]);
         text->SetFontFamilyToArial();
-        text->SetFontSize(16*oversampling);
+        text->SetFontSize(16 * oversampling);
         text->ItalicOff();
         text->BoldOff();
         text->ShadowOff();
@@ -192,21 +194,21 @@ void addLegend(vtkRenderer* renderer, const Scene& scene)
     for (std::size_t k = 0; k < scene.points.phases.size(); ++k)
     {
         auto colour = phaseColours[k % std::size(phaseColours)];
-        const double top = scene.size[1] - 60 - 28*double(k);
+        const double top = scene.size[1] - 60 - 28 * double(k);
         const auto write = [&](const std::string& text, double x, const Colour& c)
         {
             vtkNew<vtkTextActor> actor;
             actor->SetInput(text.c_str());
-            actor->SetPosition(oversampling*x, oversampling*top);
+            actor->SetPosition(oversampling * x, oversampling * top);
             actor->GetTextProperty()->SetFontFamilyToArial();
-            actor->GetTextProperty()->SetFontSize(18*oversampling);
+            actor->GetTextProperty()->SetFontSize(18 * oversampling);
             actor->GetTextProperty()->SetColor(c[0], c[1], c[2]);
             renderer->AddActor2D(actor);
         };
         vtkNew<vtkTextActor> patch;
         patch->SetInput("    ");
-        patch->SetPosition(oversampling*(scene.size[0] - 150), oversampling*top);
-        patch->GetTextProperty()->SetFontSize(18*oversampling);
+        patch->SetPosition(oversampling * (scene.size[0] - 150), oversampling * top);
+        patch->GetTextProperty()->SetFontSize(18 * oversampling);
         patch->GetTextProperty()->SetBackgroundColor(colour[0], colour[1], colour[2]);
         patch->GetTextProperty()->SetBackgroundOpacity(1);
         patch->GetTextProperty()->FrameOn();
@@ -240,7 +242,7 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     {
         auto disc = vtkSmartPointer<vtkRegularPolygonSource>::New();
         disc->SetNumberOfSides(20);
-        disc->SetRadius(points.diameter/2);
+        disc->SetRadius(points.diameter / 2);
         disc->GeneratePolylineOff();
         shape = disc;
     }
@@ -249,7 +251,7 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
         auto ball = vtkSmartPointer<vtkSphereSource>::New();
         ball->SetThetaResolution(20);
         ball->SetPhiResolution(14);
-        ball->SetRadius(points.diameter/2);
+        ball->SetRadius(points.diameter / 2);
         shape = ball;
     }
     mapper->SetSourceConnection(shape->GetOutputPort());
@@ -262,8 +264,10 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     actor->SetMapper(mapper);
     if (scene.dimension == 2) flat(actor);
     renderer->AddActor(actor);
-    if (points.phases.empty()) addColourBar(renderer, points, colours);
-    else addLegend(renderer, scene);
+    if (points.phases.empty())
+        addColourBar(renderer, points, colours);
+    else
+        addLegend(renderer, scene);
 }
 
 void addTitle(vtkRenderer* renderer, const Scene& scene)
@@ -271,19 +275,20 @@ void addTitle(vtkRenderer* renderer, const Scene& scene)
     if (scene.title.empty()) return;
     vtkNew<vtkTextActor> title;
     title->SetInput(scene.title.c_str());
-    title->SetPosition(24*oversampling, (scene.size[1] - 44)*oversampling);
+    title->SetPosition(24 * oversampling, (scene.size[1] - 44) * oversampling);
     title->GetTextProperty()->SetFontFamilyToArial();
-    title->GetTextProperty()->SetFontSize(22*oversampling);
+    title->GetTextProperty()->SetFontSize(22 * oversampling);
     title->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
     renderer->AddActor2D(title);
 }
 
-/// Clefts between opaque bodies are darkened (ambient occlusion), and translucent surfaces behind one another drawn in their order.
+/// Clefts between opaque bodies are darkened (ambient occlusion), and translucent surfaces behind one another drawn in their
+/// order.
 void setPasses(vtkRenderer* renderer, const Scene& scene)
 {
     vtkNew<vtkSSAOPass> occlusion;
-    occlusion->SetRadius(0.12*mag(scene.high - scene.low));
-    occlusion->SetBias(0.002*mag(scene.high - scene.low));
+    occlusion->SetRadius(0.12 * mag(scene.high - scene.low));
+    occlusion->SetBias(0.002 * mag(scene.high - scene.low));
     occlusion->SetKernelSize(64);
     occlusion->BlurOn();
     occlusion->SetDelegatePass(vtkNew<vtkOpaquePass>());
@@ -300,15 +305,15 @@ void setPasses(vtkRenderer* renderer, const Scene& scene)
 /// From above the front right corner; nearly straight at a plane that the scene is cut by.
 Vector<3> viewDirection(const Camera& wish)
 {
-    const auto up = wish.up/mag(wish.up);
+    const auto up = wish.up / mag(wish.up);
     if (wish.facing)
     {
         const auto& n = *wish.facing;
         const auto side = cross(up, n);
-        return n + 0.3*(mag(side) > 0 ? side/mag(side) : Vector<3>{}) + 0.25*up;
+        return n + 0.3 * (mag(side) > 0 ? side / mag(side) : Vector<3>{}) + 0.25 * up;
     }
     const auto right = crossSection(up)[0];
-    return 1.75*cross(right, up) + 0.85*right + 0.75*up;
+    return 1.75 * cross(right, up) + 0.85 * right + 0.75 * up;
 }
 
 /// A plane scene fills the picture, seen from +z. A colour bar takes its place on the right.
@@ -316,23 +321,23 @@ void setPlaneCamera(vtkCamera* camera, const Scene& scene)
 {
     const auto extent = scene.high - scene.low;
     const bool bar = !scene.points.position.empty() && scene.points.phases.empty();
-    const double aspect = double(scene.size[0])/scene.size[1];
-    const double height = std::max(1.16*extent.y, (bar ? 1.3 : 1.08)*extent.x/aspect)/scene.camera.zoom;
-    auto centre = scene.camera.focalPoint.value_or(0.5*(scene.low + scene.high));
-    if (bar) centre.x += 0.06*height*aspect;
+    const double aspect = double(scene.size[0]) / scene.size[1];
+    const double height = std::max(1.16 * extent.y, (bar ? 1.3 : 1.08) * extent.x / aspect) / scene.camera.zoom;
+    auto centre = scene.camera.focalPoint.value_or(0.5 * (scene.low + scene.high));
+    if (bar) centre.x += 0.06 * height * aspect;
     camera->SetFocalPoint(centre.x, centre.y, 0);
     camera->SetPosition(centre.x, centre.y, mag(extent));
     camera->SetViewUp(0, 1, 0);
     camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5*height);
+    camera->SetParallelScale(0.5 * height);
 }
 
 void setSpaceCamera(vtkRenderer* renderer, const Scene& scene)
 {
     const auto& wish = scene.camera;
     auto* camera = renderer->GetActiveCamera();
-    const auto centre = wish.focalPoint.value_or(0.5*(scene.low + scene.high));
-    const auto position = wish.position.value_or(centre + mag(scene.high - scene.low)*viewDirection(wish));
+    const auto centre = wish.focalPoint.value_or(0.5 * (scene.low + scene.high));
+    const auto position = wish.position.value_or(centre + mag(scene.high - scene.low) * viewDirection(wish));
     camera->SetFocalPoint(centre.x, centre.y, centre.z);
     camera->SetPosition(position.x, position.y, position.z);
     camera->SetViewUp(wish.up.x, wish.up.y, wish.up.z);
@@ -347,8 +352,10 @@ void setSpaceCamera(vtkRenderer* renderer, const Scene& scene)
 
 void setCamera(vtkRenderer* renderer, const Scene& scene)
 {
-    if (scene.dimension == 2) setPlaneCamera(renderer->GetActiveCamera(), scene);
-    else setSpaceCamera(renderer, scene);
+    if (scene.dimension == 2)
+        setPlaneCamera(renderer->GetActiveCamera(), scene);
+    else
+        setSpaceCamera(renderer, scene);
     renderer->ResetCameraClippingRange();
 }
 
@@ -369,7 +376,7 @@ void drawPicture(const Scene& scene, const std::filesystem::path& png)
     window->SetOffScreenRendering(1);
     window->SetMultiSamples(0);
     window->SetAlphaBitPlanes(1);
-    window->SetSize(oversampling*scene.size[0], oversampling*scene.size[1]);
+    window->SetSize(oversampling * scene.size[0], oversampling * scene.size[1]);
     window->AddRenderer(renderer);
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightIntensity(1.05);

@@ -13,7 +13,7 @@ namespace sph
 struct Camera
 {
     std::optional<Vector<3>> position, focalPoint;
-    std::optional<Vector<3>> facing;       ///< without a position: the normal of a plane to look at
+    std::optional<Vector<3>> facing; ///< without a position: the normal of a plane to look at
     Vector<3> up{0, 1, 0};
     double zoom = 1;
 };
@@ -22,23 +22,23 @@ struct Camera
 struct Points
 {
     std::vector<Vector<3>> position;
-    std::vector<double> value;             ///< what the colour shows
+    std::vector<double> value; ///< what the colour shows
     double diameter = 0;
-    std::string title;                     ///< of the colour bar; unused for phases
-    std::vector<std::string> phases;       ///< names where `value` is the number of a phase; else a continuous scale
+    std::string title;               ///< of the colour bar; unused for phases
+    std::vector<std::string> phases; ///< names where `value` is the number of a phase; else a continuous scale
 };
 
 /// What is drawn; an empty mesh or list is left out.
 struct Scene
 {
     int dimension = 3;
-    Vector<3> low, high;                   ///< the domain, whose outline is drawn
-    Mesh liquid, liquidCuts;               ///< surface, and where the domain's faces cut through it
+    Vector<3> low, high;     ///< the domain, whose outline is drawn
+    Mesh liquid, liquidCuts; ///< surface, and where the domain's faces cut through it
     Mesh walls, wallCuts;
-    Mesh contour;                          ///< 2-D surface line
+    Mesh contour; ///< 2-D surface line
     Points points;
     Camera camera;
-    std::array<int, 2> size{1200, 900};    ///< pixels
+    std::array<int, 2> size{1200, 900}; ///< pixels
     std::string title;
 };
 

@@ -9,7 +9,7 @@ namespace
 {
 
 /// Steps of at most `spacing` that a length is divided into; the margin keeps 1e-3/0.25e-4 at 40 in spite of round-off.
-double stepsIn(double length, double spacing) { return std::max(2.0, std::ceil(length/spacing - 1e-6)); }
+double stepsIn(double length, double spacing) { return std::max(2.0, std::ceil(length / spacing - 1e-6)); }
 
 std::array<double, 3> extent(const Geometry& g) { return {g.high.x - g.low.x, g.high.y - g.low.y, g.high.z - g.low.z}; }
 
@@ -37,7 +37,7 @@ RegularGrid gridOfDomain(const Geometry& geometry, double spacing)
     for (int d = 0; d < geometry.dimension; ++d)
     {
         const double steps = stepsIn(length[d], spacing);
-        step[d] = length[d]/steps;
+        step[d] = length[d] / steps;
         grid.nodes[d] = int(steps) + 1;
         grid.periodic[d] = geometry.periodic[d];
     }
@@ -58,12 +58,12 @@ std::vector<double> wallDistances(const RegularGrid& grid, const Geometry& geome
 {
     if (geometry.patches.empty()) return {};
     std::vector<double> distance(grid.size());
-    const int rows = grid.nodes[1]*grid.nodes[2];
+    const int rows = grid.nodes[1] * grid.nodes[2];
 #pragma omp parallel for schedule(dynamic, 16)
     for (int row = 0; row < rows; ++row)
         for (int i = 0; i < grid.nodes[0]; ++i)
         {
-            const int j = row % grid.nodes[1], k = row/grid.nodes[1];
+            const int j = row % grid.nodes[1], k = row / grid.nodes[1];
             distance[grid.index(i, j, k)] = geometry.distance(grid.node(i, j, k));
         }
     return distance;

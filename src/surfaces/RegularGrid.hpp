@@ -16,14 +16,14 @@ struct RegularGrid
     std::array<int, 3> nodes{1, 1, 1};
     std::array<bool, 3> periodic{};
 
-    std::size_t size() const { return std::size_t(nodes[0])*nodes[1]*nodes[2]; }
-    std::size_t index(int i, int j, int k) const { return i + std::size_t(nodes[0])*(j + std::size_t(nodes[1])*k); }
-    Vector<3> node(int i, int j, int k) const { return {low.x + i*step.x, low.y + j*step.y, low.z + k*step.z}; }
+    std::size_t size() const { return std::size_t(nodes[0]) * nodes[1] * nodes[2]; }
+    std::size_t index(int i, int j, int k) const { return i + std::size_t(nodes[0]) * (j + std::size_t(nodes[1]) * k); }
+    Vector<3> node(int i, int j, int k) const { return {low.x + i * step.x, low.y + j * step.y, low.z + k * step.z}; }
     Vector<3> high() const { return node(nodes[0] - 1, nodes[1] - 1, nodes[2] - 1); }
     double smallestStep() const;
     double largestStep() const;
     /// Area (2-D) or volume (3-D) of a cell.
-    double cellVolume() const { return dimension == 2 ? step.x*step.y : step.x*step.y*step.z; }
+    double cellVolume() const { return dimension == 2 ? step.x * step.y : step.x * step.y * step.z; }
 
     /// Number i of direction `axis` brought back into the grid by periodicity; -1 where it lies outside.
     int wrapped(int axis, int i) const

@@ -14,9 +14,9 @@ namespace sph
 /// What a case tells of itself, on which the defaults rest.
 struct SurfaceCase
 {
-    double spacing = 0;                    ///< of the particles [m]
-    std::vector<std::string> phases;       ///< at least one
-    Vector<3> up{0, 1, 0};                 ///< against gravity
+    double spacing = 0;              ///< of the particles [m]
+    std::vector<std::string> phases; ///< at least one
+    Vector<3> up{0, 1, 0};           ///< against gravity
 };
 
 struct PictureSettings
@@ -24,7 +24,7 @@ struct PictureSettings
     std::array<int, 2> size{1200, 900};
     Camera camera;
     bool surface = true, walls = true, particles = false;
-    std::string colourBy;                  ///< a field, or "phase"; empty: none was asked for
+    std::string colourBy; ///< a field, or "phase"; empty: none was asked for
     Location whereColourBy;
     int smoothing = 20;
     CutPlane plane{{}, {0, 0, 1}};
@@ -35,11 +35,11 @@ struct PictureSettings
 struct SurfaceSettings
 {
     std::string cloud;
-    std::vector<int> phases;               ///< numbers in SurfaceCase::phases
-    double gridSpacing = 0, support = 0;   ///< [m]
+    std::vector<int> phases;             ///< numbers in SurfaceCase::phases
+    double gridSpacing = 0, support = 0; ///< [m]
     std::string kernel;
     double iso = 0.5;
-    std::optional<Normalisation> normalise;   ///< empty: particles where another phase is there, else walls
+    std::optional<Normalisation> normalise; ///< empty: particles where another phase is there, else walls
     bool closed = false;
     int smoothing = 0;
     std::vector<std::string> formats;
@@ -62,7 +62,8 @@ struct SurfaceSettings
 ///     {
 ///         size       (1200 900);
 ///         camera     { position (..); focalPoint (..); up (0 1 0); zoom 1; }
-///         show       (surface walls);   // and particles; default: (surface walls) in 3-D with several phases, else (particles walls)
+///         show       (surface walls);   // and particles; default: (surface walls) in 3-D with several phases, else (particles
+/// walls)
 ///         colourBy   U;                 // of particles: a field, or phase
 ///         plane      { point (..); normal (0 0 1); }   // 3-D: particles are shown on this cut
 ///         smoothing  20;                // of the surface in the picture
@@ -70,8 +71,8 @@ struct SurfaceSettings
 ///         showTime   yes;
 ///     }
 ///
-/// The default support is measured, on a sphere of radius 16 spacings, particles displaced by 0.15 spacings at random, step half a spacing:
-/// support 1.5/2/2.5/3 spacings gives the area +9.0/+3.6/+1.4/+0.5 % and the volume within 0.4 %.
+/// The default support is measured, on a sphere of radius 16 spacings, particles displaced by 0.15 spacings at random, step half
+/// a spacing: support 1.5/2/2.5/3 spacings gives the area +9.0/+3.6/+1.4/+0.5 % and the volume within 0.4 %.
 SurfaceSettings readSurfaceSettings(const Dictionary&, const SurfaceCase&, const Geometry&);
 
 }

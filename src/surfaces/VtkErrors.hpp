@@ -24,9 +24,10 @@ class VtkErrors
 
 public:
     explicit VtkErrors(vtkObject* source)
-        : source_(source), tags_{source->AddObserver(vtkCommand::ErrorEvent, listener_),
-                                 source->AddObserver(vtkCommand::WarningEvent, listener_)}
-    {}
+        : source_(source),
+          tags_{source->AddObserver(vtkCommand::ErrorEvent, listener_), source->AddObserver(vtkCommand::WarningEvent, listener_)}
+    {
+    }
     ~VtkErrors()
     {
         for (const auto tag : tags_) source_->RemoveObserver(tag);

@@ -20,44 +20,52 @@ protected:
 
     void SetUp() override
     {
-        folder.write("constant/geometry", "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); periodic (x y); }\n");
+        folder.write("constant/geometry",
+                     "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); periodic (x y); }\n");
         folder.write("constant/phaseProperties", "phases (water air);\n");
         folder.write("system/sphSchemes", "resolution { spacing 1e-3; support 3; kernel wendlandC2; }\n");
         const auto particles = lattice(space(2, {-12, -12, 0}, {12, 12, 0}), ball({0, 0, 0}, 8));
         std::vector<double> x, y, phase, m, rho;
         for (std::size_t p = 0; p < particles.size(); ++p)
         {
-            x.push_back(1e-3*particles.position[p].x);
-            y.push_back(1e-3*particles.position[p].y);
+            x.push_back(1e-3 * particles.position[p].x);
+            y.push_back(1e-3 * particles.position[p].y);
             phase.push_back(particles.inPhase[p] ? 0 : 1);
             rho.push_back(particles.inPhase[p] ? 1000 : 1);
-            m.push_back(1e-6*rho.back());
+            m.push_back(1e-6 * rho.back());
         }
         for (const auto* time : {"0", "0.1", "0.2"})
-            writeCloud(folder/time, "sph", x.size(), {"positions", FieldClass::vector, {x.data(), y.data(), nullptr}},
-                       {{"phase", FieldClass::label, {phase.data()}}, {"m", FieldClass::scalar, {m.data()}}, {"rho", FieldClass::scalar, {rho.data()}}},
+            writeCloud(folder / time, "sph", x.size(), {"positions", FieldClass::vector, {x.data(), y.data(), nullptr}},
+                       {{"phase", FieldClass::label, {phase.data()}},
+                        {"m", FieldClass::scalar, {m.data()}},
+                        {"rho", FieldClass::scalar, {rho.data()}}},
                        {});
     }
 
     int run(const std::string& options)
     {
-        const auto log = folder/"log";
-        const int status = std::system(fmt::format("{} -case {} {} > {} 2>&1", RECONSTRUCT_SURFACE, folder.path().string(), options, log.string()).c_str());
+        const auto log = folder / "log";
+        const int status = std::system(
+            fmt::format("{} -case {} {} > {} 2>&1", RECONSTRUCT_SURFACE, folder.path().string(), options, log.string()).c_str());
         output = contents(log);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
-    bool has(const std::string& file) { return std::filesystem::exists(folder.path()/"postProcessing"/"reconstructSurface"/file); }
+    bool has(const std::string& file)
+    {
+        return std::filesystem::exists(folder.path() / "postProcessing" / "reconstructSurface" / file);
+    }
 };
 
 }
 
-// Without a dictionary of its own it writes the surface of the first phase at all times, and a table whose area is the circle's length within 2 %.
+// Without a dictionary of its own it writes the surface of the first phase at all times, and a table whose area is the circle's
+// length within 2 %.
 TEST_F(DiscCase, NeedsNoDictionary)
 {
     ASSERT_EQ(run(""), 0) << output;
     for (const auto* time : {"0", "0.1", "0.2"}) EXPECT_TRUE(has(fmt::format("{}/water.vtp", time)));
     EXPECT_FALSE(has("0/air.vtp"));
-    std::istringstream table(contents(folder.path()/"postProcessing/reconstructSurface/0/surfaces.dat"));
+    std::istringstream table(contents(folder.path() / "postProcessing/reconstructSurface/0/surfaces.dat"));
     std::string line;
     std::getline(table, line);
     std::getline(table, line);
@@ -67,8 +75,8 @@ TEST_F(DiscCase, NeedsNoDictionary)
     {
         ASSERT_TRUE(table >> time >> length >> area >> particleArea >> difference >> pieces);
         EXPECT_EQ(time, expected);
-        EXPECT_NEAR(length/(2*3.14159e-3*8), 1, 0.02);
-        EXPECT_NEAR(difference, 100*(area/particleArea - 1), 1e-9);
+        EXPECT_NEAR(length / (2 * 3.14159e-3 * 8), 1, 0.02);
+        EXPECT_NEAR(difference, 100 * (area / particleArea - 1), 1e-9);
         EXPECT_EQ(pieces, 1);
     }
 }
@@ -101,12 +109,13 @@ TEST_F(DiscCase, MistakesHaveFileAndLine)
 {
     folder.write("system/reconstructSurfaceDict", "closed no;\nsmothing 3;\nformats (stl);\n");
     EXPECT_EQ(run(""), 1);
-    EXPECT_NE(output.find("system/reconstructSurfaceDict:2: entry \"smothing\" is not used here. Did you mean \"smoothing\"?"), std::string::npos)
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:2: entry \"smothing\" is not used here. Did you mean \"smoothing\"?"),
+              std::string::npos)
         << output;
     EXPECT_NE(output.find("system/reconstructSurfaceDict:3: stl holds triangles only"), std::string::npos) << output;
-    EXPECT_FALSE(std::filesystem::exists(folder/"postProcessing"));
-    std::filesystem::remove(folder/"system/reconstructSurfaceDict");
-    std::filesystem::remove(folder/"system/sphSchemes");
+    EXPECT_FALSE(std::filesystem::exists(folder / "postProcessing"));
+    std::filesystem::remove(folder / "system/reconstructSurfaceDict");
+    std::filesystem::remove(folder / "system/sphSchemes");
     EXPECT_EQ(run(""), 1);
     EXPECT_NE(output.find("system/sphSchemes"), std::string::npos) << output;
 }
@@ -122,7 +131,8 @@ TEST_F(DiscCase, DrawsPictures)
     EXPECT_FALSE(has("0.2/surfaces.dat"));
     folder.write("system/reconstructSurfaceDict", "picture\n{\n    colourBy p;\n}\n");
     EXPECT_EQ(run("-latestTime -picture"), 1);
-    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos) << output;
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos)
+        << output;
 }
 
 }

@@ -9,7 +9,7 @@ namespace sph::test
 
 inline constexpr double support = 3, step = 0.5;
 
-constexpr double cube(double a) { return a*a*a; }
+constexpr double cube(double a) { return a * a * a; }
 
 inline Geometry space(int dimension, Vector<3> low, Vector<3> high)
 {

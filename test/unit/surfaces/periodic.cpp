@@ -24,7 +24,7 @@ Result periodicBall(Vector<3> centre, bool wrapped)
     for (auto& x : particles.position)
     {
         x += centre - Vector<3>{12, 12, 12};
-        if (wrapped) x = {x.x - 24*std::floor(x.x/24), x.y - 24*std::floor(x.y/24), x.z - 24*std::floor(x.z/24)};
+        if (wrapped) x = {x.x - 24 * std::floor(x.x / 24), x.y - 24 * std::floor(x.y / 24), x.z - 24 * std::floor(x.z / 24)};
     }
     const auto grid = gridOfDomain(geometry, step);
     const auto colour = colourFunction(grid, {}, particles, "wendlandC2", support, Normalisation::particles);
@@ -34,28 +34,29 @@ Result periodicBall(Vector<3> centre, bool wrapped)
 
 }
 
-// A ball across the corner of a periodic domain has area and volume of the same ball in the middle, and is one piece. The surface's points are
-// single precision in steps (1e-7 of 48), hence 1e-6 for the area.
+// A ball across the corner of a periodic domain has area and volume of the same ball in the middle, and is one piece. The
+// surface's points are single precision in steps (1e-7 of 48), hence 1e-6 for the area.
 TEST(Periodic, ABallAcrossTheCornerIsTheBallInTheMiddle)
 {
     const auto middle = periodicBall({12, 12, 12}, true);
     for (const bool wrapped : {true, false})
     {
         const auto corner = periodicBall({0, 24, 0}, wrapped);
-        EXPECT_NEAR(corner.area/middle.area, 1, 1e-6);
-        EXPECT_NEAR(corner.volume/middle.volume, 1, 1e-12);
+        EXPECT_NEAR(corner.area / middle.area, 1, 1e-6);
+        EXPECT_NEAR(corner.volume / middle.volume, 1, 1e-12);
         EXPECT_EQ(corner.pieces, 1);
     }
 }
 
-// A support larger than the domain needs several images of each particle: a uniform lattice in a domain of 2 spacings gives a uniform sum, 1
-// to the kernel's quadrature error.
+// A support larger than the domain needs several images of each particle: a uniform lattice in a domain of 2 spacings gives a
+// uniform sum, 1 to the kernel's quadrature error.
 TEST(Periodic, DomainsSmallerThanTheKernelAreImagedSeveralTimes)
 {
     auto geometry = space(2, {0, 0, 0}, {2, 2, 0});
     geometry.periodic = {true, true, false};
     const auto grid = gridOfDomain(geometry, 1);
-    const auto colour = colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", 5, Normalisation::none);
+    const auto colour =
+        colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", 5, Normalisation::none);
     for (const double c : colour) EXPECT_NEAR(c, 1, 2e-3);
 }
 

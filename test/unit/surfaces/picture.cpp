@@ -1,6 +1,6 @@
+#include "Picture.hpp"
 #include "CaseError.hpp"
 #include "Cuts.hpp"
-#include "Picture.hpp"
 #include "VirtualDisplay.hpp"
 #include "particles.hpp"
 #include "temporaryFolder.hpp"
@@ -32,13 +32,16 @@ Colours coloursOf(const std::filesystem::path& png)
     const auto* d = image->GetDimensions();
     Colours c{d[0], d[1]};
     const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer());
-    const int n = d[0]*d[1];
+    const int n = d[0] * d[1];
     for (int k = 0; k < n; ++k, pixel += 3)
     {
         const int r = pixel[0], g = pixel[1], b = pixel[2];
-        if (r == 255 && g == 255 && b == 255) c.white += 1.0/n;
-        else if (b > r + 40) c.blue += 1.0/n;
-        else if (std::abs(r - b) < 40 && r > 60 && r < 235) c.grey += 1.0/n;
+        if (r == 255 && g == 255 && b == 255)
+            c.white += 1.0 / n;
+        else if (b > r + 40)
+            c.blue += 1.0 / n;
+        else if (std::abs(r - b) < 40 && r > 60 && r < 235)
+            c.grey += 1.0 / n;
     }
     return c;
 }
@@ -65,8 +68,8 @@ bool xvfbIsInstalled() { return std::system("command -v Xvfb > /dev/null 2>&1") 
 
 }
 
-// Without DISPLAY a server is started, a picture of a blue ball on a grey floor drawn, and the server ended: no child is left. The colours
-// are counted: a blank picture has one only.
+// Without DISPLAY a server is started, a picture of a blue ball on a grey floor drawn, and the server ended: no child is left.
+// The colours are counted: a blank picture has one only.
 TEST(Picture, IsDrawnWithoutDisplay)
 {
     if (!xvfbIsInstalled()) GTEST_SKIP() << "Xvfb is not installed";
@@ -74,9 +77,11 @@ TEST(Picture, IsDrawnWithoutDisplay)
     const TemporaryFolder folder;
     auto geometry = space(3, {-8, 0, -8}, {8, 12, 8});
     const auto grid = gridOfDomain(geometry, step);
-    const auto colour = colourFunction(grid, {}, lattice(geometry, ball({0, 6, 0}, 4)), "wendlandC2", support, Normalisation::particles);
+    const auto colour =
+        colourFunction(grid, {}, lattice(geometry, ball({0, 6, 0}, 4)), "wendlandC2", support, Normalisation::particles);
     std::vector<double> floor(grid.size());
-    for (std::size_t node = 0; node < floor.size(); ++node) floor[node] = 1 - (grid.low.y + grid.step.y*double(node/grid.nodes[0] % grid.nodes[1]));
+    for (std::size_t node = 0; node < floor.size(); ++node)
+        floor[node] = 1 - (grid.low.y + grid.step.y * double(node / grid.nodes[0] % grid.nodes[1]));
     Scene scene;
     scene.low = geometry.low;
     scene.high = geometry.high;
@@ -88,11 +93,11 @@ TEST(Picture, IsDrawnWithoutDisplay)
         const VirtualDisplay display;
         EXPECT_TRUE(display.started());
         EXPECT_NE(std::getenv("DISPLAY"), nullptr);
-        drawPicture(scene, folder/"ball.png");
+        drawPicture(scene, folder / "ball.png");
     }
     EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "no child process is left";
-    const auto c = coloursOf(folder/"ball.png");
+    const auto c = coloursOf(folder / "ball.png");
     EXPECT_EQ(c.width, 300);
     EXPECT_EQ(c.height, 200);
     EXPECT_GT(c.white, 0.3);
@@ -118,9 +123,10 @@ TEST(Picture, ShowsParticlesOfAPlaneScene)
     scene.points.phases = {"water", "air"};
     scene.size = {400, 300};
     const VirtualDisplay display;
-    drawPicture(scene, folder/"disc.png");
-    const double drawn = sqr(300/1.12)/(400.0*300), disc = drawn*3.14*64/400;   // parts of the picture: the domain, the water
-    EXPECT_NEAR(coloursOf(folder/"disc.png").blue, disc, 0.35*disc);
+    drawPicture(scene, folder / "disc.png");
+    const double drawn = sqr(300 / 1.12) / (400.0 * 300),
+                 disc = drawn * 3.14 * 64 / 400; // parts of the picture: the domain, the water
+    EXPECT_NEAR(coloursOf(folder / "disc.png").blue, disc, 0.35 * disc);
 }
 
 // Where Xvfb is not to be found the error says what to install.
@@ -136,7 +142,8 @@ TEST(Picture, SaysThatXvfbIsMissing)
     }
     catch (const CaseError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("Xvfb is not installed (Debian: apt install xvfb)"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("Xvfb is not installed (Debian: apt install xvfb)"), std::string::npos)
+            << error.what();
     }
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
 }

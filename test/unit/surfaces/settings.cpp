@@ -28,7 +28,8 @@ std::string errorsOf(const std::string& text, int dimension = 3)
 
 }
 
-// Every entry has a default that follows from the case: half a spacing, a support of three, the first phase, the surface and walls in 3-D.
+// Every entry has a default that follows from the case: half a spacing, a support of three, the first phase, the surface and
+// walls in 3-D.
 TEST(SurfaceSettings, DefaultsFollowFromTheCase)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
@@ -89,11 +90,15 @@ picture
 // Every mistake is reported with its file and line, and what is possible.
 TEST(SurfaceSettings, MistakesHaveFileAndLine)
 {
-    EXPECT_NE(errorsOf("\nphases (watre);").find("system/reconstructSurfaceDict:2: \"watre\" is unknown. Did you mean \"water\"? Known phases: water, air."),
-              std::string::npos)
+    EXPECT_NE(
+        errorsOf("\nphases (watre);")
+            .find("system/reconstructSurfaceDict:2: \"watre\" is unknown. Did you mean \"water\"? Known phases: water, air."),
+        std::string::npos)
         << errorsOf("\nphases (watre);");
-    EXPECT_NE(errorsOf("formats (vtk);").find("system/reconstructSurfaceDict:1: \"vtk\" is unknown. Did you mean \"vtp\"?"), std::string::npos);
-    EXPECT_NE(errorsOf("\n\ngridSpacing 1e-7;").find(":3: gives a grid of 1.0e+18 nodes"), std::string::npos) << errorsOf("\n\ngridSpacing 1e-7;");
+    EXPECT_NE(errorsOf("formats (vtk);").find("system/reconstructSurfaceDict:1: \"vtk\" is unknown. Did you mean \"vtp\"?"),
+              std::string::npos);
+    EXPECT_NE(errorsOf("\n\ngridSpacing 1e-7;").find(":3: gives a grid of 1.0e+18 nodes"), std::string::npos)
+        << errorsOf("\n\ngridSpacing 1e-7;");
     EXPECT_NE(errorsOf("support 1e-5;").find(":1: must not be less than gridSpacing"), std::string::npos);
     EXPECT_NE(errorsOf("iso 1;").find(":1: must lie between 0 and 1"), std::string::npos);
     EXPECT_NE(errorsOf("picture\n{\n size (0 900);\n}").find(":3: must be width and height"), std::string::npos);
@@ -168,8 +173,8 @@ TEST(PhaseCloud, ColouringValues)
     }
     catch (const CaseError& error)
     {
-        EXPECT_EQ(std::string(error.what()),
-                  "system/reconstructSurfaceDict:7: the cloud has no scalar or vector field \"u\". Did you mean \"U\"? Known fields: U, rho.");
+        EXPECT_EQ(std::string(error.what()), "system/reconstructSurfaceDict:7: the cloud has no scalar or vector field \"u\". "
+                                             "Did you mean \"U\"? Known fields: U, rho.");
     }
 }
 

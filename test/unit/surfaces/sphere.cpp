@@ -25,9 +25,13 @@ struct Ball
     std::vector<double> colour;
 
     explicit Ball(double radius, Normalisation normalise = Normalisation::particles, double spacing = step)
-        : R(radius), geometry(space(3, {-R - 4, -R - 4, -R - 4}, {R + 4, R + 4, R + 4})), grid(gridOfDomain(geometry, spacing)),
-          particles(lattice(geometry, ball({0, 0, 0}, R))), colour(colourFunction(grid, {}, particles, "wendlandC2", support, normalise))
-    {}
+        : R(radius),
+          geometry(space(3, {-R - 4, -R - 4, -R - 4}, {R + 4, R + 4, R + 4})),
+          grid(gridOfDomain(geometry, spacing)),
+          particles(lattice(geometry, ball({0, 0, 0}, R))),
+          colour(colourFunction(grid, {}, particles, "wendlandC2", support, normalise))
+    {
+    }
 };
 
 int edges(vtkPolyData* mesh)
@@ -48,11 +52,11 @@ TEST(Sphere, VolumeAndArea)
 {
     const Ball b(16);
     const auto enclosed = enclosedVolume(b.grid, b.colour, 0.5, {});
-    EXPECT_NEAR(enclosed.volume/(4*pi/3*cube(b.R)), 1, 0.01);
+    EXPECT_NEAR(enclosed.volume / (4 * pi / 3 * cube(b.R)), 1, 0.01);
     EXPECT_EQ(enclosed.pieces, 1);
     const auto surface = freeSurface(b.grid, b.colour, 0.5, b.geometry, 0);
-    EXPECT_NEAR(measure(surface)/(4*pi*sqr(b.R)), 1, 0.02);
-    EXPECT_NEAR(measure(freeSurface(b.grid, b.colour, 0.5, b.geometry, 20))/(4*pi*sqr(b.R)), 1, 0.005);
+    EXPECT_NEAR(measure(surface) / (4 * pi * sqr(b.R)), 1, 0.02);
+    EXPECT_NEAR(measure(freeSurface(b.grid, b.colour, 0.5, b.geometry, 20)) / (4 * pi * sqr(b.R)), 1, 0.005);
 }
 
 // The bias of the enclosed volume against the particles' is the curvature's, s^2/R^2 times a constant: of second order in
@@ -62,42 +66,42 @@ TEST(Sphere, BiasOfTheVolumeIsOfSecondOrder)
     const auto bias = [](double R)
     {
         const Ball b(R);
-        return enclosedVolume(b.grid, b.colour, 0.5, {}).volume/b.particles.phaseVolume() - 1;
+        return enclosedVolume(b.grid, b.colour, 0.5, {}).volume / b.particles.phaseVolume() - 1;
     };
     const double coarse = bias(8), fine = bias(16);
     EXPECT_LT(coarse, 0);
-    EXPECT_GT(std::log2(coarse/fine), 1.7);
-    EXPECT_LT(std::log2(coarse/fine), 2.3);
+    EXPECT_GT(std::log2(coarse / fine), 1.7);
+    EXPECT_LT(std::log2(coarse / fine), 2.3);
 }
 
-// Inside a uniform lattice, and inside any lattice when divided by the sum over all particles, the colour function is 1: of the plain sum to
-// the kernel's own quadrature error, here below 1 %; of the quotient to round-off. Far away it is 0.
+// Inside a uniform lattice, and inside any lattice when divided by the sum over all particles, the colour function is 1: of the
+// plain sum to the kernel's own quadrature error, here below 1 %; of the quotient to round-off. Far away it is 0.
 TEST(Sphere, ColourFunctionIsOneInsideAndZeroOutside)
 {
     for (const auto normalise : {Normalisation::none, Normalisation::particles})
     {
         const Ball b(8, normalise);
-        const int middle = b.grid.nodes[0]/2;
+        const int middle = b.grid.nodes[0] / 2;
         EXPECT_NEAR(b.colour[b.grid.index(middle, middle, middle)], 1, normalise == Normalisation::none ? 0.01 : 1e-14);
         EXPECT_EQ(b.colour[b.grid.index(0, 0, 0)], 0);
     }
 }
 
-// The surface of a ball away from faces is closed, oriented outwards (its volume by the divergence theorem is positive) with normals
-// that point away from the centre, within 15 degrees on a lattice's staircase. VTK's own measure of its volume agrees with the
-// sum over tetrahedra to the difference of two inscribed polyhedra, 0.1 %.
+// The surface of a ball away from faces is closed, oriented outwards (its volume by the divergence theorem is positive) with
+// normals that point away from the centre, within 15 degrees on a lattice's staircase. VTK's own measure of its volume agrees
+// with the sum over tetrahedra to the difference of two inscribed polyhedra, 0.1 %.
 TEST(Sphere, IsClosedAndOrientedOutwards)
 {
     const Ball b(10);
     const auto surface = freeSurface(b.grid, b.colour, 0.5, b.geometry, 0);
     EXPECT_EQ(edges(surface), 0);
     const double volume = signedVolume(surface);
-    EXPECT_NEAR(volume/enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 1, 1e-3);
+    EXPECT_NEAR(volume / enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 1, 1e-3);
     vtkNew<vtkMassProperties> properties;
     properties->SetInputData(surface);
     properties->Update();
-    EXPECT_NEAR(properties->GetVolume()/volume, 1, 1e-3);
-    EXPECT_NEAR(properties->GetSurfaceArea()/measure(surface), 1, 1e-6);
+    EXPECT_NEAR(properties->GetVolume() / volume, 1, 1e-3);
+    EXPECT_NEAR(properties->GetSurfaceArea() / measure(surface), 1, 1e-6);
     auto* normals = surface->GetPointData()->GetNormals();
     ASSERT_TRUE(normals);
     for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
@@ -106,11 +110,12 @@ TEST(Sphere, IsClosedAndOrientedOutwards)
         surface->GetPoint(p, x);
         normals->GetTuple(p, n);
         const Vector<3> at{x[0], x[1], x[2]}, normal{n[0], n[1], n[2]};
-        ASSERT_GT(dot(at/mag(at), normal), std::cos(15*pi/180)) << "at point " << p;
+        ASSERT_GT(dot(at / mag(at), normal), std::cos(15 * pi / 180)) << "at point " << p;
     }
 }
 
-// The sum over tetrahedra is exact for linear functions: half spaces cut a box into known volumes, at walls askew to the surface too.
+// The sum over tetrahedra is exact for linear functions: half spaces cut a box into known volumes, at walls askew to the surface
+// too.
 TEST(EnclosedVolume, IsExactForPlanes)
 {
     const auto geometry = space(3, {0, 0, 0}, {4, 5, 6});
@@ -122,11 +127,11 @@ TEST(EnclosedVolume, IsExactForPlanes)
             {
                 const auto x = grid.node(i, j, k);
                 colour[grid.index(i, j, k)] = 0.5 + 3.1 - x.x;
-                wall[grid.index(i, j, k)] = x.x + 2*x.y - 3.3;
+                wall[grid.index(i, j, k)] = x.x + 2 * x.y - 3.3;
             }
-    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, {}).volume, 3.1*5*6, 1e-10);
+    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, {}).volume, 3.1 * 5 * 6, 1e-10);
     // In the plane of x and y: the rectangle 3.1 x 5 less the trapezium below y = (3.3 - x)/2.
-    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, wall).volume, 6*(3.1*5 - 3.1*(3.3 + 0.2)/4), 1e-10);
+    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, wall).volume, 6 * (3.1 * 5 - 3.1 * (3.3 + 0.2) / 4), 1e-10);
 }
 
 // Two balls are two pieces; an empty phase has no volume, no surface and no piece.

@@ -15,7 +15,7 @@ class TemporaryFolder
 public:
     TemporaryFolder()
     {
-        std::string name = (std::filesystem::temp_directory_path()/"surfacesXXXXXX").string();
+        std::string name = (std::filesystem::temp_directory_path() / "surfacesXXXXXX").string();
         path_ = mkdtemp(name.data());
     }
     ~TemporaryFolder() { std::filesystem::remove_all(path_); }
@@ -23,11 +23,11 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::string& name) const { return path_/name; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
     void write(const std::string& file, const std::string& text) const
     {
-        std::filesystem::create_directories((path_/file).parent_path());
-        std::ofstream(path_/file) << text;
+        std::filesystem::create_directories((path_ / file).parent_path());
+        std::ofstream(path_ / file) << text;
     }
 };
 

@@ -34,13 +34,15 @@ struct Cap
 
     explicit Cap(Normalisation normalise, bool gas = true)
         : colour(colourFunction(grid, wall, lattice(geometry, ball({0, 0, 0}, R), gas), "wendlandC2", support, normalise))
-    {}
+    {
+    }
 };
 
 }
 
-// A hemisphere on a plane: free area within 3 % of 2 pi R^2 and volume within 1.5 % of the half ball, with the gas there and with the
-// gas left out; the surface meets the wall in a circle of the sphere's radius (0.3 spacings) and nothing of it is in the solid.
+// A hemisphere on a plane: free area within 3 % of 2 pi R^2 and volume within 1.5 % of the half ball, with the gas there and with
+// the gas left out; the surface meets the wall in a circle of the sphere's radius (0.3 spacings) and nothing of it is in the
+// solid.
 TEST(Walls, AHemisphereEndsOnThePlane)
 {
     for (const bool gas : {true, false})
@@ -48,8 +50,8 @@ TEST(Walls, AHemisphereEndsOnThePlane)
         SCOPED_TRACE(gas ? "gas" : "no gas");
         const Cap cap(gas ? Normalisation::particles : Normalisation::walls, gas);
         const auto surface = freeSurface(cap.grid, cap.colour, 0.5, cap.geometry, 0);
-        EXPECT_NEAR(measure(surface)/(2*pi*sqr(cap.R)), 1, 0.03);
-        EXPECT_NEAR(enclosedVolume(cap.grid, cap.colour, 0.5, cap.wall).volume/(2*pi/3*cube(cap.R)), 1, 0.015);
+        EXPECT_NEAR(measure(surface) / (2 * pi * sqr(cap.R)), 1, 0.03);
+        EXPECT_NEAR(enclosedVolume(cap.grid, cap.colour, 0.5, cap.wall).volume / (2 * pi / 3 * cube(cap.R)), 1, 0.015);
         double highest = 0, lowest = 1;
         int onWall = 0;
         for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
@@ -68,14 +70,14 @@ TEST(Walls, AHemisphereEndsOnThePlane)
     }
 }
 
-// Why there is a normalisation: the plain sum loses half the kernel at the wall, where C of the liquid falls to 1/2: the surface runs
-// along the wall instead of ending there, and its area is that of the closed half ball.
+// Why there is a normalisation: the plain sum loses half the kernel at the wall, where C of the liquid falls to 1/2: the surface
+// runs along the wall instead of ending there, and its area is that of the closed half ball.
 TEST(Walls, ThePlainSumDetachesFromTheWall)
 {
     const Cap plain(Normalisation::none), divided(Normalisation::particles);
     const auto below = [](const Cap& cap)
     {
-        double largest = 0;   // of C at the wall, deep in the liquid
+        double largest = 0; // of C at the wall, deep in the liquid
         for (int k = 0; k < cap.grid.nodes[2]; ++k)
             for (int i = 0; i < cap.grid.nodes[0]; ++i)
                 if (const auto x = cap.grid.node(i, 40, k); x.z == 0 && std::fabs(x.x) < 8)
@@ -86,8 +88,8 @@ TEST(Walls, ThePlainSumDetachesFromTheWall)
     EXPECT_NEAR(below(divided), 1, 1e-12);
 }
 
-// Closed along the wall the half ball is watertight, and its volume by the divergence theorem is that of the sum over tetrahedra within 0.5 %
-// (its edge is rounded by part of a step).
+// Closed along the wall the half ball is watertight, and its volume by the divergence theorem is that of the sum over tetrahedra
+// within 0.5 % (its edge is rounded by part of a step).
 TEST(Walls, ClosedSurfaceIsWatertight)
 {
     const Cap cap(Normalisation::particles);
@@ -98,8 +100,8 @@ TEST(Walls, ClosedSurfaceIsWatertight)
     edges->ManifoldEdgesOff();
     edges->Update();
     EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
-    EXPECT_NEAR(signedVolume(closed)/enclosedVolume(cap.grid, cap.colour, 0.5, cap.wall).volume, 1, 5e-3);
-    EXPECT_NEAR(measure(closed)/(3*pi*sqr(cap.R)), 1, 0.02);
+    EXPECT_NEAR(signedVolume(closed) / enclosedVolume(cap.grid, cap.colour, 0.5, cap.wall).volume, 1, 5e-3);
+    EXPECT_NEAR(measure(closed) / (3 * pi * sqr(cap.R)), 1, 0.02);
 }
 
 // A periodic domain full of liquid has no free surface, and closed it is the domain's own box, exactly.
@@ -108,16 +110,17 @@ TEST(Walls, AFullDomainClosesAlongItsFaces)
     auto geometry = space(3, {0, 0, 0}, {8, 8, 8});
     geometry.periodic = {true, true, true};
     const auto grid = gridOfDomain(geometry, step);
-    const auto colour = colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", support, Normalisation::none);
+    const auto colour =
+        colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", support, Normalisation::none);
     EXPECT_EQ(freeSurface(grid, colour, 0.5, geometry, 0)->GetNumberOfCells(), 0);
     EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, {}).volume, 512, 1e-10);
     const auto closed = closedSurface(grid, colour, 0.5, {}, support);
     EXPECT_NEAR(signedVolume(closed), 512, 1);
-    EXPECT_NEAR(measure(closed), 6*64, 3);
+    EXPECT_NEAR(measure(closed), 6 * 64, 3);
 }
 
-// The liquid between two grains is cut by both: a full pore around a sphere in a periodic cube has the volume of the pore. 0.3 %: chords
-// of the sphere on a grid of 12 steps a radius.
+// The liquid between two grains is cut by both: a full pore around a sphere in a periodic cube has the volume of the pore. 0.3 %:
+// chords of the sphere on a grid of 12 steps a radius.
 TEST(Walls, AFullPoreHasThePoresVolume)
 {
     auto geometry = space(3, {0, 0, 0}, {16, 16, 16});
@@ -129,10 +132,10 @@ TEST(Walls, AFullPoreHasThePoresVolume)
     const auto wall = wallDistances(grid, geometry);
     const auto all = lattice(geometry, [](Vector<3>) { return true; });
     const auto colour = colourFunction(grid, wall, all, "wendlandC2", support, Normalisation::walls);
-    const double pore = cube(16) - 4*pi/3*cube(6);
-    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, wall).volume/pore, 1, 3e-3);
+    const double pore = cube(16) - 4 * pi / 3 * cube(6);
+    EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, wall).volume / pore, 1, 3e-3);
     EXPECT_NEAR(measure(freeSurface(grid, colour, 0.5, geometry, 0)), 0, 1e-12) << "no surface but the wall's";
-    EXPECT_NEAR(measure(wallSurface(grid, wall, geometry))/(4*pi*sqr(6)), 1, 0.01);
+    EXPECT_NEAR(measure(wallSurface(grid, wall, geometry)) / (4 * pi * sqr(6)), 1, 0.01);
 }
 
 }

@@ -18,8 +18,8 @@ namespace
 /// `phases (water air);`, or one phase where the case names none.
 std::vector<std::string> phasesOf(const Case& folder)
 {
-    const auto phases =
-        folder.dictionaryIfPresent("constant/phaseProperties").get<std::vector<std::string>>("phases", std::vector<std::string>{});
+    const auto phases = folder.dictionaryIfPresent("constant/phaseProperties")
+                            .get<std::vector<std::string>>("phases", std::vector<std::string>{});
     return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
 }
 
@@ -29,7 +29,7 @@ SurfaceCase describe(const Case& folder, double spacing, int dimension)
     scene.spacing = spacing;
     scene.phases = phasesOf(folder);
     const auto gravity = folder.dictionaryIfPresent("constant/g").get<Vector<3>>("value", Vector<3>{});
-    if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity/mag(gravity);
+    if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity / mag(gravity);
     return scene;
 }
 
@@ -41,7 +41,7 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
     const double spacing = folder.dictionary("system/sphSchemes").subDict("resolution").getPositive("spacing", units::m);
     folder.diagnostics().throwIfAny();
-    geometry_ = readGeometry(geometryDict, 3*spacing);
+    geometry_ = readGeometry(geometryDict, 3 * spacing);
     scene_ = describe(folder, spacing, geometry_.dimension);
     folder.diagnostics().throwIfAny();
     settings_ = readSurfaceSettings(dict, scene_, geometry_);
@@ -73,7 +73,8 @@ std::string SurfaceRun::output(const std::string& time, const std::string& file)
 SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase, const std::string& time, bool write,
                                       std::vector<double>& colour, std::vector<std::string>& written) const
 {
-    const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
+    const auto normalise =
+        settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
     colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
     const auto free = freeSurface(grid_, colour, settings_.iso, geometry_, settings_.smoothing);
     const auto enclosed = enclosedVolume(grid_, colour, settings_.iso, wallDistance_);
@@ -91,7 +92,7 @@ SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase
     for (const auto& format : settings_.formats)
     {
         written.push_back(output(time, fmt::format("{}.{}", report.phase, format)));
-        writeSurface(mesh, case_.folder()/written.back());
+        writeSurface(mesh, case_.folder() / written.back());
     }
     return report;
 }
@@ -155,11 +156,11 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
     const auto type = cloud.fields.contains(field) ? cloud.fields.at(field).type : FieldClass::scalar;
     points.title = type == FieldClass::vector ? "|" + field + "|" : field;
     // Discs of the particles' own area, balls that touch.
-    points.diameter = scene_.spacing*(geometry_.dimension == 2 ? std::sqrt(4/std::numbers::pi) : 1);
+    points.diameter = scene_.spacing * (geometry_.dimension == 2 ? std::sqrt(4 / std::numbers::pi) : 1);
     for (std::size_t p = 0; p < cloud.size(); ++p)
     {
         const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
-        if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5*scene_.spacing) continue;
+        if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5 * scene_.spacing) continue;
         points.position.push_back(x);
         points.value.push_back(values[p]);
     }
@@ -190,7 +191,7 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
         if (picture.surface) showSurface(scene, colour);
         if (picture.particles) showParticles(scene, cloud);
         result.written.push_back(output(time, scene_.phases[phase] + ".png"));
-        drawPicture(scene, case_.folder()/result.written.back());
+        drawPicture(scene, case_.folder() / result.written.back());
     }
     return result;
 }

@@ -19,13 +19,13 @@ struct SurfaceReport
     double area = 0, volume = 0, particleVolume = 0;
     int pieces = 0;
     /// Of the enclosed volume from that of the particles.
-    double differencePercent() const { return particleVolume > 0 ? 100*(volume/particleVolume - 1) : 0; }
+    double differencePercent() const { return particleVolume > 0 ? 100 * (volume / particleVolume - 1) : 0; }
 };
 
 struct TimeResult
 {
     std::vector<SurfaceReport> surfaces;
-    std::vector<std::string> written;      ///< files, relative to the case
+    std::vector<std::string> written; ///< files, relative to the case
 };
 
 class SurfaceRun
@@ -35,7 +35,7 @@ class SurfaceRun
     Geometry geometry_;
     SurfaceSettings settings_;
     RegularGrid grid_;
-    std::vector<double> wallDistance_;     ///< once for all times; of the grid
+    std::vector<double> wallDistance_; ///< once for all times; of the grid
 
     std::string output(const std::string& time, const std::string& file) const;
     SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,

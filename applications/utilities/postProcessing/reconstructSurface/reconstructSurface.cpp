@@ -24,7 +24,8 @@ std::vector<std::string> chosenTimes(const sph::Case& folder, const sph::Surface
     for (const auto& time : folder.times())
         if (sph::hasCloud(folder.folder(), time, settings.cloud)) times.push_back(time);
     if (times.empty())
-        throw sph::CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", folder.folder().string(), settings.cloud));
+        throw sph::CaseError(
+            fmt::format("No time folder of {} has a cloud lagrangian/{}", folder.folder().string(), settings.cloud));
     if (options.latestTime) return {times.back()};
     return sph::selectTimes(times, options.times);
 }
@@ -70,10 +71,10 @@ int run(const std::filesystem::path& path, const Options& options)
     const auto words = wordsOf(surfaceRun.geometry().dimension);
     if (!options.noSurface)
     {
-        const auto dat = folder.folder()/"postProcessing"/"reconstructSurface"/times.front()/"surfaces.dat";
+        const auto dat = folder.folder() / "postProcessing" / "reconstructSurface" / times.front() / "surfaces.dat";
         std::filesystem::create_directories(dat.parent_path());
-        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces", sph::list(surfaceRun.phaseNames()), words.area,
-                                        words.volume);
+        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces",
+                                        sph::list(surfaceRun.phaseNames()), words.area, words.volume);
         table.emplace(dat, std::vector<std::string>{header}, columns(surfaceRun.phaseNames()));
     }
     for (const auto& time : times)
@@ -81,8 +82,8 @@ int run(const std::filesystem::path& path, const Options& options)
         fmt::print("Time = {}\n", time);
         const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
         for (const auto& s : result.surfaces)
-            fmt::print("    {}: {} particles, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}\n", s.phase, s.particles,
-                       words.area, s.area, words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces,
+            fmt::print("    {}: {} particles, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}\n", s.phase,
+                       s.particles, words.area, s.area, words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces,
                        s.pieces == 1 ? "" : "s");
         for (const auto& file : result.written) fmt::print("    {}\n", file);
         if (table) table->row(std::stod(time), row(result.surfaces));

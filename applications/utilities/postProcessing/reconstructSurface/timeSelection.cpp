@@ -21,8 +21,10 @@ double number(const std::string& text, const std::string& item)
         value = std::stod(text, &used);
     }
     catch (const std::exception&)
-    {}
-    if (used != text.size() || text.empty()) throw CaseError(fmt::format("-time: \"{}\" is neither a time nor a range such as 0.1:0.5", item));
+    {
+    }
+    if (used != text.size() || text.empty())
+        throw CaseError(fmt::format("-time: \"{}\" is neither a time nor a range such as 0.1:0.5", item));
     return value;
 }
 
@@ -47,7 +49,7 @@ std::vector<std::string> selectTimes(const std::vector<std::string>& times, cons
         bool any = false;
         for (std::size_t t = 0; t < times.size(); ++t)
         {
-            const double value = std::stod(times[t]), roundOff = 1e-9*std::fabs(value);
+            const double value = std::stod(times[t]), roundOff = 1e-9 * std::fabs(value);
             if (value < low - roundOff || value > high + roundOff) continue;
             chosen[t] = any = true;
         }
