@@ -70,9 +70,9 @@ TEST(Walls, AHemisphereEndsOnThePlane)
     }
 }
 
-// Why there is a normalisation: the plain sum loses half the kernel at the wall, where C of the liquid falls to 1/2: the surface
-// runs along the wall instead of ending there, and its area is that of the closed half ball.
-TEST(Walls, ThePlainSumDetachesFromTheWall)
+// Why there is a normalisation: the plain sum loses half the kernel at the wall, where C deep in the liquid falls to the 1/2 of the
+// iso-surface; divided by the sum over all particles it stays 1.
+TEST(Walls, ThePlainSumFallsToOneHalfOnTheWall)
 {
     const Cap plain(Normalisation::none), divided(Normalisation::particles);
     const auto below = [](const Cap& cap)
