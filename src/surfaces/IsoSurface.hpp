@@ -12,7 +12,8 @@ using Mesh = vtkSmartPointer<vtkPolyData>;
 
 /// The iso-surface (flying edges, Schroeder et al. 2015) as far as it lies in the fluid: it ends at walls, cut by the signed
 /// distance that `geometry` gives at its points, and at the faces of the domain. Triangles are oriented, and point normals point,
-/// out of the region. `smoothingPasses` of Taubin's windowed-sinc filter, before it is cut; 0: none. (20 or 40 change a ball's volume by at most 0.6 %.)
+/// out of the region. `smoothingPasses` of Taubin's windowed-sinc filter, before it is cut; 0: none.
+/// (20 or 40 change a ball's volume by at most 0.6 %.)
 Mesh freeSurface(const RegularGrid&, const std::vector<double>& colour, double iso, const Geometry&, int smoothingPasses);
 
 /// The whole boundary of the region, closed along walls and domain faces: the zero surface of the smaller one of
