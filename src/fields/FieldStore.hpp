@@ -45,7 +45,7 @@ public:
     }
 
     bool has(const std::string& name) const { return fields_.contains(name); }
-    template<class F> bool has(F) const { return has(F::info.name); }
+    template<class F> requires requires { F::info; } bool has(F) const { return has(std::string(F::info.name)); }
 
     double* component(const std::string& name, int c);
     template<class F> std::array<double*, fieldComponents<F, dim>> pointers(F)

@@ -8,7 +8,7 @@
 ///
 ///   S_i  += 2 gamma_sk |gradC_w| (I - n_w n_w),   gradC_w = 1/V_i sum_(ghosts j of g) V_j^2 gradW_ij,   n_w = gradC_w/|gradC_w|
 ///
-/// with gamma_sl - gamma_sg = -gamma_lg cos(theta) shared half and half. A ghost has its parent's phase and its parent's stress mirrored,
+/// with gamma_sl - gamma_sg = -gamma_lg cos(theta) shared by density (readPhases). A ghost has its parent's phase and its parent's stress mirrored,
 /// so that fluid plus image carries no shear across the wall: Young's law is then the tangential momentum balance itself.
 ///
 /// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. Its divergence (StressDivergence) is the force.

@@ -8,6 +8,7 @@
 #pragma once
 #include "Kernel.hpp"
 #include "NeighbourLists.hpp"
+#include "records.hpp"
 #include "select.hpp"
 #include <span>
 
@@ -33,22 +34,30 @@ template<int dim> struct Stencil
     alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
 
-    /// `weights`: volume factors of all particles, or null where every wall is plane.
+    /// Columns that travel in packed records with the positions.
+    static constexpr int packedColumns = recordSize - dim;
+
+    /// `records`: positions and the first columns of all particles packed (records.hpp), or null. `weights`: volume factors of all
+    /// particles, or null where every wall is plane.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, const std::array<const double*, dim>& position,
-                               std::span<const double* const> columns, const double* weights, const K kernel, bool readsW, long nullParticle)
+                               const double* records, std::span<const double* const> columns, const double* weights, const K kernel,
+                               bool readsW, long nullParticle)
     {
         i = particle;
         const double* p[dim];
         for (int c = 0; c < dim; ++c) p[c] = position[c];
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return p[c][particle]; });
-        n = gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
+        const int packed = records ? std::min(int(columns.size()), packedColumns) : 0;
+        n = records ? fromRecords(records, list, x_i, sqr(kernel.H), packed)
+                    : gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
         for (; n%lanes; ++n)
         {
             j[n] = nullParticle;
             for (int c = 0; c < dim; ++c) x[c][n] = 0;
             r[n] = sqr(2*kernel.H);
+            for (int c = 0; c < packed; ++c) field[c][n] = columns[c][nullParticle];
         }
 
         #pragma GCC ivdep
@@ -70,7 +79,7 @@ template<int dim> struct Stencil
                 for (int t = 0; t < n; ++t) W[t] *= weights[j[t]];
         }
 
-        std::size_t c = 0;
+        std::size_t c = packed;
         for (; c + 3 <= columns.size(); c += 3) // three at a time share the load of j: worth about 4 %
         {
             const double *const a = columns[c], *const b = columns[c + 1], *const d = columns[c + 2];
@@ -87,6 +96,21 @@ template<int dim> struct Stencil
             const double* const source = columns[c];
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
+        }
+    }
+
+    int fromRecords(const double* records, std::span<const int> list, Vector<dim> x_i, double radiusSqr, int packed)
+    {
+        const auto gather = [&]<int count>(std::integral_constant<int, count>)
+        { return gatherRecords<dim, count>(records, list.data(), int(list.size()), x_i, radiusSqr, j, x, r, field); };
+        switch (packed)
+        {
+            case 0: return gather(std::integral_constant<int, 0>{});
+            case 1: return gather(std::integral_constant<int, 1>{});
+            case 2: return gather(std::integral_constant<int, 2>{});
+            case 3: return gather(std::integral_constant<int, 3>{});
+            case 4: return gather(std::integral_constant<int, 4>{});
+            default: return gather(std::integral_constant<int, packedColumns>{});
         }
     }
 

@@ -28,7 +28,8 @@ Vector<3> unit(const Dictionary& dict, const std::string& key)
 
 Region sphere(const Dictionary& dict, const Geometry& g)
 {
-    const auto centre = dict.get<Vector<3>>("centre");
+    auto centre = dict.get<Vector<3>>("centre");
+    if (g.dimension == 2) centre.z = 0;
     const double R2 = sqr(dict.getPositive("radius", units::m));
     // by value: regions outlive the reading
     Geometry space;

@@ -21,9 +21,11 @@ public:
     void allocate(FieldStore<dim>&) const;
     /// Again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
-    void evaluate(FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&) const;
+    void evaluate(FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&);
 
     int pairPasses() const;
+    /// Of the packed records.
+    std::size_t bytes() const { return records_.capacity()*sizeof(double); }
     bool has(const std::string& term) const;
     /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; fields; what was left out.
     void print(std::ostream&, const FieldStore<dim>&) const;
@@ -45,10 +47,12 @@ private:
     std::vector<const Entry*> chosen_;
     std::map<const Entry*, std::string> reason_;
     std::vector<Pass> passes_;
+    Array records_;                                        ///< positions and first columns of the pass at hand, packed
 
     void close();
     void order();
-    void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&) const;
+    void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&);
+    const double* pack(const Pass&, FieldStore<dim>&);
 };
 
 }

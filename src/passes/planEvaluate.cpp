@@ -32,10 +32,33 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
     }
 }
 
+/// Position and first columns of every particle in one cache line; null where the machine gathers one by one.
+template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store)
+{
+    if constexpr (!packsRecords) return nullptr;
+    const std::size_t n = store.size();
+    if (records_.size() < n*recordSize)
+    {
+        records_ = Array();
+        records_.resize((n + n/20)*recordSize);
+    }
+    std::array<const double*, recordSize> from;
+    int used = 0;
+    for (const double* p : store.pointers(Position{})) from[used++] = p;
+    for (std::size_t c = 0; c < pass.sources.size() && used < recordSize; ++c) from[used++] = pass.sources[c];
+    while (used < recordSize) from[used++] = from[0];
+    double* const to = records_.data();
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < recordSize; ++c) to[i*recordSize + c] = from[c][i];
+    return to;
+}
+
 template<int dim>
 void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists,
-                              const Kernel<dim>& kernel) const
+                              const Kernel<dim>& kernel)
 {
+    const double* const records = pack(pass, store);
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
@@ -52,7 +75,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), lists.of(i), x, pass.sources, weights, k, pass.readsKernel, null);
+                stencil.fill(int(i), lists.of(i), x, records, pass.sources, weights, k, pass.readsKernel, null);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
         }
@@ -60,7 +83,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
 }
 
 template<int dim>
-void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists, const Kernel<dim>& kernel) const
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
 {
     const std::size_t n = images.owned(), block = 4096;
     for (const auto& pass : passes_)

@@ -100,7 +100,7 @@ public:
     long rebuilds() const override { return particles_.rebuilds(); }
     double bytesPerParticle() const override
     {
-        return double(particles_.store().bytes() + particles_.images().bytes())/double(std::max<std::size_t>(1, size()));
+        return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes())/double(std::max<std::size_t>(1, size()));
     }
 };
 

@@ -111,7 +111,11 @@ void setContactAngles(const Geometry& geometry, Settings& settings)
         angles.push_back(angle);
         const double cosine = std::cos(angle*std::numbers::pi/180);
         for (std::size_t k = 0; k < n; ++k)
-            c.wallTension.push_back(k == 0 ? -0.5*c.surfaceTension[1]*cosine : 0.5*c.surfaceTension[k]*cosine);
+        {
+            const std::size_t other = k == 0 ? 1 : 0;
+            const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
+            c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*cosine);
+        }
     }
     settings.contactGroups = int(angles.size());
 }
