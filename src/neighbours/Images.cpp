@@ -70,7 +70,8 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                     next.entry.patch[from.wallReflections] = p;
                     // Walls at right angles give the same corner image in either order.
                     const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
-                        { return other.wallReflections == next.wallReflections && mag(other.x - next.x) < 0.25*spacing_; });
+                        { return std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(), next.entry.patch.begin()) &&
+                                 mag(other.x - next.x) < 0.25*spacing_; });
                     if (!twin) ghosts.push_back(next);
                 }
             }

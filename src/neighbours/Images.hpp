@@ -119,17 +119,17 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         if constexpr (F::info.image != Image::copied)
         {
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];
+            [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
+            if constexpr (F::info.image == Image::velocity) fetch(x, [&](int c) { return position[c][e.source]; });
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
             {
                 if constexpr (F::info.image == Image::mirrored) q = mirrored(q, feet[r].normal);
                 else
                 {
                     const Patch& patch = images.geometry_->patches[e.patch[r]];
-                    Vector<dim> x;
-                    fetch(x, [&](int c) { return position[c][e.source]; });
-                    q = (*images.ghostVelocity_)(q, e.source,
-                                                 {feet[r].distance, feet[r].weight, feet[r].normal, patch.wall,
-                                                  in3D(x - feet[r].distance*feet[r].normal)}, r == 0);
+                    const auto foot = x - feet[r].distance*feet[r].normal;
+                    q = (*images.ghostVelocity_)(q, e.source, {feet[r].distance, feet[r].weight, feet[r].normal, patch.wall, in3D(foot)}, r == 0);
+                    x = foot - feet[r].distance*feet[r].normal;
                 }
             }
         }

@@ -1,0 +1,339 @@
+/// Images: where they are, how often, with which weight, and what values they carry.
+#include "Images.hpp"
+#include "scenes.hpp"
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace sph
+{
+namespace
+{
+
+using namespace test;
+
+template<int dim> struct Imaged
+{
+    Geometry geometry;
+    FieldStore<dim> store;
+    Images<dim> images;
+
+    Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1, std::vector<int> group = {}, int groups = 0)
+        : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing, std::move(group), groups)
+    {
+        images.setGhostVelocity(std::make_unique<Reversed<dim>>());
+        store.allocate(ImageWeight{});
+        setPositions(store, points);
+        images.build(store, points.size());
+    }
+    std::vector<Vector<dim>> places()
+    {
+        std::vector<Vector<dim>> p;
+        for (std::size_t k = 0; k < images.count(); ++k) p.push_back(positionOf(store, images.owned() + k));
+        return p;
+    }
+    int countAt(Vector<dim> x, double tolerance = 1e-12)
+    {
+        const auto all = places();
+        return int(std::count_if(all.begin(), all.end(), [&](const auto& p) { return mag(p - x) < tolerance; }));
+    }
+};
+
+Geometry cornerOfBox(int dimension)
+{
+    Geometry g = domain(dimension, {1, 1, 1});
+    addWall(g, Plane({0, 0, 0}, {1, 0, 0}));
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    if (dimension == 3) addWall(g, Plane({0, 0, 0}, {0, 0, 1}));
+    return g;
+}
+
+// In the corner of a box every combination of signs exactly once: 3 images in 2-D, 7 in 3-D. Mirroring in plane walls rounds once or twice.
+TEST(Images, OfABoxCornerAppearOnceEach)
+{
+    Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    EXPECT_EQ(plane.images.count(), 3u);
+    for (double a : {-1, 1})
+        for (double b : {-1, 1}) EXPECT_EQ(plane.countAt({a*0.1, b*0.15}), a + b < 2) << a << b;
+
+    Imaged<3> space(cornerOfBox(3), 0.3, {{0.1, 0.15, 0.2}});
+    EXPECT_EQ(space.images.count(), 7u);
+    for (double a : {-1, 1})
+        for (double b : {-1, 1})
+            for (double c : {-1, 1}) EXPECT_EQ(space.countAt({a*0.1, b*0.15, c*0.2}), a + b + c < 3) << a << b << c;
+}
+
+// A particle that all but touches both walls of a corner: its three images lie within a hundredth of a spacing of one another and of it.
+TEST(Images, OfAParticleInTheVeryCornerAppearOnceEach)
+{
+    Imaged<2> scene(cornerOfBox(2), 0.3, {{0.002, 0.002}});
+    EXPECT_EQ(scene.images.count(), 3u);
+    EXPECT_EQ(scene.countAt({-0.002, 0.002}, 1e-6), 1);
+    EXPECT_EQ(scene.countAt({0.002, -0.002}, 1e-6), 1);
+    EXPECT_EQ(scene.countAt({-0.002, -0.002}, 1e-6), 1);
+}
+
+// Nothing further than `reach` from the particles' side of a wall or face has images.
+TEST(Images, EndAtTheReach)
+{
+    Imaged<2> scene(cornerOfBox(2), 0.3, {{0.29, 0.5}, {0.31, 0.5}, {0.5, 0.31}});
+    EXPECT_EQ(scene.images.count(), 1u);
+    EXPECT_EQ(scene.countAt({-0.29, 0.5}), 1);
+}
+
+// Doubly periodic square, particle near a corner: 3 shifted images; a particle near one face: 1; in the middle: none.
+TEST(Images, OfPeriodicFacesAndCorners)
+{
+    Imaged<2> scene(domain(2, {1, 1, 0}, {true, true, false}), 0.3, {{0.1, 0.9}, {0.95, 0.5}, {0.5, 0.5}});
+    EXPECT_EQ(scene.images.count(), 4u);
+    EXPECT_EQ(scene.countAt({1.1, 0.9}), 1);
+    EXPECT_EQ(scene.countAt({0.1, -0.1}), 1);
+    EXPECT_EQ(scene.countAt({1.1, -0.1}), 1);
+    EXPECT_EQ(scene.countAt({-0.05, 0.5}), 1);
+}
+
+// A period of 1.2 reaches: images on both sides of every particle.
+TEST(Images, OfANarrowPeriodAppearOnBothSides)
+{
+    Imaged<2> scene(domain(2, {0.36, 2, 0}, {true, false, false}), 0.3, {{0.18, 1}});
+    EXPECT_EQ(scene.countAt({0.54, 1}), 1);
+    EXPECT_EQ(scene.countAt({-0.18, 1}), 1);
+}
+
+// Every point around particles in a channel with periodic ends sees exactly what an endless channel holds: compared with a channel that is built
+// of all its copies, each mirrored by hand.
+TEST(Images, OfAPeriodicChannelEqualThoseOfAnEndlessOne)
+{
+    Geometry g = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    addWall(g, Plane({0, 1, 0}, {0, -1, 0}));
+    const auto points = randomPoints<2>(200, {1, 1});
+    Imaged<2> scene(g, 0.3, points);
+    std::size_t expected = 0;
+    for (const auto& p : points)
+        for (int shift = -2; shift <= 2; ++shift)
+            for (double y : {p.y, -p.y, 2 - p.y})
+            {
+                const Vector<2> x{p.x + shift, y};
+                const bool self = shift == 0 && y == p.y, near = x.x > -0.3 && x.x < 1.3 && x.y > -0.3 && x.y < 1.3;
+                if (self || !near) continue;
+                ++expected;
+                EXPECT_EQ(scene.countAt(x), 1) << x.x << ' ' << x.y;
+            }
+    EXPECT_EQ(scene.images.count(), expected);
+}
+
+// Round grains cut by a periodic face. Around each fluid particle the images must be those of the same grains in a domain of three periods in x
+// and y, of which this is the middle: same number within reach of every owned particle, and same total weight.
+TEST(Images, OfGrainsAcrossAPeriodicFaceEqualThoseOfThreePeriods)
+{
+    const double reach = 0.16, radius = 0.3;
+    Geometry one = domain(2, {1, 1, 0}, {true, true, false});
+    addWall(one, Cylinder({0.02, 0.1, 0}, {0, 0, 1}, radius, FluidSide::outside));
+    auto points = randomPoints<2>(900, {1, 1});
+    Geometry copied = one;
+    repeatPeriodically(copied, reach);
+    std::erase_if(points, [&](Vector<2> p) { return copied.distance(in3D(p)) < 0.01; });
+    Imaged<2> scene(one, reach, points);
+
+    Geometry nine = domain(2, {3, 3, 0}, {true, true, false});
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) addWall(nine, Cylinder({0.02 + a, 0.1 + b, 0}, {0, 0, 1}, radius, FluidSide::outside));
+    std::vector<Vector<2>> manyPoints;
+    for (const auto& p : points)
+        for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b) manyPoints.push_back(p + Vector<2>{double(a), double(b)});
+    Imaged<2> many(nine, reach, manyPoints);
+
+    const auto seen = [&](Imaged<2>& from, Vector<2> x)
+    {
+        double count = 0, weight = 0;
+        for (std::size_t k = 0; k < from.images.nullParticle(); ++k)
+            if (const auto d = positionOf(from.store, k) - x; dot(d, d) < sqr(reach))
+            {
+                ++count;
+                weight += from.store.component("volumeFactor", 0)[k];
+            }
+        return Vector<2>{count, weight};
+    };
+    for (const auto& p : points)
+    {
+        const auto a = seen(scene, p), b = seen(many, p + Vector<2>{1, 1});
+        ASSERT_EQ(a.x, b.x) << p.x << ' ' << p.y;
+        ASSERT_NEAR(a.y, b.y, 1e-10*b.y);
+    }
+}
+
+// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more (NUMERICS, packing). The chain ends
+// after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
+TEST(Images, OfAPinchHoldTheSecondReflection)
+{
+    const Vector<3> a{-1.05, 0, 0}, b{1.05, 0, 0};
+    Geometry g = domain(3, {2, 2, 2});
+    g.low = {-2, -2, -2};
+    addWall(g, Sphere(a, 1, FluidSide::outside));
+    addWall(g, Sphere(b, 1, FluidSide::outside));
+    const Vector<3> x{0.01, 0.02, 0};
+    Imaged<3> scene(g, 0.4, {x});
+    const auto mirror = [](Vector<3> p, Vector<3> c) { return c + (2 - mag(p - c))/mag(p - c)*(p - c); };
+    EXPECT_EQ(scene.countAt(mirror(x, a)), 1);
+    EXPECT_EQ(scene.countAt(mirror(x, b)), 1);
+    EXPECT_EQ(scene.countAt(mirror(mirror(x, a), b)), 1);
+    EXPECT_EQ(scene.countAt(mirror(mirror(x, b), a)), 1);
+    EXPECT_EQ(scene.images.count(), 4u);
+}
+
+// Weight of an image = product of the volume factors of its reflections: ((2R - r)/r)^2 of a sphere, (2R - r)/r of a circle; 1 of planes and
+// periods. Round-off.
+TEST(Images, CarryTheVolumeFactor)
+{
+    const double r = 1.1;
+    const auto weight = [](auto& scene) { return scene.store.component("volumeFactor", 0)[scene.images.owned()]; };
+    Geometry ball = domain(3, {2, 2, 2});
+    ball.low = {-2, -2, -2};
+    addWall(ball, Sphere({0, 0, 0}, 1, FluidSide::outside));
+    Imaged<3> outside(ball, 0.3, {{0, 0, r}});
+    ASSERT_EQ(outside.images.count(), 1u);
+    EXPECT_NEAR(weight(outside), sqr((2 - r)/r), 1e-14);
+
+    Geometry disc = domain(2, {2, 2, 0});
+    disc.low = {-2, -2, 0};
+    addWall(disc, Cylinder({0, 0, 0}, {0, 0, 1}, 1, FluidSide::inside));
+    Imaged<2> inside(disc, 0.3, {{0.9, 0}});
+    ASSERT_EQ(inside.images.count(), 1u);
+    EXPECT_NEAR(weight(inside), 1.1/0.9, 1e-14);
+
+    Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.5}});
+    EXPECT_EQ(weight(plane), 1);
+    EXPECT_EQ(plane.store.component("volumeFactor", 0)[0], 1);
+}
+
+// Scalars are copied; vectors and tensors are mirrored as the plane x = 0 mirrors them: the x-component and the xy-component change sign. Twice
+// mirrored in a corner: both components change sign, xy is itself again. Velocity follows the wall's rule (here -v, twice in the corner).
+TEST(Images, CarryValuesByTheRuleOfTheField)
+{
+    Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    auto& store = scene.store;
+    store.allocate(Density{});
+    store.allocate(ColourGradient{});
+    store.allocate(Stress{});
+    store.allocate(Velocity{});
+    store.component("rho", 0)[0] = 7;
+    const double gradient[] = {1, 2}, stress[] = {3, 4, 5}, velocity[] = {6, 8};
+    for (int c = 0; c < 2; ++c) store.component("gradC", c)[0] = gradient[c];
+    for (int c = 0; c < 3; ++c) store.component("S", c)[0] = stress[c];
+    for (int c = 0; c < 2; ++c) store.component("U", c)[0] = velocity[c];
+    Images<2>::refresh<Density>(scene.images, store);
+    Images<2>::refresh<ColourGradient>(scene.images, store);
+    Images<2>::refresh<Stress>(scene.images, store);
+    Images<2>::refresh<Velocity>(scene.images, store);
+    for (std::size_t k = 1; k < 4; ++k)
+    {
+        const auto x = positionOf(store, k);
+        const double a = x.x < 0 ? -1 : 1, b = x.y < 0 ? -1 : 1;
+        EXPECT_EQ(store.component("rho", 0)[k], 7);
+        EXPECT_EQ(store.component("gradC", 0)[k], a*1);
+        EXPECT_EQ(store.component("gradC", 1)[k], b*2);
+        EXPECT_EQ(store.component("S", 0)[k], 3);
+        EXPECT_EQ(store.component("S", 1)[k], a*b*4);
+        EXPECT_EQ(store.component("S", 2)[k], 5);
+        EXPECT_EQ(store.component("U", 0)[k], a*b*6);
+        EXPECT_EQ(store.component("U", 1)[k], a*b*8);
+    }
+    // The null particle's values are computed with, times W = 0: they must be finite.
+    EXPECT_EQ(store.component("rho", 0)[scene.images.nullParticle()], 7);
+}
+
+// Vectors and tensors at a sphere are mirrored in the tangent plane of the foot point: the ghost of (n, t) components has (-n, t).
+TEST(Images, MirrorVectorsInTheTangentPlaneOfASphere)
+{
+    Geometry ball = domain(3, {2, 2, 2});
+    ball.low = {-2, -2, -2};
+    addWall(ball, Sphere({0, 0, 0}, 1, FluidSide::outside));
+    const Vector<3> n{2.0/3, -1.0/3, 2.0/3};
+    Imaged<3> scene(ball, 0.3, {1.1*n});
+    auto& store = scene.store;
+    store.allocate(ColourGradient{});
+    store.allocate(Stress{});
+    const Vector<3> v{0.3, 0.5, -0.7};
+    sph::store(v, [&](int c, double q) { store.component("gradC", c)[0] = q; });
+    sph::store(outer(v), [&](int c, double q) { store.component("S", c)[0] = q; });
+    Images<3>::refresh<ColourGradient>(scene.images, store);
+    Images<3>::refresh<Stress>(scene.images, store);
+    const auto expected = v - 2*dot(v, n)*n;
+    sph::store(expected, [&](int c, double q) { EXPECT_NEAR(store.component("gradC", c)[1], q, 1e-15); });
+    // R (v v) R = (R v)(R v)
+    sph::store(outer(expected), [&](int c, double q) { EXPECT_NEAR(store.component("S", c)[1], q, 1e-15); });
+}
+
+/// Keeps the foot points that it is told.
+class Listening : public GhostVelocity<2>
+{
+public:
+    mutable std::vector<Vector<3>> feet;
+    Vector<2> operator()(Vector<2> v, std::size_t, const Reflection<2>& r, bool) const override
+    {
+        feet.push_back(r.foot);
+        return v;
+    }
+};
+
+// The velocity rule is told the foot point of each reflection, on the wall it is mirrored in: the second one is that of the ghost, not that of
+// the source. (A wall that turns has another velocity at each place.)
+TEST(Images, TellTheFootPointOfEveryReflection)
+{
+    Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    auto owned = std::make_unique<Listening>();
+    const auto& rule = *owned;
+    scene.images.setGhostVelocity(std::move(owned));
+    scene.store.allocate(Velocity{});
+    Images<2>::refresh<Velocity>(scene.images, scene.store);
+    const auto told = [&](Vector<3> foot)
+    { return std::count_if(rule.feet.begin(), rule.feet.end(), [&](Vector<3> f) { return mag(f - foot) < 1e-14; }); };
+    EXPECT_EQ(rule.feet.size(), 4u);
+    EXPECT_EQ(told({0, 0.15, 0}), 2);
+    EXPECT_EQ(told({0.1, 0, 0}), 1);
+    EXPECT_EQ(told({-0.1, 0, 0}), 1);
+}
+
+// Ghosts are ordered by contact-angle group: owned, periodic, group 0, group 1. ghosts() holds where each group begins, and the end.
+TEST(Images, AreOrderedByContactAngle)
+{
+    Geometry g = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    addWall(g, Plane({0, 1, 0}, {0, -1, 0}));
+    const auto points = randomPoints<2>(300, {1, 1});
+    Imaged<2> scene(g, 0.2, points, 0.05, {1, 0}, 2);
+    const auto groups = scene.images.ghosts();
+    ASSERT_EQ(groups.size(), 3u);
+    for (std::size_t k = 300; k < scene.images.nullParticle(); ++k)
+    {
+        const double y = positionOf(scene.store, k).y;
+        const int expected = y > 1 ? 0 : y < 0 ? 1 : -1;
+        EXPECT_EQ(long(k) >= groups[0] && long(k) < groups[1], expected == 0);
+        EXPECT_EQ(long(k) >= groups[1] && long(k) < groups[2], expected == 1);
+    }
+    EXPECT_EQ(groups[2], long(scene.images.nullParticle()));
+}
+
+// After the particles have moved, move() gives what build() would, as long as the same images exist.
+TEST(Images, MoveWithTheirSources)
+{
+    Geometry ball = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(ball, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3, FluidSide::outside));
+    std::vector<Vector<2>> points{{0.5, 0.85}, {0.05, 0.5}, {0.9, 0.9}};
+    Imaged<2> scene(ball, 0.25, points);
+    for (auto& p : points) p += Vector<2>{0.01, 0.005};
+    for (std::size_t i = 0; i < points.size(); ++i) sph::store(points[i], [&](int c, double q) { scene.store.component("positions", c)[i] = q; });
+    scene.images.move(scene.store);
+    Imaged<2> afresh(ball, 0.25, points);
+    ASSERT_EQ(scene.images.count(), afresh.images.count());
+    for (std::size_t k = 0; k <= scene.images.nullParticle(); ++k)
+    {
+        EXPECT_EQ(positionOf(scene.store, k).x, positionOf(afresh.store, k).x);
+        EXPECT_EQ(positionOf(scene.store, k).y, positionOf(afresh.store, k).y);
+        EXPECT_EQ(scene.store.component("volumeFactor", 0)[k], afresh.store.component("volumeFactor", 0)[k]);
+    }
+}
+
+}
+}

@@ -1,0 +1,132 @@
+/// Neighbour lists against every pair tried: the sets must be the same, index by index.
+#include "CaseError.hpp"
+#include "NeighbourLists.hpp"
+#include "scenes.hpp"
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace sph
+{
+namespace
+{
+
+using namespace test;
+
+template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& points, std::size_t owned, double radius)
+{
+    FieldStore<dim> store;
+    setPositions(store, points);
+    NeighbourLists<dim> lists;
+    lists.build(positions(store), owned, points.size(), radius);
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        std::vector<int> expected;
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
+        std::vector<int> found(lists.of(i).begin(), lists.of(i).end());
+        ASSERT_EQ(found.size()%NeighbourLists<dim>::lanes, 0u) << "particle " << i;
+        std::erase(found, int(points.size()));
+        std::sort(found.begin(), found.end());
+        ASSERT_EQ(found, expected) << "particle " << i;
+        pairs += expected.size();
+    }
+    EXPECT_EQ(lists.pairs(), pairs);
+}
+
+TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn2D) { listsEqualBruteForce<2>(randomPoints<2>(3000, {3, 1}), 2500, 0.11); }
+TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D) { listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23); }
+
+// Every point in one cell, and lists that hold everything.
+TEST(NeighbourLists, EqualBruteForceWhereTheRadiusSpansTheScene)
+{
+    listsEqualBruteForce<2>(randomPoints<2>(100, {1, 1}), 100, 5);
+    listsEqualBruteForce<3>(randomPoints<3>(100, {1, 1, 1}), 100, 0.9);
+}
+
+// Points along a line and in a plane: extents of zero.
+TEST(NeighbourLists, EqualBruteForceOfDegenerateClouds)
+{
+    listsEqualBruteForce<2>(randomPoints<2>(500, {1, 0}), 500, 0.05);
+    listsEqualBruteForce<3>(randomPoints<3>(500, {0, 1, 0}), 400, 0.05);
+    listsEqualBruteForce<2>({{0.3, 0.4}}, 1, 0.1);
+}
+
+// A lattice, whose distances equal the radius up to round-off: "less than" must mean the same in cells, lanes and the plain loop.
+TEST(NeighbourLists, EqualBruteForceOfALattice)
+{
+    std::vector<Vector<3>> points;
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j)
+            for (int k = 0; k < 9; ++k) points.push_back({i*0.125, j*0.125, k*0.125});
+    for (double radius : {0.25, 0.3, 0.375}) listsEqualBruteForce<3>(points, points.size(), radius);
+}
+
+// A scene 10^6 spacings long with particles at both ends alone: cells grow instead of filling the memory (10^18 cells of side 1 in 3-D).
+TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
+{
+    auto points = randomPoints<3>(600, {8, 8, 8});
+    for (std::size_t i = 0; i < points.size(); i += 2) points[i] += Vector<3>{1e6, 1e6, 1e6};
+    listsEqualBruteForce<3>(points, points.size(), 2.6);
+    auto plane = randomPoints<2>(600, {20, 20});
+    for (std::size_t i = 0; i < plane.size(); i += 3) plane[i] += Vector<2>{1e6, -1e6};
+    listsEqualBruteForce<2>(plane, 600, 2.6);
+    CellList<2> cells;
+    FieldStore<2> store;
+    setPositions(store, plane);
+    cells.build(positions(store), 600, 1.3);
+    EXPECT_EQ(cells.order().size(), 600u);
+}
+
+// A cluster in a wide scene, as a drop in an empty box: half of all points within one radius of one another.
+TEST(NeighbourLists, EqualBruteForceOfAClusteredCloud)
+{
+    auto points = randomPoints<2>(800, {10, 10}, 3);
+    for (std::size_t i = 0; i < 400; ++i) points[i] = Vector<2>{5, 5} + 0.02*points[i];
+    listsEqualBruteForce<2>(points, points.size(), 0.3);
+}
+
+// A second build with fewer, more and no particles reuses the memory of the first and must not see its contents.
+TEST(NeighbourLists, ForgetTheLastBuild)
+{
+    NeighbourLists<2> lists;
+    for (std::size_t n : {2000, 10, 3000, 0, 50})
+    {
+        const auto points = randomPoints<2>(n, {1, 1}, unsigned(n));
+        FieldStore<2> store;
+        setPositions(store, points);
+        lists.build(positions(store), n, n, 0.06);
+        std::size_t pairs = 0;
+        for (const auto& p : points)
+            for (const auto& q : points) pairs += dot(p - q, p - q) < sqr(0.06);
+        EXPECT_EQ(lists.pairs(), pairs) << n;
+    }
+}
+
+// More than 1024 neighbours end in an error that names the first such particle and its place, whatever the number of threads.
+TEST(NeighbourLists, RefuseParticlesOnTopOfOneAnother)
+{
+    auto points = randomPoints<3>(3000, {1, 1, 1});
+    for (std::size_t i = 1500; i < 3000; ++i) points[i] = {0.25, 0.5, 0.75};
+    FieldStore<3> store;
+    setPositions(store, points);
+    for (int threads : {1, 2})
+    {
+        omp_set_num_threads(threads);
+        NeighbourLists<3> lists;
+        try
+        {
+            lists.build(positions(store), 3000, 3000, 0.001);
+            FAIL() << "no error";
+        }
+        catch (const CaseError& e)
+        {
+            EXPECT_STREQ(e.what(), "particle 1500 at (0.25 0.5 0.75) has more than 1024 neighbours: particles lie on top of one another, or the "
+                                   "kernel support is too many spacings");
+        }
+    }
+}
+
+}
+}
