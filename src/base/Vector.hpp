@@ -88,6 +88,28 @@ constexpr SymmTensor<3> outer(Vector<3> a) { return {a.x*a.x, a.x*a.y, a.x*a.z, 
 /// a b + b a
 template<int dim> constexpr SymmTensor<dim> twiceSymm(Vector<dim> a, Vector<dim> b) { return outer(a + b) - outer(a) - outer(b); }
 
+/// a : b, and what the inverse is made of. The inverse of a singular tensor is not finite.
+constexpr double doubleDot(SymmTensor<2> a, SymmTensor<2> b) { return a.xx*b.xx + 2*a.xy*b.xy + a.yy*b.yy; }
+constexpr double doubleDot(SymmTensor<3> a, SymmTensor<3> b)
+{
+    return a.xx*b.xx + a.yy*b.yy + a.zz*b.zz + 2*(a.xy*b.xy + a.xz*b.xz + a.yz*b.yz);
+}
+constexpr SymmTensor<2> adjugate(SymmTensor<2> a) { return {a.yy, -a.xy, a.xx}; }
+constexpr SymmTensor<3> adjugate(SymmTensor<3> a)
+{
+    return {a.yy*a.zz - a.yz*a.yz, a.xz*a.yz - a.xy*a.zz, a.xy*a.yz - a.xz*a.yy, a.xx*a.zz - a.xz*a.xz, a.xy*a.xz - a.xx*a.yz,
+            a.xx*a.yy - a.xy*a.xy};
+}
+constexpr double determinant(SymmTensor<2> a) { return a.xx*a.yy - a.xy*a.xy; }
+constexpr double determinant(SymmTensor<3> a)
+{
+    const auto b = adjugate(a);
+    return a.xx*b.xx + a.xy*b.xy + a.xz*b.xz;
+}
+
+/// (a b + b a)/2
+template<int dim> constexpr SymmTensor<dim> symm(Vector<dim> a, Vector<dim> b) { return 0.5*twiceSymm(a, b); }
+
 /// The unit tensor, and the number of dimensions, of the space that the argument lives in.
 constexpr SymmTensor<2> identity(Vector<2>) { return {1, 0, 1}; }
 constexpr SymmTensor<3> identity(Vector<3>) { return {1, 0, 0, 1, 0, 1}; }
@@ -120,6 +142,12 @@ constexpr void fetch(SymmTensor<3>& q, const auto& component)
 {
     q = {component(0), component(1), component(2), component(3), component(4), component(5)};
 }
+
+/// Two symmetric tensors that one loop sums.
+template<int dim> struct TensorPair
+{
+    SymmTensor<dim> a, b;
+};
 
 constexpr void store(double q, const auto& set) { set(0, q); }
 constexpr void store(Vector<2> q, const auto& set) { set(0, q.x); set(1, q.y); }

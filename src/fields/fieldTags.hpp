@@ -7,8 +7,8 @@
 namespace sph
 {
 
-/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity: by the wall's velocity rule.
-enum class Image { copied, mirrored, velocity };
+/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule.
+enum class Image { copied, mirrored, velocity, pressure };
 
 struct FieldInfo
 {
@@ -24,8 +24,9 @@ struct DynamicViscosity    { static constexpr FieldInfo info{"mu", "Pa s"};     
 struct Phase               { static constexpr FieldInfo info{"phase", "1"};                             template<int dim> struct At { double phase; }; };
 struct Density             { static constexpr FieldInfo info{"rho", "kg/m^3"};                          template<int dim> struct At { double rho; }; };
 struct Volume              { static constexpr FieldInfo info{"V", "m^3"};                               template<int dim> struct At { double V; }; };
-struct Pressure            { static constexpr FieldInfo info{"p", "Pa"};                                template<int dim> struct At { double p; }; };
+struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::pressure};               template<int dim> struct At { double p; }; };
 struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
+struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1"};                      template<int dim> struct At { double N; }; };
 struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored};               template<int dim> struct At { SymmTensor<dim> S; }; };
 struct SmoothedColour      { static constexpr FieldInfo info{"colour", "1"};                            template<int dim> struct At { double colour; }; };
 struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> gradC; }; };

@@ -109,6 +109,23 @@ class Check
                                 wall.smallestRadius / H_));
     }
 
+    /// The images of the fluid on one side of a plate must not reach the fluid on the other: each lie as deep as the support, and are seen from as far.
+    void thickness()
+    {
+        for (const auto& p : g_.originals)
+        {
+            const auto d = p.shape->description();
+            if (d.type != "box" || d.fluid == FluidSide::inside) continue;
+            const auto extent = d.vectors[1].second - d.vectors[0].second;
+            const double thinnest = std::min({extent.x, extent.y, g_.dimension == 3 ? extent.z : extent.y});
+            if (thinnest < 2 * H_)
+                diagnostics_.error(g_.walls[p.wall].where,
+                                   fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
+                                               "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
+                                               g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
+        }
+    }
+
     /// In the domain, and not on a far side that repeats the near one.
     bool isOnce(const Vector<3>& x) const
     {
@@ -264,6 +281,7 @@ public:
         describe();
         volume();
         curvature();
+        thickness();
         pairs();
         return report_;
     }

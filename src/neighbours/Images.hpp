@@ -40,6 +40,16 @@ public:
     virtual void filter() {}
 };
 
+/// How the pressure of a ghost follows from its source's.
+template<int dim> class GhostPressure
+{
+public:
+    virtual ~GhostPressure() = default;
+    virtual double operator()(double p, std::size_t source, const Reflection<dim>&) const = 0;
+    /// After each change of the arrays that the rule may read.
+    virtual void bind() = 0;
+};
+
 template<int dim> class Images
 {
 public:
@@ -49,6 +59,14 @@ public:
 
     void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
     GhostVelocity<dim>& ghostVelocity() { return *ghostVelocity_; }
+    /// Without a rule ghosts have the pressure of their sources.
+    void setGhostPressure(std::unique_ptr<GhostPressure<dim>> rule) { ghostPressure_ = std::move(rule); }
+    /// After each change of the arrays.
+    void bindRules()
+    {
+        ghostVelocity_->bind();
+        if (ghostPressure_) ghostPressure_->bind();
+    }
 
     /// Makes the images of the first `owned` particles and resizes the store.
     void build(FieldStore<dim>& store, std::size_t owned);
@@ -90,6 +108,7 @@ private:
     double reach_, spacing_;
     std::vector<int> groupOfWall_;
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
+    std::unique_ptr<GhostPressure<dim>> ghostPressure_;
     std::size_t owned_ = 0;
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< mostReflections for each image from firstGhost on, in order
@@ -120,16 +139,18 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         {
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];
             [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
-            if constexpr (F::info.image == Image::velocity) fetch(x, [&](int c) { return position[c][e.source]; });
+            if constexpr (F::info.image != Image::mirrored) fetch(x, [&](int c) { return position[c][e.source]; });
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
             {
                 if constexpr (F::info.image == Image::mirrored) q = mirrored(q, feet[r].normal);
                 else
                 {
-                    const Patch& patch = images.geometry_->patches[e.patch[r]];
                     const auto foot = x - feet[r].distance*feet[r].normal;
-                    q = (*images.ghostVelocity_)(q, e.source, {feet[r].distance, feet[r].weight, feet[r].normal, patch.wall, in3D(foot)}, r == 0);
+                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, images.geometry_->patches[e.patch[r]].wall,
+                                                     in3D(foot)};
                     x = foot - feet[r].distance*feet[r].normal;
+                    if constexpr (F::info.image == Image::velocity) q = (*images.ghostVelocity_)(q, e.source, reflection, r == 0);
+                    else if (images.ghostPressure_) q = (*images.ghostPressure_)(q, e.source, reflection);
                 }
             }
         }

@@ -10,6 +10,7 @@
 #include "NeighbourLists.hpp"
 #include "records.hpp"
 #include "select.hpp"
+#include <algorithm>
 #include <span>
 
 namespace sph
@@ -26,7 +27,7 @@ template<int dim> struct Pair
 
 template<int dim> struct Stencil
 {
-    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2*lanes, maxColumns = 24;
+    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2*lanes, maxColumns = 32;
     using Column = double[capacity];
 
     int i, n;                                    ///< particle; entries, a multiple of the lanes
@@ -37,12 +38,16 @@ template<int dim> struct Stencil
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
 
-    /// `records`: positions and the first columns of all particles packed (records.hpp), or null. `weights`: volume factors of all
-    /// particles, or null where every wall is plane.
+    /// Packed arrays worth having for so many columns: the positions and the first columns, then eight columns each. One or two that
+    /// are left over are gathered by index.
+    static constexpr int recordArrays(int columnCount) { return 1 + std::max(0, columnCount - packedColumns + recordSize - 3)/recordSize; }
+
+    /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
+    /// doubles apart; or null. `weightColumn`: the column that holds the volume factors, or -1 where every wall is plane.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, const std::array<const double*, dim>& position,
-                               const double* records, std::span<const double* const> columns, const double* weights, const K kernel,
-                               bool readsW, long nullParticle)
+                               const double* records, std::size_t recordArray, std::span<const double* const> columns, int weightColumn,
+                               const K kernel, bool readsW, long nullParticle)
     {
         i = particle;
         const double* p[dim];
@@ -70,32 +75,25 @@ template<int dim> struct Stencil
         if (readsW)
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
-        if (weights)
-        {
-            #pragma GCC ivdep
-            for (int t = 0; t < n; ++t) dWdrOverR[t] *= weights[j[t]];
-            if (readsW)
-                #pragma GCC ivdep
-                for (int t = 0; t < n; ++t) W[t] *= weights[j[t]];
-        }
 
         std::size_t c = packed;
-        for (; c + 3 <= columns.size(); c += 3) // three at a time share the load of j: worth about 4 %
-        {
-            const double *const a = columns[c], *const b = columns[c + 1], *const d = columns[c + 2];
-            #pragma GCC ivdep
-            for (int t = 0; t < n; ++t)
-            {
-                field[c][t] = a[j[t]];
-                field[c + 1][t] = b[j[t]];
-                field[c + 2][t] = d[j[t]];
-            }
-        }
+        if (records)
+            for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
+                gatherColumns(records + array*recordArray, j, n, field + c);
         for (; c < columns.size(); ++c)
         {
             const double* const source = columns[c];
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
+        }
+        if (weightColumn >= 0)
+        {
+            const double* const weight = field[weightColumn];
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
+            if (readsW)
+                #pragma GCC ivdep
+                for (int t = 0; t < n; ++t) W[t] *= weight[t];
         }
     }
 

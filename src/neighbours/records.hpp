@@ -82,8 +82,38 @@ inline int gatherRecords(const double* records, const int* list, int n, Vector<d
     }
     return found;
 }
+
+/// Further columns of n particles (a multiple of 8 indices) from a second packed array.
+template<class Column> inline void gatherColumns(const double* records, const long* j, int n, Column* field)
+{
+    for (int t = 0; t < n; t += 8)
+    {
+        detail::Rows rows;
+        for (int k = 0; k < 8; ++k) rows.row[k] = _mm512_load_pd(records + j[t + k]*recordSize);
+        const detail::Rows column = detail::transposed(rows);
+        for (int f = 0; f < recordSize; ++f) _mm512_store_pd(field[f] + t, column.row[f]);
+    }
+}
+
+/// Packs `count` records, `to[i]` from element i of each of the 8 arrays.
+inline void packRecords(const double* const (&from)[recordSize], std::size_t count, double* to)
+{
+    std::size_t i = 0;
+    for (; i + 8 <= count; i += 8)
+    {
+        detail::Rows column;
+        for (int c = 0; c < recordSize; ++c) column.row[c] = _mm512_loadu_pd(from[c] + i);
+        const detail::Rows rows = detail::transposed(column);
+        for (int k = 0; k < 8; ++k) _mm512_store_pd(to + (i + k)*recordSize, rows.row[k]);
+    }
+    for (; i < count; ++i)
+        for (int c = 0; c < recordSize; ++c) to[i*recordSize + c] = from[c][i];
+}
 #else
 constexpr bool packsRecords = false;
+
+template<class Column> inline void gatherColumns(const double*, const long*, int, Column*) {}
+inline void packRecords(const double* const (&)[recordSize], std::size_t, double*) {}
 
 template<int dim, int nFields, class Column>
 inline int gatherRecords(const double*, const int*, int, Vector<dim>, double, long*, Column (&)[dim], double*, Column*)

@@ -1,6 +1,8 @@
 /// From the selected words to the passes of an evaluation: close, order, merge, allocate, print.
 ///
 /// Close: a field that is read and not given by the scene needs exactly one provider; it is added.
+/// Where a term that provides gradientScale is selected, every pair term but those of the raw gradient waits for it, and its pass sees
+/// the normalised gradW.
 /// Order: local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass.
 #pragma once
 #include "Catalogue.hpp"
@@ -39,7 +41,7 @@ private:
         std::vector<FieldUse<dim>> columns, refresh;       ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
         std::vector<std::unique_ptr<Operation<dim>>> operations;
-        bool readsKernel = false;
+        bool readsKernel = false, normalised = false;       ///< normalised: gradW over the mean gradientScale of the pair
         bool pair() const { return entries[0]->pair; }
     };
     const Catalogue<dim>& catalogue_;

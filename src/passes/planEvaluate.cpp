@@ -27,31 +27,45 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
         pass.operations.clear();
         for (const auto& f : pass.columns)
             for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.info.name, c));
+        pass.weightColumn = -1;
+        if (pass.pair() && store.has(ImageWeight{}))
+        {
+            pass.weightColumn = int(pass.sources.size());
+            pass.sources.push_back(store.component(ImageWeight::info.name, 0));
+        }
         for (const auto* e : pass.entries)
             pass.operations.push_back(e->bind({store, coefficients, pass.firstColumn, !written.insert(e->result.info.name).second}));
     }
 }
 
-/// Position and first columns of every particle in one cache line; null where the machine gathers one by one.
+/// Positions and columns of every particle, eight doubles to a cache line; null where the machine gathers one by one.
 template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store)
 {
     if constexpr (!packsRecords) return nullptr;
     const std::size_t n = store.size();
-    if (records_.size() < n*recordSize)
+    const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
+    if (records_.size() < arrays*n*recordSize)
     {
         records_ = Array();
-        records_.resize((n + n/20)*recordSize);
+        records_.resize(arrays*(n + n/50)*recordSize);
     }
-    std::array<const double*, recordSize> from;
-    int used = 0;
-    for (const double* p : store.pointers(Position{})) from[used++] = p;
-    for (std::size_t c = 0; c < pass.sources.size() && used < recordSize; ++c) from[used++] = pass.sources[c];
-    while (used < recordSize) from[used++] = from[0];
-    double* const to = records_.data();
-    #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < recordSize; ++c) to[i*recordSize + c] = from[c][i];
-    return to;
+    std::vector<const double*> from;
+    for (const double* p : store.pointers(Position{})) from.push_back(p);
+    from.insert(from.end(), pass.sources.begin(), pass.sources.end());
+    from.resize(std::max<std::size_t>(from.size(), arrays*recordSize), from[0]);
+    const long block = 1024, blocks = long((n + block - 1)/block);
+    for (int a = 0; a < arrays; ++a)
+    {
+        double* const to = records_.data() + a*n*recordSize;
+        #pragma omp parallel for schedule(static)
+        for (long b = 0; b < blocks; ++b)
+        {
+            const double* part[recordSize];
+            for (int c = 0; c < recordSize; ++c) part[c] = from[a*recordSize + c] + b*block;
+            packRecords(part, std::min<std::size_t>(block, n - b*block), to + b*block*recordSize);
+        }
+    }
+    return records_.data();
 }
 
 template<int dim>
@@ -62,7 +76,6 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
-    const double* weights = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
     const long null = long(images.nullParticle());
     const long n = long(images.owned());
 
@@ -75,7 +88,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), lists.of(i), x, records, pass.sources, weights, k, pass.readsKernel, null);
+                stencil.fill(int(i), lists.of(i), x, records, pass.sources, weights, scale, k, pass.readsKernel, null);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
         }
@@ -118,7 +131,8 @@ template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>
         {
             out << "        gathers    positions";
             for (const auto& f : pass.columns) out << ' ' << f.info.name;
-            out << "\n        images     positions";
+            if (pass.normalised) out << ' ' << GradientScale::info.name;
+        out << "\n        images     positions";
             for (const auto& f : pass.refresh) out << ' ' << f.info.name;
             out << '\n';
         }

@@ -73,11 +73,14 @@ template<int dim> void Plan<dim>::order()
     for (const auto& [field, _] : adders)
         if (!given_.contains(field)) waiting.insert(field);
     auto left = chosen_;
+    const std::string scale = GradientScale::info.name;
+    const bool normalises = waiting.contains(scale);
+    const auto normalised = [&](const Entry* e) { return normalises && e->pair && !e->ofRawGradient; };
     while (!left.empty())
     {
         const auto ready = [&](const Entry* e, bool pair)
         {
-            bool all = e->pair == pair;
+            bool all = e->pair == pair && !(normalised(e) && waiting.contains(scale));
             for (const auto* list : {&e->reads, &e->readsOwn})
                 for (const auto& f : *list) all = all && !waiting.contains(f.info.name);
             return all;
@@ -93,6 +96,7 @@ template<int dim> void Plan<dim>::order()
         {
             std::erase(left, e);
             pass.readsKernel = pass.readsKernel || e->readsKernel;
+            pass.normalised = pass.normalised || normalised(e);
             if (const auto a = adders.find(e->result.info.name); a == adders.end() || --a->second == 0) waiting.erase(e->result.info.name);
             for (const auto& f : e->reads)
                 if (pass.firstColumn.try_emplace(f.info.name, column).second)
@@ -102,8 +106,9 @@ template<int dim> void Plan<dim>::order()
                     if (stale.erase(f.info.name)) pass.refresh.push_back(f);
                 }
         }
+        if (pass.normalised && stale.erase(scale)) pass.refresh.push_back(uses<dim>(Fields<GradientScale>{})[0]);
         for (const auto* e : pass.entries) stale.insert(e->result.info.name);
-        if (column > Stencil<dim>::maxColumns) throw CaseError(fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns));
+        if (column >= Stencil<dim>::maxColumns) throw CaseError(fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns - 1));
         passes_.push_back(std::move(pass));
     }
 }

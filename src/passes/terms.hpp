@@ -45,6 +45,8 @@ template<class T> using ReadsOwnOf = typename detail::ReadsOwn<T>::type;
 template<class T> using ResultOf = typename detail::Result<T>::type;
 template<class T> constexpr bool provides = detail::Result<T>::provided;
 template<class T> constexpr bool readsKernel = requires { T::readsKernel; };
+/// True for what must see gradW as the kernel has it: the sums that its normalisation is made of.
+template<class T> constexpr bool ofRawGradient = requires { T::ofRawGradient; };
 
 template<class T, int dim> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim>;
 template<class T, int dim> using NeighbourValues = Values<ReadsOf<T>, dim>;
@@ -85,6 +87,31 @@ template<class F> Vector<3> sum(Vector<3>, int n, const F& f)
     #pragma omp simd reduction(+: a, b, c)
     for (int t = 0; t < n; ++t) { const Vector<3> q = f(t); a += q.x; b += q.y; c += q.z; }
     return {a, b, c};
+}
+
+template<class F> TensorPair<2> sum(TensorPair<2>, int n, const F& f)
+{
+    double axx = 0, axy = 0, ayy = 0, bxx = 0, bxy = 0, byy = 0;
+    #pragma omp simd reduction(+: axx, axy, ayy, bxx, bxy, byy)
+    for (int t = 0; t < n; ++t)
+    {
+        const TensorPair<2> q = f(t);
+        axx += q.a.xx; axy += q.a.xy; ayy += q.a.yy;
+        bxx += q.b.xx; bxy += q.b.xy; byy += q.b.yy;
+    }
+    return {{axx, axy, ayy}, {bxx, bxy, byy}};
+}
+template<class F> TensorPair<3> sum(TensorPair<3>, int n, const F& f)
+{
+    double axx = 0, axy = 0, axz = 0, ayy = 0, ayz = 0, azz = 0, bxx = 0, bxy = 0, bxz = 0, byy = 0, byz = 0, bzz = 0;
+    #pragma omp simd reduction(+: axx, axy, axz, ayy, ayz, azz, bxx, bxy, bxz, byy, byz, bzz)
+    for (int t = 0; t < n; ++t)
+    {
+        const TensorPair<3> q = f(t);
+        axx += q.a.xx; axy += q.a.xy; axz += q.a.xz; ayy += q.a.yy; ayz += q.a.yz; azz += q.a.zz;
+        bxx += q.b.xx; bxy += q.b.xy; bxz += q.b.xz; byy += q.b.yy; byz += q.b.yz; bzz += q.b.zz;
+    }
+    return {{axx, axy, axz, ayy, ayz, azz}, {bxx, bxy, bxz, byy, byz, bzz}};
 }
 
 /// One field that a term reads or writes, without its type: what the planner needs to know.

@@ -51,7 +51,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.multiphase())
     {
         store_.allocateState(Phase{});
-        if (plan_.has("harmonicViscosity") || plan_.has("normalisedHarmonicViscosity")) store_.allocateState(DynamicViscosity{});
+        if (plan_.has("harmonicViscosity")) store_.allocateState(DynamicViscosity{});
     }
     if (settings.integratedDensity)
     {
@@ -73,10 +73,13 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     else if (settings.wallVelocity == WallVelocity::freeSlip) images_.setGhostVelocity(std::make_unique<SlippingVelocity<dim>>(geometry));
     else images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
 
+    if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
+
     load(cloud);
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();
+    checkApart();
     evaluate();
     if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
 }
@@ -133,8 +136,8 @@ template<int dim> void ParticleSystem<dim>::keepInside()
             if (geometry_.periodic[c])
             {
                 const double L = high[c] - low[c];
-                if (x[c][i] < low[c]) x[c][i] += L;
-                if (x[c][i] >= high[c]) x[c][i] -= L;
+                if (x[c][i] < low[c] && x[c][i] >= low[c] - L) x[c][i] += L;
+                if (x[c][i] >= high[c] && x[c][i] < high[c] + L) x[c][i] -= L;
             }
             // One support beyond an open face is left to the walls to judge.
             const double slack = geometry_.periodic[c] ? 0 : coefficients_.support;
@@ -177,10 +180,28 @@ template<int dim> void ParticleSystem<dim>::rebuild()
     store_.sortState(cells_.order());
     images_.build(store_, owned_);
     lists_.build(pointers(), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
-    images_.ghostVelocity().bind();
+    images_.bindRules();
     plan_.bind(store_, coefficients_);
     travelled_ = 0;
     ++rebuilds_;
+}
+
+/// Nothing parts two particles at one place: every sum takes x_ij = 0.
+template<int dim> void ParticleSystem<dim>::checkApart() const
+{
+    const double closest = 1e-9*coefficients_.spacing;
+    for (std::size_t i = 0; i < owned_; ++i)
+        for (const int j : lists_.of(i))
+            if (std::size_t(j) > i && std::size_t(j) < owned_ && mag(position(i) - position(j)) < closest)
+                throw CaseError(fmt::format("two particles lie at the same place, {}", at(in3D(position(i)))));
+}
+
+template<int dim> Vector<dim> ParticleSystem<dim>::position(std::size_t i) const
+{
+    const auto& x = store_.fields().at(Position::info.name).component;
+    Vector<dim> x_i;
+    fetch(x_i, [&](int c) { return x[c][i]; });
+    return x_i;
 }
 
 template<int dim> void ParticleSystem<dim>::evaluate()

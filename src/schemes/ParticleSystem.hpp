@@ -47,6 +47,8 @@ private:
 
     void load(const Cloud&);
     void keepInside();
+    void checkApart() const;
+    Vector<dim> position(std::size_t i) const;
     void normaliseDensity();
 };
 

@@ -35,6 +35,7 @@ struct Settings
     std::vector<std::string> terms;            ///< names in the catalogues
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
+    bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'
     StepFactors factors;
     bool integratedDensity = false;            ///< density by the continuity equation
     bool normaliseDensity = true;

@@ -35,6 +35,7 @@ public:
         const bool predicts = settings_.integrator != Integrator::symplecticEuler;
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
         drift(particles_, 0.5*deltaT);
+        particles_.moved(0.5*deltaT*summary_.maxSpeed);
         if (predicts) predict(particles_, 0.5*deltaT);
         particles_.evaluate();
         if (predicts) correct(particles_, deltaT);
@@ -43,7 +44,7 @@ public:
         if (settings_.shifting > 0) shift(particles_, settings_, deltaT);
         particles_.images().ghostVelocity().filter();
         summary_ = summarise(particles_, settings_);
-        particles_.moved(summary_.maxSpeed*deltaT);
+        particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
     StepLimit stepLimit() const override { return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration); }

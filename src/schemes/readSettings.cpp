@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, pressure, viscosity, tension, wall, normalisation;
+    std::string density, pressure, viscosity, tension, wall, wallPressure, normalisation;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -28,10 +28,12 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
     choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, "huAdams");
-    choice.viscosity = dict.choose("viscosity", Words{"normalised", "plain", "none"}, !viscous ? "none" : paper ? "plain" : "normalised");
+    choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tension ? "interfaceStress" : "none");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
-    choice.normalisation = dict.choose("normalisation", Words{"mean", "none"}, paper ? "none" : "mean");
+    choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
+    choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
+                                       paper || choice.density == "continuity" ? "none" : "secondMoment");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -49,8 +51,8 @@ Words termsOf(const Choices& choice, const Settings& settings)
     add(multiphase ? "taitOfPhase" : "tait");
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
-    if (choice.viscosity == "plain") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
-    if (choice.viscosity == "normalised") add(multiphase ? "normalisedHarmonicViscosity" : "normalisedSinglePhaseViscosity");
+    if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     if (choice.tension == "interfaceStress") { add("interfaceStress"); add("stressDivergence"); }
     if (choice.tension == "curvature")
     {
@@ -111,15 +113,20 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
     const auto choice = choose(dict, settings, !geometry.patches.empty());
     settings.integratedDensity = choice.density == "continuity";
+    for (int k = 0; k < geometry.dimension; ++k)
+        if (geometry.periodic[k] && geometry.length(k) < c.support + c.spacing)
+            dict.error("resolution", fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
+                                                 geometry.length(k), "xyz"[k], c.support + c.spacing));
     if (c.diffusion > 0 && !settings.integratedDensity) dict.error("densityDiffusion", "goes with `density continuity;` alone");
     if (c.diffusion > 0 && settings.multiphase())
         for (double rho : c.restDensity)
             if (rho != c.restDensity[0]) { dict.error("densityDiffusion", "phases of different rest density cannot diffuse into one another"); break; }
-    settings.normaliseDensity = !settings.integratedDensity && choice.normalisation == "mean";
+    settings.normaliseDensity = !settings.integratedDensity && choice.normalisation == "secondMoment";
     settings.stiffnessLimit = settings.multiphase() && choice.pressure != "densityWeighted";
     settings.wallVelocity = choice.wall == "secondOrder" ? WallVelocity::secondOrder
                           : choice.wall == "freeSlip"    ? WallVelocity::freeSlip
                                                          : WallVelocity::reflected;
+    settings.hydrostaticGhosts = choice.wallPressure == "hydrostatic" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
     settings.terms = termsOf(choice, settings);
@@ -128,7 +135,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     const bool automatic = dict.isWord("backgroundPressure", "automatic") || !dict.found("backgroundPressure");
     if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
-    else if (choice.tension == "interfaceStress")
+    else if (choice.tension != "none")
     {
         c.backgroundPressure = 0.8*gamma/c.spacing;
         settings.reasons.push_back(fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "

@@ -49,6 +49,13 @@ Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const 
     return v_w + mirrored(v - v_w, r.normal);
 }
 
+template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
+{
+    return p - 2*r.distance*dot(r.normal, rho_[source]*g_ + f_);
+}
+
+template class HydrostaticPressure<2>;
+template class HydrostaticPressure<3>;
 template class ReflectedVelocity<2>;
 template class ReflectedVelocity<3>;
 template class SecondOrderVelocity<2>;

@@ -42,6 +42,25 @@ private:
     std::array<double*, dim> a_{};
 };
 
+/// Hydrostatic continuation of the pressure through the wall (what HL15 of the errata finds missing in the paper):
+///
+///   p_g = p - 2 d rho n.(g + f/rho)
+///
+/// d [m] distance of the source from the wall, n normal into the fluid, rho [kg/m^3] of the source, f [N/m^3] body force. A ghost with its
+/// source's pressure says that dp/dn = 0 where a fluid at rest has rho g: measured on a column of 32 spacings, the pressure is
+/// 3 to 5 % off, in alternating rows from the walls inwards.
+template<int dim> class HydrostaticPressure : public GhostPressure<dim>
+{
+    FieldStore<dim>& store_;
+    Vector<dim> g_, f_;
+    const double* rho_ = nullptr;
+
+public:
+    HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)) {}
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
+    void bind() override { rho_ = store_.component(Density::info.name, 0); }
+};
+
 /// v_g = v mirrored, relative to the wall: the fluid slides freely.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
