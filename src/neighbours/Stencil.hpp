@@ -42,12 +42,18 @@ template<int dim> struct Stencil
     /// are left over are gathered by index.
     static constexpr int recordArrays(int columnCount) { return 1 + std::max(0, columnCount - packedColumns + recordSize - 3)/recordSize; }
 
+    struct Factors
+    {
+        int weight = -1; ///< volume factors of images; -1 where every wall is plane
+        int scale = -1;  ///< gradientScale N: gradW is divided by (N_i + N_j)/2; -1 where the pass has the raw gradient
+    };
+
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart; or null. `weightColumn`: the column that holds the volume factors, or -1 where every wall is plane.
+    /// doubles apart; or null. `factors` names the columns of the factors that gradW carries.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, const std::array<const double*, dim>& position,
-                               const double* records, std::size_t recordArray, std::span<const double* const> columns, int weightColumn,
-                               const K kernel, bool readsW, long nullParticle)
+                               const double* records, std::size_t recordArray, std::span<const double* const> columns,
+                               const Factors factors, const K kernel, bool readsW, long nullParticle)
     {
         i = particle;
         const double* p[dim];
@@ -86,14 +92,21 @@ template<int dim> struct Stencil
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
         }
-        if (weightColumn >= 0)
+        if (factors.weight >= 0)
         {
-            const double* const weight = field[weightColumn];
+            const double* const weight = field[factors.weight];
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
             if (readsW)
                 #pragma GCC ivdep
                 for (int t = 0; t < n; ++t) W[t] *= weight[t];
+        }
+        if (factors.scale >= 0)
+        {
+            const double* const N = field[factors.scale];
+            const double N_i = columns[factors.scale][particle];
+            #pragma GCC ivdep
+            for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2/(N_i + N[t]);
         }
     }
 

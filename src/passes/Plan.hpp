@@ -41,6 +41,7 @@ private:
         std::vector<FieldUse<dim>> columns, refresh;       ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
         std::vector<std::unique_ptr<Operation<dim>>> operations;
+        typename Stencil<dim>::Factors factors;                     ///< their columns, behind those of the terms
         bool readsKernel = false, normalised = false;       ///< normalised: gradW over the mean gradientScale of the pair
         bool pair() const { return entries[0]->pair; }
     };

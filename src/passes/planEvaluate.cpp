@@ -27,12 +27,12 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
         pass.operations.clear();
         for (const auto& f : pass.columns)
             for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.info.name, c));
-        pass.weightColumn = -1;
-        if (pass.pair() && store.has(ImageWeight{}))
+        const auto factor = [&](bool needed, const FieldInfo& info)
         {
-            pass.weightColumn = int(pass.sources.size());
-            pass.sources.push_back(store.component(ImageWeight::info.name, 0));
-        }
+            if (needed) pass.sources.push_back(store.component(info.name, 0));
+            return needed ? int(pass.sources.size()) - 1 : -1;
+        };
+        pass.factors = {factor(pass.pair() && store.has(ImageWeight{}), ImageWeight::info), factor(pass.normalised, GradientScale::info)};
         for (const auto* e : pass.entries)
             pass.operations.push_back(e->bind({store, coefficients, pass.firstColumn, !written.insert(e->result.info.name).second}));
     }
@@ -88,7 +88,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), lists.of(i), x, records, pass.sources, weights, scale, k, pass.readsKernel, null);
+                stencil.fill(int(i), lists.of(i), x, records, store.size()*recordSize, pass.sources, pass.factors, k, pass.readsKernel, null);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
         }
@@ -132,7 +132,7 @@ template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>
             out << "        gathers    positions";
             for (const auto& f : pass.columns) out << ' ' << f.info.name;
             if (pass.normalised) out << ' ' << GradientScale::info.name;
-        out << "\n        images     positions";
+            out << "\n        images     positions";
             for (const auto& f : pass.refresh) out << ' ' << f.info.name;
             out << '\n';
         }

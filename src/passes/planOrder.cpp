@@ -108,7 +108,7 @@ template<int dim> void Plan<dim>::order()
         }
         if (pass.normalised && stale.erase(scale)) pass.refresh.push_back(uses<dim>(Fields<GradientScale>{})[0]);
         for (const auto* e : pass.entries) stale.insert(e->result.info.name);
-        if (column >= Stencil<dim>::maxColumns) throw CaseError(fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns - 1));
+        if (column + 2 > Stencil<dim>::maxColumns) throw CaseError(fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns - 2));
         passes_.push_back(std::move(pass));
     }
 }

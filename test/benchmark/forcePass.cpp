@@ -1,0 +1,64 @@
+#include "forcePass.hpp"
+#include "Plan.hpp"
+#include "continuityTerms.hpp"
+#include "materialsTerms.hpp"
+#include "momentumTerms.hpp"
+#include <algorithm>
+
+namespace sph
+{
+
+Figures forcePass(PairLimit& limit, double skin)
+{
+    const std::size_t count = limit.x.size();
+    const double H = 2*limit.h;
+    Catalogue<3> catalogue = continuityTerms<3>();
+    for (const auto& terms : {momentumTerms<3>(), materialsTerms<3>()}) catalogue.insert(catalogue.end(), terms.begin(), terms.end());
+    Plan<3> plan(catalogue, {"huAdamsPressure", "singlePhaseViscosity", "continuity", "integratedVolume", "tait"}, {"positions", "U", "m", "rho"});
+    FieldStore<3> store;
+    plan.allocate(store);
+    store.allocateState(Position{});
+    store.allocateState(Velocity{});
+    store.allocateState(Mass{});
+    store.allocateState(Density{});
+    store.resize(count + 1);
+    const auto copy = [&](const std::vector<double>& from, const char* name, int c) { std::copy(from.begin(), from.end(), store.component(name, c)); };
+    copy(limit.x, "positions", 0), copy(limit.y, "positions", 1), copy(limit.z, "positions", 2);
+    copy(limit.u, "U", 0), copy(limit.v, "U", 1), copy(limit.w, "U", 2);
+    copy(limit.rho, "rho", 0);
+    std::fill_n(store.component("m", 0), count, 1.0);
+
+    Geometry open;
+    open.high = {1, 1, 1};
+    Images<3> images(open, H + skin, 1, {}, 0);
+    images.build(store, count);
+    const auto x = store.pointers(Position{});
+    NeighbourLists<3> lists;
+    Coefficients c;
+    c.restDensity = {1};
+    c.viscosity = {0.01};
+    c.soundSpeed = {10};
+    c.stiffness = {100.0/7};
+    c.exponent = {7};
+    c.phases = {"water"};
+    c.support = H;
+    c.spacing = 1;
+    plan.bind(store, c);
+    const Kernel<3> kernel("wendlandC2", H);
+
+    double best = 1e9, bestOfLimit = 1e9, bestOfBuild = 1e9;
+    for (int turn = 0; turn < 7; ++turn)
+    {
+        bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
+        bestOfBuild = std::min(bestOfBuild, secondsOf([&] { lists.build({x[0], x[1], x[2]}, count, images.nullParticle(), H + skin); }));
+        best = std::min(best, secondsOf([&] { plan.evaluate(store, images, lists, kernel); }));
+    }
+    const double pairs = double(limit.list.size());
+    return {{"pairLimit", pairs/bestOfLimit/1e6, "million pairs/s"},
+            {"forcePass", pairs/best/1e6, "million pairs/s"},
+            {"forcePassOfPairLimit", bestOfLimit/best, "1"},
+            {"listBuild", double(count)/bestOfBuild/1e6, "million particles/s"},
+            {"listBuildOfForcePass", bestOfBuild/best, "1"}};
+}
+
+}

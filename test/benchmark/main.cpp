@@ -1,0 +1,42 @@
+/// Rates and memory of the core on one thread, one line a figure: `name value unit`.
+///
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedCurvature; all unless named
+#include "CaseError.hpp"
+#include "forcePass.hpp"
+#include "wholeStep.hpp"
+#include <fmt/format.h>
+#include <iostream>
+#include <omp.h>
+#include <set>
+
+int main(int argc, char** argv)
+{
+    using namespace sph;
+    if (argc < 2)
+    {
+        std::cerr << "sphBenchmark <folder of the cases> [part...]\n";
+        return 1;
+    }
+    const std::filesystem::path cases = argv[1];
+    const std::set<std::string> parts(argv + 2, argv + argc);
+    const auto wanted = [&](const std::string& part) { return parts.empty() || parts.contains(part); };
+    const auto print = [](const Figures& figures)
+    {
+        for (const auto& f : figures) std::cout << fmt::format("{} {:.4g} {}\n", f.name, f.value, f.unit);
+        std::cout.flush();
+    };
+    try
+    {
+        omp_set_num_threads(1);
+        PairLimit limit = jitteredBlock(60);
+        if (wanted("force")) print(forcePass(limit, 0.3));
+        if (wanted("block")) print(wholeStep(cases/"block", "whole", limit, 12, 4));
+        if (wanted("bed")) print(wholeStep(cases/"bed", "bed", limit, 20, 4));
+        if (wanted("bedCurvature")) print(wholeStep(cases/"bedCurvature", "bedCurvature", limit, 20, 4));
+    }
+    catch (const CaseError& e)
+    {
+        std::cerr << e.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,76 @@
+#include "wholeStep.hpp"
+#include "NeighbourLists.hpp"
+#include "Images.hpp"
+#include "Packing.hpp"
+#include "Simulation.hpp"
+#include <algorithm>
+
+namespace sph
+{
+
+namespace
+{
+Cloud cloudOf(const Packing& packing)
+{
+    Cloud cloud{packing.points.x, packing.points.y, packing.points.z, {}};
+    cloud.fields["U"] = {FieldClass::vector, {packing.velocity.x, packing.velocity.y, packing.velocity.z}};
+    cloud.fields["m"] = {FieldClass::scalar, {packing.mass}};
+    cloud.fields["rho"] = {FieldClass::scalar, {packing.rho}};
+    cloud.fields["phase"] = {FieldClass::label, {packing.phase}};
+    return cloud;
+}
+
+/// Mean number within the support of the present positions, images included, the particle itself left out.
+double neighboursWithinSupport(const AnySimulation& simulation, const Settings& settings, const Geometry& geometry)
+{
+    const double H = settings.resolution.H();
+    const std::size_t n = simulation.size();
+    FieldStore<3> store;
+    store.allocate(Position{});
+    store.resize(n);
+    const auto from = simulation.positions();
+    for (int c = 0; c < 3; ++c) std::copy_n(from.component[c], n, store.component("positions", c));
+    Images<3> images(geometry, H, settings.resolution.spacing, {}, 0);
+    images.build(store, n);
+    const auto x = store.pointers(Position{});
+    NeighbourLists<3> lists;
+    lists.build({x[0], x[1], x[2]}, n, images.nullParticle(), H);
+    return double(lists.pairs())/double(n) - 1;
+}
+}
+
+Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns)
+{
+    const Case theCase(caseFolder);
+    const auto plan = readPackingPlan(theCase);
+    const auto resolution = readResolution(theCase.dictionary("system/sphSchemes"));
+    const Geometry geometry = readGeometry(theCase.dictionary("constant/geometry"), 1.5*resolution.H());
+    const Settings settings = readSettings(theCase, geometry);
+    theCase.diagnostics().throwIfAny();
+    const auto simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});
+    simulation->step(simulation->stepLimit().deltaT);
+
+    double best = 1e9, bestOfLimit = 1e9;
+    const long rebuildsBefore = simulation->rebuilds();
+    for (int turn = 0; turn < turns; ++turn)
+    {
+        bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
+        const double seconds = secondsOf([&] { for (int s = 0; s < stepsATurn; ++s) simulation->step(simulation->stepLimit().deltaT); });
+        best = std::min(best, seconds/stepsATurn);
+    }
+    const double steps = double(turns)*stepsATurn, particles = double(simulation->size());
+    const double neighbours = neighboursWithinSupport(*simulation, settings, geometry), passes = simulation->pairPasses();
+    const double limitRate = double(limit.list.size())/bestOfLimit;
+    return {{name + "Particles", particles, "1"},
+            {name + "ImagesPerParticle", double(simulation->images())/particles, "1"},
+            {name + "Neighbours", neighbours, "1"},
+            {name + "PairPasses", passes, "1"},
+            {name + "ParticleSteps", particles/best/1e6, "million particle-steps/s/core"},
+            {name + "StepOfPairLimit", neighbours*passes*particles/best/limitRate, "1"},
+            {name + "ParticleStepsAt345", particles/best/1e6*345e6/limitRate, "million particle-steps/s/core where the limit is 345 million pairs/s"},
+            {name + "StepsPerListBuild", steps/double(std::max(1L, simulation->rebuilds() - rebuildsBefore)), "1"},
+            {name + "BytesPerParticle", simulation->bytesPerParticle(), "bytes, images and records included"},
+            {name + "BytesPerEntry", simulation->bytesPerParticle()*particles/(particles + double(simulation->images())), "bytes"}};
+}
+
+}

@@ -1,0 +1,13 @@
+/// Steps of a case from its dictionaries, packed in memory: all passes, images, lists and integration, timed in turns with the yardstick.
+#pragma once
+#include "measure.hpp"
+#include <filesystem>
+
+namespace sph
+{
+
+/// Figures are named after `name`. Work is counted as neighbours within the support (skin and the particle itself left out) times pair
+/// passes times particle-steps.
+Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns);
+
+}
