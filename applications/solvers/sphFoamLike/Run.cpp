@@ -16,6 +16,10 @@ namespace
 volatile std::sig_atomic_t stopRequested = 0;
 void requestStop(int) { stopRequested = 1; }
 
+/// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
+/// packing within two.
+constexpr double mostCompression = 4;
+
 std::string hostName()
 {
     char name[256] = {};
@@ -99,6 +103,13 @@ void Run::check(const StepLimit& limit) const
         throw CaseError(fmt::format("the solution is no longer finite at time {} after step {}; the last time folder written is whole. "
                                     "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
                                     time_.name(), time_.index(), limit.by));
+    const auto& summary = simulation_->summary();
+    for (std::size_t k = 0; k < summary.mass.size(); ++k)
+        if (summary.count[k] > 0 && summary.maxDensity[k] > mostCompression*settings_.coefficients.restDensity[k])
+            throw CaseError(fmt::format("the density of {} has reached {:.4g} kg/m^3 at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
+                                        "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
+                                        settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
+                                        summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
     const double span = std::min(time_.endTime(), 1e30) - time_.startTime();
     if (time_.adjustTimeStep() && limit.deltaT < 1e-12*span)
         throw CaseError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "

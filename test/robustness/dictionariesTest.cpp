@@ -1,0 +1,123 @@
+/// Mistakes in dictionaries: each ends with exit code 1 and the place in the file, before a particle is moved.
+#include "refusal.hpp"
+
+namespace sph::test
+{
+namespace
+{
+
+TEST(Dictionaries, MissingEntry)
+{
+    Damaged c;
+    c.replace("constant/phaseProperties", "rho 1000; ", "");
+    c.isRefused("sphFoamLike", {"constant/phaseProperties:2", "\"rho\""});
+}
+
+TEST(Dictionaries, MisspeltEntry)
+{
+    Damaged c;
+    c.replace("system/sphSchemes", "wallVelocity", "wallVelocty");
+    c.isRefused("sphFoamLike", {"system/sphSchemes:2", "\"wallVelocty\"", "wallVelocity"});
+}
+
+TEST(Dictionaries, WrongDimensions)
+{
+    Damaged c;
+    c.replace("constant/phaseProperties", "rho 1000", "rho [0 2 -1 0 0 0 0] 1000");
+    c.isRefused("sphFoamLike", {"constant/phaseProperties:2", "rho", "[0 2 -1 0 0 0 0]", "[1 -3 0 0 0 0 0]"});
+}
+
+TEST(Dictionaries, UnknownModel)
+{
+    Damaged c;
+    c.replace("system/sphSchemes", "secondOrder", "secondOrdr");
+    c.isRefused("sphFoamLike", {"system/sphSchemes:2", "\"secondOrdr\"", "Did you mean \"secondOrder\"?", "reflected"});
+}
+
+TEST(Dictionaries, UnknownKernel)
+{
+    Damaged c;
+    c.replace("system/sphSchemes", "wendlandC2", "wendland2");
+    c.isRefused("sphFoamLike", {"system/sphSchemes:1", "\"wendland2\"", "Did you mean \"wendlandC2\"?"});
+}
+
+TEST(Dictionaries, UnknownFunctionObject)
+{
+    Damaged c;
+    c.write("system/controlDict", c.read("system/controlDict") + "functions { look { type eror; } }\n");
+    c.isRefused("sphFoamLike", {"system/controlDict:3", "\"eror\""});
+}
+
+TEST(Dictionaries, MissingFile)
+{
+    for (const char* file : {"constant/phaseProperties", "system/sphSchemes", "system/controlDict"})
+    {
+        Damaged c;
+        std::filesystem::remove(c.folder() / file);
+        c.isRefused("sphFoamLike", {file});
+    }
+}
+
+// All mistakes of a case are told at once.
+TEST(Dictionaries, SeveralMistakesAreToldTogether)
+{
+    Damaged c;
+    c.replace("constant/phaseProperties", "rho 1000", "rho -1000");
+    c.replace("system/sphSchemes", "secondOrder", "nonsense");
+    c.replace("system/controlDict", "adjustableRunTime", "adjustible");
+    c.isRefused("sphFoamLike", {"constant/phaseProperties:2", "system/sphSchemes:2", "system/controlDict:2", "3 errors"});
+}
+
+TEST(Dictionaries, UnclosedBrace)
+{
+    Damaged c;
+    c.replace("constant/phaseProperties", "soundSpeed 15; }", "soundSpeed 15;");
+    c.isRefused("sphFoamLike", {"constant/phaseProperties:"});
+}
+
+TEST(Dictionaries, NumbersThatAreNone)
+{
+    for (const char* number : {"nan", "inf", "1e999", "ten", "-5", "0"})
+    {
+        Damaged c;
+        c.replace("constant/phaseProperties", "soundSpeed 15", std::string("soundSpeed ") + number);
+        c.isRefused("sphFoamLike", {"constant/phaseProperties:2", "soundSpeed"});
+    }
+}
+
+TEST(Dictionaries, SchemesThatDoNotGoTogether)
+{
+    Damaged c;
+    c.replace("system/sphSchemes", "integration", "surfaceTension curvature; densityDiffusion 0.1; pressureGradient monaghan; integration");
+    c.isRefused("sphFoamLike", {"system/sphSchemes:2: secondOrder needs", "system/sphSchemes:3", "gives no sigma", "density continuity"});
+}
+
+// Walls made for another geometry or another resolution are refused: the solver would run with walls where there are none.
+TEST(Dictionaries, StaleWalls)
+{
+    Damaged moved;
+    moved.replace("constant/geometry", "point (0 1 0)", "point (0 1.1 0)");
+    moved.isRefused("sphFoamLike", {"constant/walls", "does not belong to the present constant/geometry", "meshToGhost"});
+    Damaged refined;
+    refined.replace("system/sphSchemes", "spacing 0.05", "spacing 0.025");
+    refined.isRefused("sphFoamLike", {"constant/walls", "meshToGhost"});
+    Damaged without;
+    std::filesystem::remove(without.folder() / "constant/walls");
+    without.isRefused("sphFoamLike", {"constant/walls: is missing: run meshToGhost"});
+}
+
+// A period shorter than the support would need a particle's second image, and one shorter than two supports makes a particle its neighbour's
+// neighbour twice.
+TEST(Dictionaries, PeriodShorterThanTheSupport)
+{
+    Damaged c;
+    c.replace("constant/geometry", "max (1 1 0)", "max (0.1 1 0)");
+    c.run("meshToGhost");
+    c.run("packParticles");
+    c.write("system/controlDict", controls);
+    std::filesystem::remove_all(c.folder() / "0.02");
+    c.isRefused("sphFoamLike", {"periodic", "support"});
+}
+
+}
+}

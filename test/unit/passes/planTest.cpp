@@ -1,0 +1,166 @@
+/// What the planner takes in, what it leaves out, and what it refuses; and the laws that evaluations keep.
+#include "CaseError.hpp"
+#include "Scene.hpp"
+#include <omp.h>
+#include <sstream>
+
+namespace sph::test
+{
+namespace
+{
+
+std::string errorOf(const std::vector<std::string>& terms, const std::set<std::string>& given)
+{
+    try
+    {
+        Plan<2>(wholeCatalogue<2>(), terms, given);
+    }
+    catch (const CaseError& e)
+    {
+        return e.what();
+    }
+    return "";
+}
+
+TEST(Plan, SuggestsATermForAMisspeltOne)
+{
+    const auto error = errorOf({"huAdamsPresure"}, {});
+    EXPECT_EQ(error.find("term \"huAdamsPresure\" is unknown. Did you mean \"huAdamsPressure\"?"), 0u) << error;
+}
+
+TEST(Plan, NamesTheTermThatLacksAField)
+{
+    EXPECT_EQ(errorOf({"numberDensity", "summedDensity"}, {"positions"}),
+              "term \"summedDensity\" reads \"m\" [kg], which the scene does not give and no term provides");
+}
+
+TEST(Plan, RefusesTwoProvidersOfOneField)
+{
+    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}), "field \"p\" is provided by both tait and taitOfPhase: select one");
+}
+
+TEST(Plan, AsksWhereSeveralCouldProvide)
+{
+    EXPECT_EQ(errorOf({"huAdamsPressure"}, {"m"}), "term \"huAdamsPressure\" reads \"p\": select one of tait, taitOfPhase");
+}
+
+// The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom.
+TEST(Plan, AddsTheOneProviderAndSaysWhy)
+{
+    const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "numberDensity"}, {"positions", "U", "m", "phase"});
+    for (const char* term : {"colourSmoothing", "smoothedColourGradient", "interfaceCurvature", "curvatureSmoothing"}) EXPECT_TRUE(plan.has(term)) << term;
+    FieldStore<2> store;
+    plan.allocate(store);
+    std::ostringstream log;
+    plan.print(log, store);
+    EXPECT_NE(log.str().find("(kappa for curvatureForce)"), std::string::npos) << log.str();
+}
+
+// A scene without a feature has neither its pass, nor its field, nor its images' refresh: one viscous phase without surface tension needs volume,
+// density and pressure, the rates, and two loops over pairs.
+TEST(Plan, LeavesOutWhatIsNotSelected)
+{
+    const Plan<3> plan(wholeCatalogue<3>(), {"numberDensity", "summedDensity", "tait", "huAdamsPressure", "singlePhaseViscosity"}, {"positions", "U", "m"});
+    EXPECT_EQ(plan.pairPasses(), 2);
+    FieldStore<3> store;
+    plan.allocate(store);
+    std::set<std::string> fields;
+    for (const auto& [name, _] : store.fields()) fields.insert(name);
+    EXPECT_EQ(fields, (std::set<std::string>{"positions", "U", "m", "V", "rho", "p", "dUdt"}));
+    std::ostringstream log;
+    plan.print(log, store);
+    const auto leftOut = log.str().substr(log.str().find("left out"));
+    for (const char* term : {"interfaceStress", "wallTension", "harmonicViscosity", "densityDiffusion", "particleShifting"})
+        EXPECT_NE(leftOut.find(term), std::string::npos) << term;
+}
+
+// Two loops over pairs for the stress form beside pressure and viscosity: number density first, then stress, then all that is left in one.
+TEST(Plan, MergesTermsThatCanShareAStencil)
+{
+    const Plan<3> plan(wholeCatalogue<3>(), {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress",
+                                             "stressDivergence"}, {"positions", "U", "m", "phase", "mu"});
+    EXPECT_EQ(plan.pairPasses(), 3);
+}
+
+// Antisymmetric pairs: the sum of all forces in a periodic scene is the round-off of adding some 10^5 pair forces, against the largest one.
+template<int dim> void conserveMomentum(const std::vector<std::string>& forces)
+{
+    std::vector<std::string> terms{"gradientNormalisation", "numberDensity", "summedDensity", "taitOfPhase"};
+    terms.insert(terms.end(), forces.begin(), forces.end());
+    Scene<dim> s(periodicBox(dim), threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), 0, {}, terms);
+    Vector<dim> sum;
+    double largest = 0;
+    for (std::size_t i = 0; i < s.n; ++i)
+    {
+        const auto force = s.at(Mass{}, i)*s.at(Acceleration{}, i);
+        sum += force;
+        largest = std::max(largest, mag(force));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LT(mag(sum), 1e-12*largest) << forces[0];
+}
+TEST(Plan, ConservesLinearMomentumWithoutWalls)
+{
+    const std::vector<std::vector<std::string>> all{{"huAdamsPressure"}, {"monaghanPressure"}, {"densityWeightedPressure"}, {"singlePhaseViscosity"},
+                                                    {"harmonicViscosity"}, {"interfaceStress", "stressDivergence"}};
+    for (const auto& forces : all)
+    {
+        conserveMomentum<2>(forces);
+        conserveMomentum<3>(forces);
+    }
+}
+
+// Each particle sums only its own rates, in the order of its list: the same bits on one, two and three threads.
+TEST(Plan, GivesTheSameBitsOnAnyNumberOfThreads)
+{
+    std::vector<double> first;
+    for (int threads : {1, 2, 3})
+    {
+        omp_set_num_threads(threads);
+        Scene<3> s(aroundABall(3, 0.33), threePhases(3, 0.07, 2.6), 1, {0},
+                   {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress", "stressDivergence"});
+        std::vector<double> all;
+        for (int c = 0; c < 3; ++c) all.insert(all.end(), s.store.component("dUdt", c), s.store.component("dUdt", c) + s.n);
+        if (first.empty()) first = all;
+        EXPECT_EQ(all, first) << threads << " threads";
+    }
+}
+
+// rho_0 of the second phase at 1.1 times its own rest density and n = 7: p = B (1.1^7 - 1) + p_b = 0.9487171 B + p_b, B = rho_0 c^2/7.
+TEST(Tait, HasTheHandValue)
+{
+    auto c = threePhases(2, 0.05, 2.6);
+    Scene<2> s(periodicBox(2), c, 0, {}, {"integratedVolume", "taitOfPhase"}, true);
+    const double B = 1000*225/7.0;
+    for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1.1*c.restDensity[std::size_t(s.at(Phase{}, i))];
+    s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+    for (std::size_t i = 0; i < s.n; ++i)
+        EXPECT_NEAR(s.at(Phase{}, i) == 1 ? s.at(Pressure{}, i) : 0.9487171*B + 37, 0.9487171*B + 37, 1e-12*B);
+}
+
+// v = e x in an unbounded medium expands it: drho/dt = -d e rho, up to the error of the sum on a jittered lattice (a few per cent of the kernel's
+// second moment, 10 % allowed). Here away from the periodic faces, across which v jumps.
+TEST(Continuity, OfUniformExpansion)
+{
+    auto c = firstPhases(threePhases(2, 0.05, 2.6), 1);
+    Scene<2> s(periodicBox(2), c, 0, {}, {"integratedVolume", "continuity"}, true);
+    for (std::size_t i = 0; i < s.n; ++i)
+    {
+        s.store.component("rho", 0)[i] = 800;
+        s.store.component("m", 0)[i] = 800*0.05*0.05;
+        for (int k = 0; k < 2; ++k) s.store.component("U", k)[i] = 3*s.store.component("positions", k)[i];
+    }
+    s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+    double mean = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < s.n; ++i)
+        if (const auto x = positionOf(s.store, i); x.x > 0.2 && x.x < 0.8 && x.y > 0.2 && x.y < 0.8)
+        {
+            mean += s.store.component("drhodt", 0)[i];
+            ++count;
+        }
+    EXPECT_NEAR(mean/count/(-2*3*800), 1, 0.05);
+}
+
+}
+}

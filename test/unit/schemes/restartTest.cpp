@@ -1,0 +1,88 @@
+/// A run that was stopped and started again ends with the same bytes as one that was not; so does a run on two threads.
+#include "smallCases.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+namespace
+{
+
+void prepare(const TestCase& c)
+{
+    c.runWell("packParticles");
+    c.runWell("meshToGhost");
+}
+
+/// Compares the last time folder, byte for byte: positions, fields, and the numbers of the state (time, index, step, density scale).
+void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", const std::string& half = "0.04")
+{
+    const TestCase whole(files), parts(files);
+    prepare(whole);
+    for (const char* made : {"0", "constant/walls"}) parts.copyFrom(whole, made);
+    const auto log = whole.runWell("sphFoamLike");
+
+    // What is compared must have moved: lists rebuilt between write times, not only at them.
+    const auto built = log.rfind("lists built ");
+    ASSERT_NE(built, std::string::npos);
+    EXPECT_GT(std::stoi(log.substr(built + 12)), 6) << "the case is too quiet to show anything";
+
+    parts.replace("system/controlDict", "endTime " + end, "endTime " + half);
+    parts.runWell("sphFoamLike");
+    ASSERT_TRUE(parts.has(half + "/uniform/time"));
+    ASSERT_FALSE(parts.has(end));
+    parts.replace("system/controlDict", "endTime " + half, "endTime " + end);
+    parts.runWell("sphFoamLike");
+    EXPECT_EQ(difference(whole.files(end), parts.files(end)), "");
+}
+
+Files with(Files files, const std::string& integrator)
+{
+    auto& schemes = files["system/sphSchemes"];
+    schemes.replace(schemes.find("predictorCorrector"), 18, integrator);
+    return files;
+}
+
+TEST(Restart, OfPredictorCorrectorWithSecondOrderWalls) { restartEqualsTheWhole(channelCase()); }
+TEST(Restart, OfLeapfrogWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "leapfrog")); }
+TEST(Restart, OfSymplecticEulerWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "symplecticEuler")); }
+TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase()); }
+TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
+TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
+TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
+TEST(Restart, OfIntegratedDensityWithSymplecticEuler) { restartEqualsTheWhole(with(grainCase(), "symplecticEuler")); }
+TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
+
+// Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.
+TEST(Restart, FromTextFiles)
+{
+    auto files = channelCase();
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("binary"), 6, "ascii");
+    restartEqualsTheWhole(files);
+}
+
+// The solver takes a thread for each 2000 particles: 4900 particles on one, two and three threads, three of which share two processors.
+TEST(Threads, DoNotChangeABit)
+{
+    auto files = dropCase();
+    auto& schemes = files["system/sphSchemes"];
+    schemes.replace(schemes.find("0.05"), 4, "0.0125");
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("0.08"), 4, "0.008");
+    control.replace(control.find("0.02"), 4, "0.004");
+    const TestCase one(files), two(files), three(files);
+    prepare(one);
+    for (const char* made : {"0", "constant/walls"})
+    {
+        two.copyFrom(one, made);
+        three.copyFrom(one, made);
+    }
+    one.runWell("sphFoamLike", "", 1);
+    EXPECT_NE(two.runWell("sphFoamLike", "", 2).find("Threads: 2"), std::string::npos);
+    three.runWell("sphFoamLike", "", 3);
+    EXPECT_EQ(difference(one.files("0.008"), two.files("0.008")), "");
+    EXPECT_EQ(difference(one.files("0.008"), three.files("0.008")), "");
+}
+
+}
+}
