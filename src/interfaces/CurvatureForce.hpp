@@ -74,18 +74,28 @@ struct CurvatureSmoothing
     auto finish(const auto&, Vector<2> sum) const { return sum.y > 0 ? sum.x/sum.y : 0.0; }
 };
 
-/// dv_i/dt = -gamma kappa gradC 2/(rho_k + rho_l): the force per volume, weighed by density so that both sides accelerate alike
+/// The capillary pressure jump as each side of a pair across the interface sees it:
+///
+///   dv_i/dt = 1/m_i sum_(j of the other phase) s_i gamma (kappa_i + kappa_j)/2 2 rho_i/(rho_i + rho_j) (V_i^2 + V_j^2)/2 gradW_ij
+///
+/// s_i = 1 in the first phase, -1 in the second. The sum is that of the density-weighted pressure over the same pairs: a drop with the
+/// pressure jump gamma kappa is then at rest exactly, whatever the density ratio. With the smoothed gradC in place of the pairs the force
+/// and the pressure act at different depths of the interface, which made the jump 4 % of 16 spacings a radius too large at 1000:1, and
+/// first order in spacing over radius.
 struct CurvatureForce
 {
     static constexpr auto name = "curvatureForce";
     using Adds = Acceleration;
-    using ReadsOwn = Fields<Curvature, ColourGradient>;
-    double gammaOverMeanDensity;
+    using Reads = Fields<Volume, Phase, Density, Curvature>;
+    using ReadsOwn = Fields<Mass>;
+    double gamma; ///< [N/m]
 
-    explicit CurvatureForce(const Coefficients& c)
-        : gammaOverMeanDensity(c.phases.size() == 2 ? 2*c.surfaceTension[1]/(c.restDensity[0] + c.restDensity[1]) : 0)
-    {}
-    auto operator()(const auto& i) const { return -gammaOverMeanDensity*i.kappa*i.gradC; }
+    explicit CurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? c.surfaceTension[1] : 0) {}
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
+        return 0.5*gamma*across/i.m*(i.kappa + j.kappa)*i.rho/(i.rho + j.rho)*(sqr(i.V) + sqr(j.V))*ij.gradW;
+    }
 };
 
 }

@@ -58,7 +58,6 @@ Words termsOf(const Choices& choice, const Settings& settings)
     {
         add("curvatureForce");
         if (settings.contactGroups > 0) { add("wallTension"); add("stressDivergence"); }
-        else add("smoothedColourGradient");
     }
     const auto& c = settings.coefficients;
     if (mag(c.g) > 0) add("gravity");
