@@ -2,8 +2,8 @@
 /// transpose in registers.
 ///
 /// A gather instruction fetches its eight lanes one by one; eight records are eight whole loads and 24 shuffles, and touch one cache
-/// line a neighbour instead of one a component. Measured (test/benchmark/README.md): with the further columns of a two-phase bed packed
-/// too, its whole step went from 0.42 to 0.47 of the hand-fused limit. Packing costs a stream over the particles a pass, 3 % of that step.
+/// line a neighbour instead of one a component. What was measured is in
+/// test/benchmark/README.md. Packing costs a stream over the particles a pass, about 3 % of a two-phase bed's step.
 /// Without AVX-512 columns are gathered one by one.
 #pragma once
 #include "Vector.hpp"
