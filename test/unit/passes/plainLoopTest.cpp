@@ -299,7 +299,7 @@ template<int dim> void curvatureForm(const Terms& first)
 {
     onEveryGeometry<dim>([&](Geometry g, int groups, std::vector<int> groupOfWall)
     {
-        Scene<dim> s(std::move(g), coefficients<dim>(2), groups, std::move(groupOfWall), with(with(summed, first), {"curvatureForce", "smoothedColourGradient"}));
+        Scene<dim> s(std::move(g), coefficients<dim>(2), groups, std::move(groupOfWall), with(with(summed, first), {"curvatureForce"}));
         Plain<dim> plain(s);
         const auto& c = s.coefficients;
         expectEqual(s, SmoothedColour{}, [&](std::size_t i)
@@ -344,11 +344,19 @@ template<int dim> void curvatureForm(const Terms& first)
             });
             return all > 0 ? kappa/all : 0;
         });
+        s.refresh(Curvature{});
         expectEqual(s, Acceleration{}, [&](std::size_t i)
         {
-            const double gamma = c.surfaceTension[1];
-            return -2*gamma/(c.restDensity[0] + c.restDensity[1])*s.at(Curvature{}, i)*s.at(ColourGradient{}, i);
-        });
+            Vector<dim> force;
+            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
+            {
+                if (s.at(Phase{}, j) == s.at(Phase{}, i)) return;
+                const double kappa = 0.5*(s.at(Curvature{}, i) + s.at(Curvature{}, j)), sign = s.at(Phase{}, i) == 0 ? 1 : -1;
+                const double share = 2*plain.rho[i]/(plain.rho[i] + plain.rho[j]);
+                force += sign*c.surfaceTension[1]*kappa*share*0.5*(sqr(plain.V[i]) + sqr(plain.V[j]))*gradW;
+            });
+            return 1/plain.m(i)*force;
+        }, 1e-11);
     });
 }
 TEST(PlainLoop, CurvatureFormIn2D) { curvatureForm<2>(rawGradient); }

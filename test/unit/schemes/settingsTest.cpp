@@ -1,0 +1,118 @@
+/// Mistakes in the words of a scheme, with file and line; and the choices that are made for the user.
+#include "Settings.hpp"
+#include "Plane.hpp"
+#include "smallCases.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+namespace
+{
+
+Geometry channelGeometry()
+{
+    Geometry g;
+    g.dimension = 2;
+    g.high = {1, 1, 0};
+    g.periodic = {true, false, false};
+    g.walls.resize(2);
+    g.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0}, {std::make_shared<Plane>(Vector<3>{0, 1, 0}, Vector<3>{0, -1, 0}), 1}};
+    repeatPeriodically(g, 0.2);
+    return g;
+}
+
+struct Reading
+{
+    Settings settings;
+    std::string errors;
+};
+Reading reading(const Files& files)
+{
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    Reading r{readSettings(c, channelGeometry()), ""};
+    try
+    {
+        c.diagnostics().throwIfAny();
+    }
+    catch (const CaseError& e)
+    {
+        r.errors = e.what();
+    }
+    return r;
+}
+Files edited(Files files, const std::string& file, const std::string& from, const std::string& to)
+{
+    auto& text = files[file];
+    text.replace(text.find(from), from.size(), to);
+    return files;
+}
+void expectError(const Files& files, const std::string& error) { EXPECT_NE(reading(files).errors.find(error), std::string::npos) << reading(files).errors; }
+
+TEST(Settings, OfGoodCasesAreRead)
+{
+    for (const auto& files : {channelCase(), dropCase(), grainCase()}) EXPECT_EQ(reading(files).errors, "");
+}
+
+TEST(Settings, UnknownWordsAreSuggested)
+{
+    const std::string schemes = "system/sphSchemes";
+    expectError(edited(channelCase(), schemes, "secondOrder", "secondorder"), "system/sphSchemes:2: ");
+    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapFrog"), "Did you mean \"leapfrog\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "pressureGradient huAdam; wallVelocity"), "Did you mean \"huAdams\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"), "Did you mean \"numberDensity\"?");
+    expectError(edited(channelCase(), schemes, "support 2.6", "support 26"), "system/sphSchemes:1: ");
+}
+
+TEST(Settings, SurfaceTensionOfUnknownPhases)
+{
+    expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquit gas) 1"),
+                "constant/phaseProperties:4: phase \"liquit\" is unknown. Did you mean \"liquid\"?");
+    expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid liquid) 1"), "\"liquid\" has no surface tension with itself");
+    expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) -1"), "must not be negative");
+}
+
+TEST(Settings, WrongDimensionsAndSigns)
+{
+    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"), "constant/phaseProperties:2: ");
+    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu -10"), "constant/phaseProperties:2: ");
+    expectError(edited(channelCase(), "system/sphSchemes", "spacing 0.05", "spacing [1 0 0 0 0 0 0] 0.05"), "system/sphSchemes:1: ");
+}
+
+TEST(Settings, OfAPhaseThatIsNotDescribed)
+{
+    expectError(edited(channelCase(), "constant/phaseProperties", "phases (water)", "phases (water oil)"), "oil");
+}
+
+// The largest of what `expected` implies, times ten: sqrt(|g| depth) = sqrt(1 x 4) = 2 m/s against 1 m/s.
+TEST(Settings, ChooseTheSoundSpeedAndSayWhy)
+{
+    auto files = edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", "soundSpeed automatic;");
+    files["constant/phaseProperties"] += "expected { velocity 1; depth 4; }\n";
+    const auto r = reading(files);
+    EXPECT_EQ(r.errors, "");
+    EXPECT_NEAR(r.settings.coefficients.soundSpeed.at(0), 20, 1e-12);
+    ASSERT_FALSE(r.settings.reasons.empty());
+    EXPECT_NE(r.settings.reasons[0].find("hydrostatic pressure over the expected depth"), std::string::npos) << r.settings.reasons[0];
+    expectError(edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", ""), "\"soundSpeed\" of water is missing");
+}
+
+// Young: gamma_sl - gamma_sg = -gamma cos(theta), shared by density; the channel's two walls are two groups.
+TEST(Settings, WallTensionsObeyYoungsLaw)
+{
+    const TestCase folder(dropCase());
+    const Case c(folder.folder());
+    auto g = channelGeometry();
+    g.walls[0].wets = g.walls[1].wets = true;
+    g.walls[0].contactAngle = 60;
+    g.walls[1].contactAngle = 120;
+    const auto settings = readSettings(c, g);
+    ASSERT_EQ(settings.contactGroups, 2);
+    const auto& tension = settings.coefficients.wallTension;
+    EXPECT_NEAR(tension[0] - tension[1], -0.5, 1e-14);
+    EXPECT_NEAR(tension[2] - tension[3], 0.5, 1e-14);
+    EXPECT_NEAR(tension[0]/tension[1], -1/0.5, 1e-12);
+}
+
+}
+}
