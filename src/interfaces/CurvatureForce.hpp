@@ -34,15 +34,16 @@ struct SmoothedColourGradient
 ///
 /// n = gradC/|gradC|; normals shorter than 0.01/H mean no interface. The inverse makes the divergence exact for linear n although
 /// the sum runs over the band alone: with a scalar in its place kappa was 4 to 8 % too large on the outside of a drop, and the pressure
-/// jump 3 % at 16 spacings a radius. Where the band is too thin for it (determinant below 0.05) there is no curvature.
+/// jump 3 % at 16 spacings a radius. Where the band is too thin for it (determinant below 0.05) there is no curvature, and none beyond
+/// one over the spacing, which no arrangement of particles can show.
 struct InterfaceCurvature
 {
     static constexpr auto name = "interfaceCurvature";
     using Provides = RawCurvature;
     using Reads = Fields<Volume, ColourGradient>;
-    double least;
+    double least, most;
 
-    explicit InterfaceCurvature(const Coefficients& c) : least(0.01/c.support) {}
+    explicit InterfaceCurvature(const Coefficients& c) : least(0.01/c.support), most(1/c.spacing) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
@@ -55,7 +56,8 @@ struct InterfaceCurvature
     auto finish(const auto&, const auto& sum) const
     {
         const double det = determinant(sum.b);
-        return det > 0.05 ? doubleDot(sum.a, adjugate(sum.b))/det : 0.0;
+        const double kappa = det > 0.05 ? doubleDot(sum.a, adjugate(sum.b))/det : 0.0;
+        return std::fmax(-most, std::fmin(most, kappa));
     }
 };
 
