@@ -88,8 +88,10 @@ TEST(Dictionaries, NumbersThatAreNone)
 TEST(Dictionaries, SchemesThatDoNotGoTogether)
 {
     Damaged c;
-    c.replace("system/sphSchemes", "integration", "surfaceTension curvature; densityDiffusion 0.1; pressureGradient monaghan; integration");
-    c.isRefused("sphFoamLike", {"system/sphSchemes:2: secondOrder needs", "system/sphSchemes:3", "gives no sigma", "density continuity"});
+    c.replace("system/sphSchemes", "integration",
+              "surfaceTension curvature; densityDiffusion 0.1; pressureGradient monaghan; integration");
+    c.isRefused("sphFoamLike",
+                {"system/sphSchemes:2: secondOrder needs", "system/sphSchemes:3", "gives no sigma", "density continuity"});
 }
 
 // Walls made for another geometry or another resolution are refused: the solver would run with walls where there are none.
@@ -106,8 +108,8 @@ TEST(Dictionaries, StaleWalls)
     without.isRefused("sphFoamLike", {"constant/walls: is missing: run meshToGhost"});
 }
 
-// A period shorter than the support would need a particle's second image, and one shorter than two supports makes a particle its neighbour's
-// neighbour twice.
+// A period shorter than the support would need a particle's second image, and one shorter than two supports makes a particle
+// its neighbour's neighbour twice.
 TEST(Dictionaries, PeriodShorterThanTheSupport)
 {
     Damaged c;

@@ -12,23 +12,24 @@ const std::string cloud = "0.02/lagrangian/sph/";
 /// The time folder 0.02 rewritten as text, so that a test can edit numbers; `field` with its line of values.
 Damaged inText()
 {
-    return Damaged([]() -> const TestCase&
-    {
-        static const TestCase* const made = []
+    return Damaged(
+        []() -> const TestCase&
         {
-            auto files = channelCase();
-            auto& control = files["system/controlDict"];
-            control.replace(control.find("0.08"), 4, "0.02");
-            control.replace(control.find("binary"), 6, "ascii");
-            auto* const c = new TestCase(files);
-            c->runWell("packParticles");
-            c->runWell("meshToGhost");
-            c->runWell("sphFoamLike");
-            c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
-            return c;
-        }();
-        return *made;
-    }());
+            static const std::unique_ptr<const TestCase> made = []
+            {
+                auto files = channelCase();
+                auto& control = files["system/controlDict"];
+                control.replace(control.find("0.08"), 4, "0.02");
+                control.replace(control.find("binary"), 6, "ascii");
+                auto c = std::make_unique<TestCase>(files);
+                c->runWell("packParticles");
+                c->runWell("meshToGhost");
+                c->runWell("sphFoamLike");
+                c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
+                return std::unique_ptr<const TestCase>(std::move(c));
+            }();
+            return *made;
+        }());
 }
 
 /// Line `number`, counted from 1, replaced.
@@ -56,7 +57,7 @@ TEST(FieldFiles, Truncated)
     {
         Damaged d;
         const auto text = d.read(cloud + field);
-        d.write(cloud + field, text.substr(0, text.size()*2/3));
+        d.write(cloud + field, text.substr(0, text.size() * 2 / 3));
         d.isRefused("sphFoamLike", {cloud + field});
     }
 }
@@ -136,8 +137,9 @@ TEST(Particles, ThousandsInOneCell)
 {
     auto c = inText();
     std::filesystem::remove_all(c.folder() / "0.02");
-    std::string positions = "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; location \"0/lagrangian/sph\"; object positions; }\n2000\n(\n";
-    for (int i = 0; i < 2000; ++i) positions += "(" + std::to_string(0.5 + 1e-5*i) + " 0.5 0) 0\n";
+    std::string positions = "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; location \"0/lagrangian/sph\"; "
+                            "object positions; }\n2000\n(\n";
+    for (int i = 0; i < 2000; ++i) positions += "(" + std::to_string(0.5 + 1e-5 * i) + " 0.5 0) 0\n";
     std::filesystem::remove_all(c.folder() / "0");
     c.write("0/lagrangian/sph/positions", positions + ")\n");
     c.isRefused("sphFoamLike", {"particle ", "has more than 1024 neighbours"});
@@ -152,8 +154,9 @@ TEST(Particles, None)
     Damaged empty;
     std::filesystem::remove_all(empty.folder() / "0.02");
     std::filesystem::remove_all(empty.folder() / "0");
-    empty.write("0/lagrangian/sph/positions", "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; location \"0/lagrangian/sph\"; object "
-                                              "positions; }\n0\n(\n)\n");
+    empty.write("0/lagrangian/sph/positions",
+                "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; location \"0/lagrangian/sph\"; object "
+                "positions; }\n0\n(\n)\n");
     empty.isRefused("sphFoamLike", {"there are no particles: has packParticles been run?"});
 }
 

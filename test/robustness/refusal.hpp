@@ -1,8 +1,9 @@
-/// A case that has run well to its first write time, then is damaged: the application must refuse it in words that help, and leave what is on
-/// disk as it was.
+/// A case that has run well to its first write time, then is damaged: the application must refuse it in words that help, and
+/// leave what is on disk as it was.
 #pragma once
 #include "smallCases.hpp"
 #include <gtest/gtest.h>
+#include <memory>
 
 namespace sph::test
 {
@@ -10,18 +11,17 @@ namespace sph::test
 /// The channel of smallCases, packed, with walls, run to 0.02; made once.
 inline const TestCase& goodChannel()
 {
-    static const TestCase* const made = []
+    static const std::unique_ptr<const TestCase> made = []
     {
         auto files = channelCase();
         auto& control = files["system/controlDict"];
         control.replace(control.find("0.08"), 4, "0.02");
-        auto* const c = new TestCase(files);
-        std::atexit([] { std::filesystem::remove_all(goodChannel().folder()); });
+        auto c = std::make_unique<TestCase>(files);
         c->runWell("packParticles");
         c->runWell("meshToGhost");
         c->runWell("sphFoamLike");
         c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
-        return c;
+        return std::unique_ptr<const TestCase>(std::move(c));
     }();
     return *made;
 }
@@ -31,17 +31,21 @@ class Damaged : public TestCase
 public:
     explicit Damaged(const TestCase& good = goodChannel()) : TestCase(Files{})
     {
-        for (const auto& entry : std::filesystem::directory_iterator(good.folder())) copyFrom(good, entry.path().filename().string());
+        for (const auto& entry : std::filesystem::directory_iterator(good.folder()))
+            copyFrom(good, entry.path().filename().string());
     }
 
     /// Exit code 1, every word in the message, time folders as they were and no new ones, no half-written ones.
-    void isRefused(const std::string& application, const std::vector<std::string>& words, const std::string& arguments = "", int seconds = 20) const
+    void isRefused(const std::string& application, const std::vector<std::string>& words, const std::string& arguments = "",
+                   int seconds = 20) const
     {
         const auto before = timeFolders();
         const auto outcome = run(application, arguments, 1, seconds);
-        EXPECT_EQ(outcome.code, 1) << outcome.err << outcome.out.substr(outcome.out.size() - std::min<std::size_t>(outcome.out.size(), 1500));
+        EXPECT_EQ(outcome.code, 1) << outcome.err
+                                   << outcome.out.substr(outcome.out.size() - std::min<std::size_t>(outcome.out.size(), 1500));
         EXPECT_NE(outcome.err.find("--> FATAL ERROR"), std::string::npos);
-        for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << outcome.err;
+        for (const auto& word : words)
+            EXPECT_NE(outcome.err.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << outcome.err;
         EXPECT_EQ(difference(before, timeFolders()), "");
     }
 

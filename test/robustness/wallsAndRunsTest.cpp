@@ -11,7 +11,8 @@ namespace
 TEST(Walls, MoreCurvedThanTheSupport)
 {
     Damaged c;
-    c.replace("constant/geometry", "walls\n{", "walls\n{\n    rod { type cylinder; point (0.5 0.5 0); radius 0.1; fluid outside; }");
+    c.replace("constant/geometry", "walls\n{",
+              "walls\n{\n    rod { type cylinder; point (0.5 0.5 0); radius 0.1; fluid outside; }");
     c.isRefused("meshToGhost", {"constant/geometry:4", "rod"}, "-check");
 }
 
@@ -66,7 +67,8 @@ TEST(Runs, OfNothingAtAll)
     EXPECT_TRUE(c.has("0.04/lagrangian/sph/U"));
 }
 
-// A disk of 128 kB holds the first time folder and not the second: exit code 1, the first one whole, nothing half-written under a time's name.
+// A disk of 128 kB holds the first time folder and not the second: exit code 1, the first one whole, nothing half-written under
+// a time's name.
 TEST(Disk, Full)
 {
     const TestCase place(Files{});
@@ -76,7 +78,8 @@ TEST(Disk, Full)
     const std::unique_ptr<const TestCase, decltype(unmount)> mounted(&place, unmount);
     {
         const TestCase c(Files{}, place.folder());
-        for (const char* part : {"system", "0.02", "constant/geometry", "constant/phaseProperties", "constant/g", "constant/walls"})
+        for (const char* part :
+             {"system", "0.02", "constant/geometry", "constant/phaseProperties", "constant/g", "constant/walls"})
         {
             std::filesystem::create_directories((c.folder() / part).parent_path());
             c.copyFrom(goodChannel(), part);
@@ -90,7 +93,8 @@ TEST(Disk, Full)
         for (const auto& entry : std::filesystem::directory_iterator(c.folder()))
         {
             const auto name = entry.path().filename().string();
-            EXPECT_TRUE(name[0] != '0' || name.find(".partial") != std::string::npos || c.has(name + "/uniform/time")) << name << " is not whole";
+            EXPECT_TRUE(name[0] != '0' || name.find(".partial") != std::string::npos || c.has(name + "/uniform/time"))
+                << name << " is not whole";
         }
     }
 }

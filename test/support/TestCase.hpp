@@ -76,20 +76,23 @@ public:
     {
         // Beside the case, so that a full disk in the case does not swallow the message.
         const auto log = std::filesystem::temp_directory_path() / (folder_.filename().string() + "." + application);
-        const std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " timeout " + std::to_string(seconds) + " '" SPH_APPLICATIONS "/" +
-                                    application + "' -case '" + folder_.string() + "' " + arguments + " < /dev/null > '" + log.string() +
-                                    ".out' 2> '" + log.string() + ".err'";
+        const std::string command = "OMP_NUM_THREADS=" + std::to_string(threads) + " timeout " + std::to_string(seconds) +
+                                    " '" SPH_APPLICATIONS "/" + application + "' -case '" + folder_.string() + "' " + arguments +
+                                    " < /dev/null > '" + log.string() + ".out' 2> '" + log.string() + ".err'";
         const int status = std::system(command.c_str());
-        Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128, contentsOf(log.string() + ".out"), contentsOf(log.string() + ".err")};
+        Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128, contentsOf(log.string() + ".out"),
+                        contentsOf(log.string() + ".err")};
         std::filesystem::remove(log.string() + ".out");
         std::filesystem::remove(log.string() + ".err");
         return outcome;
     }
     /// Throws where an application fails, with its message: for the steps that a test takes for granted.
-    std::string runWell(const std::string& application, const std::string& arguments = "", int threads = 1, int seconds = 60) const
+    std::string runWell(const std::string& application, const std::string& arguments = "", int threads = 1,
+                        int seconds = 60) const
     {
         const auto outcome = run(application, arguments, threads, seconds);
-        if (outcome.code != 0) throw std::runtime_error(application + " failed with code " + std::to_string(outcome.code) + ": " + outcome.err);
+        if (outcome.code != 0)
+            throw std::runtime_error(application + " failed with code " + std::to_string(outcome.code) + ": " + outcome.err);
         return outcome.out;
     }
 
@@ -98,7 +101,8 @@ public:
     {
         Files all;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / under))
-            if (entry.is_regular_file()) all[std::filesystem::relative(entry.path(), folder_ / under).string()] = contentsOf(entry.path());
+            if (entry.is_regular_file())
+                all[std::filesystem::relative(entry.path(), folder_ / under).string()] = contentsOf(entry.path());
         return all;
     }
 };
@@ -108,8 +112,10 @@ inline std::string difference(const Files& a, const Files& b)
 {
     std::string different;
     for (const auto& [name, text] : a)
-        if (const auto other = b.find(name); other == b.end()) different += name + " is missing; ";
-        else if (other->second != text) different += name + " differs; ";
+        if (const auto other = b.find(name); other == b.end())
+            different += name + " is missing; ";
+        else if (other->second != text)
+            different += name + " differs; ";
     for (const auto& [name, _] : b)
         if (!a.contains(name)) different += name + " is new; ";
     return different;

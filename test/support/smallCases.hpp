@@ -6,18 +6,23 @@ namespace sph::test
 {
 
 /// Ten write times are at multiples of 0.02 s.
-inline const std::string controls = "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.08;\n"
-                                    "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.02; writeFormat binary;\n";
+inline const std::string controls =
+    "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.08;\n"
+    "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.02; writeFormat binary;\n";
 
-/// Channel between planes, driven across, with particles off their lattice and in motion, so that lists are rebuilt between write times.
+/// Channel between planes, driven across, with particles off their lattice and in motion, so that lists are rebuilt between
+/// write times.
 inline Files channelCase()
 {
     return {
         {"system/controlDict", controls},
-        {"system/sphSchemes", "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nwallVelocity secondOrder;\nintegration { scheme "
-                              "predictorCorrector; }\n"},
-        {"system/packParticlesDict", "lattice cubic; jitter 0.1; velocity { type taylorGreen; U 1; L 1; }\nfill ( { region all; phase water; } );\n"},
-        {"constant/geometry", "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal (0 1 "
+        {"system/sphSchemes",
+         "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nwallVelocity secondOrder;\nintegration { scheme "
+         "predictorCorrector; }\n"},
+        {"system/packParticlesDict",
+         "lattice cubic; jitter 0.1; velocity { type taylorGreen; U 1; L 1; }\nfill ( { region all; phase water; } );\n"},
+        {"constant/geometry", "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x); }\nwalls\n{\n    bottom { type "
+                              "plane; point (0 0 0); normal (0 1 "
                               "0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n"},
         {"constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 10; soundSpeed 15; }\n"},
         {"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (1 0 0);\n"},
@@ -28,13 +33,18 @@ inline Files channelCase()
 inline Files dropCase()
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
-    files["system/packParticlesDict"] = "lattice cubic; jitter 0.1;\nfill\n(\n    { region all; phase gas; }\n    { region sphere; centre (0.5 0 0); radius "
-                                        "0.4; phase liquid; U (1 0 0); }\n);\n";
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal (0 "
-                                 "1 0); contactAngle 60; }\n    top { type plane; point (0 1 0); normal (0 -1 0); contactAngle 120; }\n}\n";
-    files["constant/phaseProperties"] = "phases (liquid gas);\nliquid { rho 1; mu 0.05; soundSpeed 20; }\ngas { rho 0.5; mu 0.05; soundSpeed 20; exponent "
-                                        "1.4; }\nsigma ( (liquid gas) 1 );\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1;\nfill\n(\n    { region all; phase gas; }\n    { region sphere; centre (0.5 0 0); radius "
+        "0.4; phase liquid; U (1 0 0); }\n);\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point (0 0 0); "
+        "normal (0 "
+        "1 0); contactAngle 60; }\n    top { type plane; point (0 1 0); normal (0 -1 0); contactAngle 120; }\n}\n";
+    files["constant/phaseProperties"] =
+        "phases (liquid gas);\nliquid { rho 1; mu 0.05; soundSpeed 20; }\ngas { rho 0.5; mu 0.05; soundSpeed 20; exponent "
+        "1.4; }\nsigma ( (liquid gas) 1 );\n";
     return files;
 }
 
@@ -42,10 +52,11 @@ inline Files dropCase()
 inline Files grainCase()
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\ndensity continuity; densityDiffusion 0.1; shifting 2;\n"
-                                 "integration { scheme predictorCorrector; }\n";
-    files["constant/geometry"] =
-        "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type sphere; centre (0.5 0.5 0); radius 0.25; fluid outside; } }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\ndensity continuity; densityDiffusion 0.1; shifting 2;\n"
+        "integration { scheme predictorCorrector; }\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type "
+                                 "sphere; centre (0.5 0.5 0); radius 0.25; fluid outside; } }\n";
     files["system/packParticlesDict"] = "lattice cubic; velocity { type taylorGreen; U 0.5; L 1; }\nrelax { steps 50; }\n";
     return files;
 }
@@ -56,8 +67,10 @@ inline Files bedCase()
     auto files = channelCase();
     files["system/controlDict"] = "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.04;\n"
                                   "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.01; writeFormat binary;\n";
-    files["system/sphSchemes"] = "resolution { spacing 0.08; support 2.6; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
-    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\nwalls { grains { type sphereBed; lattice bcc; radius "
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.08; support 2.6; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
+    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\nwalls { grains { type "
+                                 "sphereBed; lattice bcc; radius "
                                  "0.35; period 1; } }\n";
     files["system/packParticlesDict"] = "lattice cubic; relax { steps 30; }\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 1; soundSpeed 15; }\n";

@@ -26,11 +26,11 @@ TEST(FieldStore, CarriesNoThirdComponentIn2D)
     FieldStore<2> plane;
     plane.allocate(Velocity{});
     plane.allocate(Stress{});
-    EXPECT_EQ(plane.bytesPerParticle(), 8u*(2 + 3));
+    EXPECT_EQ(plane.bytesPerParticle(), 8u * (2 + 3));
     FieldStore<3> space;
     space.allocate(Velocity{});
     space.allocate(Stress{});
-    EXPECT_EQ(space.bytesPerParticle(), 8u*(3 + 6));
+    EXPECT_EQ(space.bytesPerParticle(), 8u * (3 + 6));
 }
 
 // Asking twice changes nothing, also when the first to ask wanted a state; growth keeps values and fills with 0.
@@ -75,7 +75,7 @@ TEST(FieldStore, AlignsArraysToCacheLines)
     FieldStore<3> store;
     store.allocate(Velocity{});
     store.resize(17);
-    for (const double* p : store.pointers(Velocity{})) EXPECT_EQ(reinterpret_cast<std::uintptr_t>(p)%64, 0u);
+    for (const double* p : store.pointers(Velocity{})) EXPECT_EQ(reinterpret_cast<std::uintptr_t>(p) % 64, 0u);
 }
 
 }

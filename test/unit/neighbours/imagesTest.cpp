@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <omp.h>
 
 namespace sph
 {
@@ -17,7 +18,8 @@ template<int dim> struct Imaged
     FieldStore<dim> store;
     Images<dim> images;
 
-    Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1, std::vector<int> group = {}, int groups = 0)
+    Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1, std::vector<int> group = {},
+           int groups = 0)
         : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing, std::move(group), groups)
     {
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
@@ -47,22 +49,24 @@ Geometry cornerOfBox(int dimension)
     return g;
 }
 
-// In the corner of a box every combination of signs exactly once: 3 images in 2-D, 7 in 3-D. Mirroring in plane walls rounds once or twice.
+// In the corner of a box every combination of signs exactly once: 3 images in 2-D, 7 in 3-D. Mirroring in plane walls rounds
+// once or twice.
 TEST(Images, OfABoxCornerAppearOnceEach)
 {
     Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     EXPECT_EQ(plane.images.count(), 3u);
     for (double a : {-1, 1})
-        for (double b : {-1, 1}) EXPECT_EQ(plane.countAt({a*0.1, b*0.15}), a + b < 2) << a << b;
+        for (double b : {-1, 1}) EXPECT_EQ(plane.countAt({a * 0.1, b * 0.15}), a + b < 2) << a << b;
 
     Imaged<3> space(cornerOfBox(3), 0.3, {{0.1, 0.15, 0.2}});
     EXPECT_EQ(space.images.count(), 7u);
     for (double a : {-1, 1})
         for (double b : {-1, 1})
-            for (double c : {-1, 1}) EXPECT_EQ(space.countAt({a*0.1, b*0.15, c*0.2}), a + b + c < 3) << a << b << c;
+            for (double c : {-1, 1}) EXPECT_EQ(space.countAt({a * 0.1, b * 0.15, c * 0.2}), a + b + c < 3) << a << b << c;
 }
 
-// A particle that all but touches both walls of a corner: its three images lie within a hundredth of a spacing of one another and of it.
+// A particle that all but touches both walls of a corner: its three images lie within a hundredth of a spacing of one another
+// and of it.
 TEST(Images, OfAParticleInTheVeryCornerAppearOnceEach)
 {
     Imaged<2> scene(cornerOfBox(2), 0.3, {{0.002, 0.002}});
@@ -99,8 +103,8 @@ TEST(Images, OfANarrowPeriodAppearOnBothSides)
     EXPECT_EQ(scene.countAt({-0.18, 1}), 1);
 }
 
-// Every point around particles in a channel with periodic ends sees exactly what an endless channel holds: compared with a channel that is built
-// of all its copies, each mirrored by hand.
+// Every point around particles in a channel with periodic ends sees exactly what an endless channel holds: compared with a
+// channel that is built of all its copies, each mirrored by hand.
 TEST(Images, OfAPeriodicChannelEqualThoseOfAnEndlessOne)
 {
     Geometry g = domain(2, {1, 1, 0}, {true, false, false});
@@ -122,8 +126,9 @@ TEST(Images, OfAPeriodicChannelEqualThoseOfAnEndlessOne)
     EXPECT_EQ(scene.images.count(), expected);
 }
 
-// Round grains cut by a periodic face. Around each fluid particle the images must be those of the same grains in a domain of three periods in x
-// and y, of which this is the middle: same number within reach of every owned particle, and same total weight.
+// Round grains cut by a periodic face. Around each fluid particle the images must be those of the same grains in a domain of
+// three periods in x and y, of which this is the middle: same number within reach of every owned particle, and same total
+// weight.
 TEST(Images, OfGrainsAcrossAPeriodicFaceEqualThoseOfThreePeriods)
 {
     const double reach = 0.16, radius = 0.3;
@@ -159,12 +164,12 @@ TEST(Images, OfGrainsAcrossAPeriodicFaceEqualThoseOfThreePeriods)
     {
         const auto a = seen(scene, p), b = seen(many, p + Vector<2>{1, 1});
         ASSERT_EQ(a.x, b.x) << p.x << ' ' << p.y;
-        ASSERT_NEAR(a.y, b.y, 1e-10*b.y);
+        ASSERT_NEAR(a.y, b.y, 1e-10 * b.y);
     }
 }
 
-// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more (NUMERICS, packing). The chain ends
-// after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
+// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more (NUMERICS,
+// packing). The chain ends after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
 TEST(Images, OfAPinchHoldTheSecondReflection)
 {
     const Vector<3> a{-1.05, 0, 0}, b{1.05, 0, 0};
@@ -174,7 +179,7 @@ TEST(Images, OfAPinchHoldTheSecondReflection)
     addWall(g, Sphere(b, 1, FluidSide::outside));
     const Vector<3> x{0.01, 0.02, 0};
     Imaged<3> scene(g, 0.4, {x});
-    const auto mirror = [](Vector<3> p, Vector<3> c) { return c + (2 - mag(p - c))/mag(p - c)*(p - c); };
+    const auto mirror = [](Vector<3> p, Vector<3> c) { return c + (2 - mag(p - c)) / mag(p - c) * (p - c); };
     EXPECT_EQ(scene.countAt(mirror(x, a)), 1);
     EXPECT_EQ(scene.countAt(mirror(x, b)), 1);
     EXPECT_EQ(scene.countAt(mirror(mirror(x, a), b)), 1);
@@ -182,8 +187,8 @@ TEST(Images, OfAPinchHoldTheSecondReflection)
     EXPECT_EQ(scene.images.count(), 4u);
 }
 
-// Weight of an image = product of the volume factors of its reflections: ((2R - r)/r)^2 of a sphere, (2R - r)/r of a circle; 1 of planes and
-// periods. Round-off.
+// Weight of an image = product of the volume factors of its reflections: ((2R - r)/r)^2 of a sphere, (2R - r)/r of a circle; 1
+// of planes and periods. Round-off.
 TEST(Images, CarryTheVolumeFactor)
 {
     const double r = 1.1;
@@ -193,22 +198,23 @@ TEST(Images, CarryTheVolumeFactor)
     addWall(ball, Sphere({0, 0, 0}, 1, FluidSide::outside));
     Imaged<3> outside(ball, 0.3, {{0, 0, r}});
     ASSERT_EQ(outside.images.count(), 1u);
-    EXPECT_NEAR(weight(outside), sqr((2 - r)/r), 1e-14);
+    EXPECT_NEAR(weight(outside), sqr((2 - r) / r), 1e-14);
 
     Geometry disc = domain(2, {2, 2, 0});
     disc.low = {-2, -2, 0};
     addWall(disc, Cylinder({0, 0, 0}, {0, 0, 1}, 1, FluidSide::inside));
     Imaged<2> inside(disc, 0.3, {{0.9, 0}});
     ASSERT_EQ(inside.images.count(), 1u);
-    EXPECT_NEAR(weight(inside), 1.1/0.9, 1e-14);
+    EXPECT_NEAR(weight(inside), 1.1 / 0.9, 1e-14);
 
     Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.5}});
     EXPECT_EQ(weight(plane), 1);
     EXPECT_EQ(plane.store.component("volumeFactor", 0)[0], 1);
 }
 
-// Scalars are copied; vectors and tensors are mirrored as the plane x = 0 mirrors them: the x-component and the xy-component change sign. Twice
-// mirrored in a corner: both components change sign, xy is itself again. Velocity follows the wall's rule (here -v, twice in the corner).
+// Scalars are copied; vectors and tensors are mirrored as the plane x = 0 mirrors them: the x-component and the xy-component
+// change sign. Twice mirrored in a corner: both components change sign, xy is itself again. Velocity follows the wall's rule
+// (here -v, twice in the corner).
 TEST(Images, CarryValuesByTheRuleOfTheField)
 {
     Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
@@ -231,26 +237,27 @@ TEST(Images, CarryValuesByTheRuleOfTheField)
         const auto x = positionOf(store, k);
         const double a = x.x < 0 ? -1 : 1, b = x.y < 0 ? -1 : 1;
         EXPECT_EQ(store.component("rho", 0)[k], 7);
-        EXPECT_EQ(store.component("gradC", 0)[k], a*1);
-        EXPECT_EQ(store.component("gradC", 1)[k], b*2);
+        EXPECT_EQ(store.component("gradC", 0)[k], a * 1);
+        EXPECT_EQ(store.component("gradC", 1)[k], b * 2);
         EXPECT_EQ(store.component("S", 0)[k], 3);
-        EXPECT_EQ(store.component("S", 1)[k], a*b*4);
+        EXPECT_EQ(store.component("S", 1)[k], a * b * 4);
         EXPECT_EQ(store.component("S", 2)[k], 5);
-        EXPECT_EQ(store.component("U", 0)[k], a*b*6);
-        EXPECT_EQ(store.component("U", 1)[k], a*b*8);
+        EXPECT_EQ(store.component("U", 0)[k], a * b * 6);
+        EXPECT_EQ(store.component("U", 1)[k], a * b * 8);
     }
     // The null particle's values are computed with, times W = 0: they must be finite.
     EXPECT_EQ(store.component("rho", 0)[scene.images.nullParticle()], 7);
 }
 
-// Vectors and tensors at a sphere are mirrored in the tangent plane of the foot point: the ghost of (n, t) components has (-n, t).
+// Vectors and tensors at a sphere are mirrored in the tangent plane of the foot point: the ghost of (n, t) components has (-n,
+// t).
 TEST(Images, MirrorVectorsInTheTangentPlaneOfASphere)
 {
     Geometry ball = domain(3, {2, 2, 2});
     ball.low = {-2, -2, -2};
     addWall(ball, Sphere({0, 0, 0}, 1, FluidSide::outside));
-    const Vector<3> n{2.0/3, -1.0/3, 2.0/3};
-    Imaged<3> scene(ball, 0.3, {1.1*n});
+    const Vector<3> n{2.0 / 3, -1.0 / 3, 2.0 / 3};
+    Imaged<3> scene(ball, 0.3, {1.1 * n});
     auto& store = scene.store;
     store.allocate(ColourGradient{});
     store.allocate(Stress{});
@@ -259,7 +266,7 @@ TEST(Images, MirrorVectorsInTheTangentPlaneOfASphere)
     sph::store(outer(v), [&](int c, double q) { store.component("S", c)[0] = q; });
     Images<3>::refresh<ColourGradient>(scene.images, store);
     Images<3>::refresh<Stress>(scene.images, store);
-    const auto expected = v - 2*dot(v, n)*n;
+    const auto expected = v - 2 * dot(v, n) * n;
     sph::store(expected, [&](int c, double q) { EXPECT_NEAR(store.component("gradC", c)[1], q, 1e-15); });
     // R (v v) R = (R v)(R v)
     sph::store(outer(expected), [&](int c, double q) { EXPECT_NEAR(store.component("S", c)[1], q, 1e-15); });
@@ -277,8 +284,8 @@ public:
     }
 };
 
-// The velocity rule is told the foot point of each reflection, on the wall it is mirrored in: the second one is that of the ghost, not that of
-// the source. (A wall that turns has another velocity at each place.)
+// The velocity rule is told the foot point of each reflection, on the wall it is mirrored in: the second one is that of the
+// ghost, not that of the source. (A wall that turns has another velocity at each place.)
 TEST(Images, TellTheFootPointOfEveryReflection)
 {
     Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
@@ -286,6 +293,7 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     const auto& rule = *owned;
     scene.images.setGhostVelocity(std::move(owned));
     scene.store.allocate(Velocity{});
+    omp_set_num_threads(1); // the listener's notebook is not shared
     Images<2>::refresh<Velocity>(scene.images, scene.store);
     const auto told = [&](Vector<3> foot)
     { return std::count_if(rule.feet.begin(), rule.feet.end(), [&](Vector<3> f) { return mag(f - foot) < 1e-14; }); };
@@ -295,7 +303,8 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     EXPECT_EQ(told({-0.1, 0, 0}), 1);
 }
 
-// Ghosts are ordered by contact-angle group: owned, periodic, group 0, group 1. ghosts() holds where each group begins, and the end.
+// Ghosts are ordered by contact-angle group: owned, periodic, group 0, group 1. ghosts() holds where each group begins, and the
+// end.
 TEST(Images, AreOrderedByContactAngle)
 {
     Geometry g = domain(2, {1, 1, 0}, {true, false, false});
@@ -323,7 +332,8 @@ TEST(Images, MoveWithTheirSources)
     std::vector<Vector<2>> points{{0.5, 0.85}, {0.05, 0.5}, {0.9, 0.9}};
     Imaged<2> scene(ball, 0.25, points);
     for (auto& p : points) p += Vector<2>{0.01, 0.005};
-    for (std::size_t i = 0; i < points.size(); ++i) sph::store(points[i], [&](int c, double q) { scene.store.component("positions", c)[i] = q; });
+    for (std::size_t i = 0; i < points.size(); ++i)
+        sph::store(points[i], [&](int c, double q) { scene.store.component("positions", c)[i] = q; });
     scene.images.move(scene.store);
     Imaged<2> afresh(ball, 0.25, points);
     ASSERT_EQ(scene.images.count(), afresh.images.count());

@@ -1,6 +1,6 @@
 /// Neighbour lists against every pair tried: the sets must be the same, index by index.
-#include "CaseError.hpp"
 #include "NeighbourLists.hpp"
+#include "CaseError.hpp"
 #include "scenes.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& poin
         for (std::size_t j = 0; j < points.size(); ++j)
             if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
         std::vector<int> found(lists.of(i).begin(), lists.of(i).end());
-        ASSERT_EQ(found.size()%NeighbourLists<dim>::lanes, 0u) << "particle " << i;
+        ASSERT_EQ(found.size() % NeighbourLists<dim>::lanes, 0u) << "particle " << i;
         std::erase(found, int(points.size()));
         std::sort(found.begin(), found.end());
         ASSERT_EQ(found, expected) << "particle " << i;
@@ -36,7 +36,10 @@ template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& poin
 }
 
 TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn2D) { listsEqualBruteForce<2>(randomPoints<2>(3000, {3, 1}), 2500, 0.11); }
-TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D) { listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23); }
+TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D)
+{
+    listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23);
+}
 
 // Every point in one cell, and lists that hold everything.
 TEST(NeighbourLists, EqualBruteForceWhereTheRadiusSpansTheScene)
@@ -59,11 +62,12 @@ TEST(NeighbourLists, EqualBruteForceOfALattice)
     std::vector<Vector<3>> points;
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j)
-            for (int k = 0; k < 9; ++k) points.push_back({i*0.125, j*0.125, k*0.125});
+            for (int k = 0; k < 9; ++k) points.push_back({i * 0.125, j * 0.125, k * 0.125});
     for (double radius : {0.25, 0.3, 0.375}) listsEqualBruteForce<3>(points, points.size(), radius);
 }
 
-// A scene 10^6 spacings long with particles at both ends alone: cells grow instead of filling the memory (10^18 cells of side 1 in 3-D).
+// A scene 10^6 spacings long with particles at both ends alone: cells grow instead of filling the memory (10^18 cells of side 1
+// in 3-D).
 TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
 {
     auto points = randomPoints<3>(600, {8, 8, 8});
@@ -83,7 +87,7 @@ TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
 TEST(NeighbourLists, EqualBruteForceOfAClusteredCloud)
 {
     auto points = randomPoints<2>(800, {10, 10}, 3);
-    for (std::size_t i = 0; i < 400; ++i) points[i] = Vector<2>{5, 5} + 0.02*points[i];
+    for (std::size_t i = 0; i < 400; ++i) points[i] = Vector<2>{5, 5} + 0.02 * points[i];
     listsEqualBruteForce<2>(points, points.size(), 0.3);
 }
 
@@ -122,8 +126,10 @@ TEST(NeighbourLists, RefuseParticlesOnTopOfOneAnother)
         }
         catch (const CaseError& e)
         {
-            EXPECT_STREQ(e.what(), "particle 1500 at (0.25 0.5 0.75) has more than 1024 neighbours: particles lie on top of one another, or the "
-                                   "kernel support is too many spacings");
+            EXPECT_STREQ(
+                e.what(),
+                "particle 1500 at (0.25 0.5 0.75) has more than 1024 neighbours: particles lie on top of one another, or the "
+                "kernel support is too many spacings");
         }
     }
 }

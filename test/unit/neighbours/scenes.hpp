@@ -34,7 +34,7 @@ inline void addWall(Geometry& g, const Shape& shape)
 template<int dim> class Reversed : public GhostVelocity<dim>
 {
 public:
-    Vector<dim> operator()(Vector<dim> v, std::size_t, const Reflection<dim>&, bool) const override { return -1.0*v; }
+    Vector<dim> operator()(Vector<dim> v, std::size_t, const Reflection<dim>&, bool) const override { return -1.0 * v; }
 };
 
 template<int dim> void setPositions(FieldStore<dim>& store, const std::vector<Vector<dim>>& points)
@@ -70,8 +70,10 @@ template<int dim> std::vector<Vector<dim>> randomPoints(std::size_t n, Vector<di
     {
         Vector<dim> q;
         fetch(q, [&](int) { return unit(random); });
-        if constexpr (dim == 2) p = {q.x*high.x, q.y*high.y};
-        else p = {q.x*high.x, q.y*high.y, q.z*high.z};
+        if constexpr (dim == 2)
+            p = {q.x * high.x, q.y * high.y};
+        else
+            p = {q.x * high.x, q.y * high.y, q.z * high.z};
     }
     return points;
 }

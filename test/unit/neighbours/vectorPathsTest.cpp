@@ -21,8 +21,10 @@ template<int dim> struct Scene
 
     explicit Scene(std::size_t n)
     {
-        if constexpr (dim == 2) points = randomPoints<2>(n, {1, 1});
-        else points = randomPoints<3>(n, {1, 1, 1});
+        if constexpr (dim == 2)
+            points = randomPoints<2>(n, {1, 1});
+        else
+            points = randomPoints<3>(n, {1, 1, 1});
         for (int c = 0; c < dim; ++c) coordinate[c].resize(n);
         for (std::size_t i = 0; i < n; ++i) store(points[i], [&](int c, double q) { coordinate[c][i] = q; });
         for (int c = 0; c < dim; ++c) position[c] = coordinate[c].data();
@@ -55,19 +57,19 @@ template<int dim> void gatheringEqualsAPlainLoop()
     using Column = double[256];
     const Scene<dim> scene(300);
     std::vector<int> list;
-    for (int k = 0; k < 200; ++k) list.push_back(k*37%300);
+    for (int k = 0; k < 200; ++k) list.push_back(k * 37 % 300);
     const auto x = scene.points[11];
     const double radiusSqr = 0.15;
 
     const int nFields = recordSize - dim;
     std::vector<double> field[recordSize];
-    Array records(300*recordSize);
+    Array records(300 * recordSize);
     for (int f = 0; f < nFields; ++f)
-        for (int i = 0; i < 300; ++i) field[f].push_back(100*f + i);
+        for (int i = 0; i < 300; ++i) field[f].push_back(100 * f + i);
     for (int i = 0; i < 300; ++i)
     {
-        for (int c = 0; c < dim; ++c) records[i*recordSize + c] = scene.coordinate[c][i];
-        for (int f = 0; f < nFields; ++f) records[i*recordSize + dim + f] = field[f][i];
+        for (int c = 0; c < dim; ++c) records[i * recordSize + c] = scene.coordinate[c][i];
+        for (int f = 0; f < nFields; ++f) records[i * recordSize + dim + f] = field[f][i];
     }
 
     static Column xij[dim], rSqr, column[recordSize];
@@ -91,7 +93,8 @@ template<int dim> void gatheringEqualsAPlainLoop()
     };
     check(gatherWithin<dim>(scene.position, list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr), false);
     if constexpr (packsRecords)
-        check(gatherRecords<dim, nFields>(records.data(), list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr, column), true);
+        check(gatherRecords<dim, nFields>(records.data(), list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr, column),
+              true);
 }
 TEST(GatherWithin, EqualsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2>(); }
 TEST(GatherWithin, EqualsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3>(); }

@@ -18,7 +18,8 @@ template<int dim> const Catalogue<dim>& wholeCatalogue()
     static const Catalogue<dim> all = []
     {
         Catalogue<dim> c;
-        for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(), materialsTerms<dim>()})
+        for (const auto& terms :
+             {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(), materialsTerms<dim>()})
             c.insert(c.end(), terms.begin(), terms.end());
         return c;
     }();
@@ -31,13 +32,13 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     Coefficients c;
     c.dimension = dimension;
     c.spacing = spacing;
-    c.support = support*spacing;
+    c.support = support * spacing;
     c.phases = {"oil", "water", "gas"};
     c.restDensity = {800, 1000, 1.2};
     c.viscosity = {0.3, 0.07, 0.002};
     c.soundSpeed = {12, 15, 40};
     c.exponent = {7, 7, 1.4};
-    for (int k = 0; k < 3; ++k) c.stiffness.push_back(c.restDensity[k]*sqr(c.soundSpeed[k])/c.exponent[k]);
+    for (int k = 0; k < 3; ++k) c.stiffness.push_back(c.restDensity[k] * sqr(c.soundSpeed[k]) / c.exponent[k]);
     c.backgroundPressure = 37;
     c.surfaceTension = {0, 0.03, 0.02, 0.03, 0, 0.07, 0.02, 0.07, 0};
     c.wallTension = {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}; // two groups
@@ -51,14 +52,15 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
 inline Coefficients firstPhases(Coefficients c, int n)
 {
     Coefficients few = c;
-    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed, &few.exponent, &few.stiffness}) list->resize(std::size_t(n));
+    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed, &few.exponent, &few.stiffness})
+        list->resize(std::size_t(n));
     few.phases.resize(std::size_t(n));
     few.surfaceTension.clear();
     few.wallTension.clear();
     for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l) few.surfaceTension.push_back(c.surfaceTension[std::size_t(3*k + l)]);
+        for (int l = 0; l < n; ++l) few.surfaceTension.push_back(c.surfaceTension[std::size_t(3 * k + l)]);
     for (int group = 0; group < 2; ++group)
-        for (int k = 0; k < n; ++k) few.wallTension.push_back(c.wallTension[std::size_t(3*group + k)]);
+        for (int k = 0; k < n; ++k) few.wallTension.push_back(c.wallTension[std::size_t(3 * group + k)]);
     return few;
 }
 
@@ -75,10 +77,13 @@ template<int dim> struct Scene
     std::vector<double> N; ///< of every particle and image, where the plain sums are to divide gradW by (N_i + N_j)/2
 
     /// A jittered lattice where the walls leave room. Phases in layers along y, with a wavy boundary.
-    Scene(Geometry g, Coefficients numbers, int contactGroups, std::vector<int> groupOfWall, const std::vector<std::string>& terms, bool integratedDensity = false,
-          unsigned seed = 1)
-        : geometry((repeatPeriodically(g, 1.3*numbers.support), std::move(g))), coefficients(std::move(numbers)), kernel("wendlandC2", coefficients.support),
-          images(geometry, coefficients.support + 0.3*coefficients.spacing, coefficients.spacing, std::move(groupOfWall), contactGroups)
+    Scene(Geometry g, Coefficients numbers, int contactGroups, std::vector<int> groupOfWall,
+          const std::vector<std::string>& terms, bool integratedDensity = false, unsigned seed = 1)
+        : geometry((repeatPeriodically(g, 1.3 * numbers.support), std::move(g))),
+          coefficients(std::move(numbers)),
+          kernel("wendlandC2", coefficients.support),
+          images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing, std::move(groupOfWall),
+                 contactGroups)
     {
         std::set<std::string> given{"positions", "U", "m", "phase", "mu"};
         if (integratedDensity) given.insert("rho");
@@ -100,18 +105,19 @@ template<int dim> struct Scene
         const int phases = int(coefficients.phases.size());
         for (std::size_t i = 0; i < n; ++i)
         {
-            const double height = (points[i].y - geometry.low.y)/geometry.length(1) + 0.1*std::sin(6*points[i].x);
-            const int k = std::clamp(int(height*phases), 0, phases - 1);
+            const double height = (points[i].y - geometry.low.y) / geometry.length(1) + 0.1 * std::sin(6 * points[i].x);
+            const int k = std::clamp(int(height * phases), 0, phases - 1);
             for (int d = 0; d < dim; ++d) store.component("U", d)[i] = any(random);
             store.component("phase", 0)[i] = k;
             store.component("mu", 0)[i] = coefficients.viscosity[std::size_t(k)];
-            const double rho = coefficients.restDensity[std::size_t(k)]*(1 + 0.05*any(random));
-            store.component("m", 0)[i] = rho*std::pow(coefficients.spacing, dim);
-            if (integratedDensity) store.component("rho", 0)[i] = coefficients.restDensity[std::size_t(k)]*(1 + 0.03*any(random));
+            const double rho = coefficients.restDensity[std::size_t(k)] * (1 + 0.05 * any(random));
+            store.component("m", 0)[i] = rho * std::pow(coefficients.spacing, dim);
+            if (integratedDensity)
+                store.component("rho", 0)[i] = coefficients.restDensity[std::size_t(k)] * (1 + 0.03 * any(random));
         }
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
         images.build(store, n);
-        lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3*coefficients.spacing);
+        lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);
         plan->bind(store, coefficients);
         plan->evaluate(store, images, lists, kernel);
     }
@@ -119,8 +125,8 @@ template<int dim> struct Scene
     template<class F> auto at(F, std::size_t i)
     {
         decltype(unwrap(At<F, dim>{})) q;
-        const auto p = store.pointers(F{});
-        fetch(q, [&](int c) { return p[c][i]; });
+        auto& arrays = store.fields().find(F::info.name)->second.component;
+        fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
         return q;
     }
     template<class F> void refresh(F) { Images<dim>::template refresh<F>(images, store); }
@@ -132,14 +138,14 @@ private:
         std::uniform_real_distribution<double> any(-0.15, 0.15);
         std::vector<Vector<dim>> points;
         const double s = coefficients.spacing;
-        const auto jittered = [&](double low, int k) { return low + (k + 0.5 + any(random))*s; };
-        const auto layers = [&](int c) { return int(std::lround(geometry.length(c)/s)); };
+        const auto jittered = [&](double low, int k) { return low + (k + 0.5 + any(random)) * s; };
+        const auto layers = [&](int c) { return int(std::lround(geometry.length(c) / s)); };
         for (int a = 0; a < layers(0); ++a)
             for (int b = 0; b < layers(1); ++b)
                 for (int c = 0; c < (dim == 3 ? layers(2) : 1); ++c)
                 {
                     const Vector<3> p{jittered(geometry.low.x, a), jittered(geometry.low.y, b), jittered(geometry.low.z, c)};
-                    if (geometry.distance(dim == 3 ? p : Vector<3>{p.x, p.y, 0}) > 0.3*s) points.push_back(in<dim>(p));
+                    if (geometry.distance(dim == 3 ? p : Vector<3>{p.x, p.y, 0}) > 0.3 * s) points.push_back(in<dim>(p));
                 }
         return points;
     }
@@ -160,8 +166,10 @@ inline Geometry channel(int dimension, double length = 1)
 inline Geometry aroundABall(int dimension, double radius)
 {
     Geometry g = periodicBox(dimension);
-    if (dimension == 3) addWall(g, Sphere({0.5, 0.5, 0.5}, radius, FluidSide::outside));
-    else addWall(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, radius, FluidSide::outside));
+    if (dimension == 3)
+        addWall(g, Sphere({0.5, 0.5, 0.5}, radius, FluidSide::outside));
+    else
+        addWall(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, radius, FluidSide::outside));
     return g;
 }
 

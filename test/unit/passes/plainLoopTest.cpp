@@ -1,9 +1,9 @@
 /// Planned evaluation against plain double loops over all pairs, written from the equations of the headers.
 ///
-/// Sums of some dozens to a hundred pairs in another order, with reciprocals that -ffast-math may take: 1e-12 of the largest value of the field,
-/// a hundred times what is measured, and far below any wrong factor, sign or missing pair.
-#include "Scene.hpp"
+/// Sums of some dozens to a hundred pairs in another order, with reciprocals that -ffast-math may take: 1e-12 of the largest
+/// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
+#include "Scene.hpp"
 #include <functional>
 
 namespace sph::test
@@ -21,14 +21,15 @@ template<int dim> void overPairs(Scene<dim>& s, std::size_t i, const auto& f)
     for (std::size_t j = 0; j < s.images.nullParticle(); ++j)
     {
         const auto x = x_i - positionOf(s.store, j);
-        const double r = mag(x), w_j = w ? w[j] : 1, N = s.N.empty() ? 1 : 0.5*(s.N[i] + s.N[j]);
-        if (r < s.kernel.support()) f(j, x, r, w_j*s.kernel.W(r), w_j*s.kernel.dWdrOverR(r)/N*x);
+        const double r = mag(x), w_j = w ? w[j] : 1, N = s.N.empty() ? 1 : 0.5 * (s.N[i] + s.N[j]);
+        if (r < s.kernel.support()) f(j, x, r, w_j * s.kernel.W(r), w_j * s.kernel.dWdrOverR(r) / N * x);
     }
 }
 
 /// Of field F of all owned particles.
-template<int dim, class F> void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected,
-                                            double tolerance = 1e-12)
+template<int dim, class F>
+void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected,
+                 double tolerance = 1e-12)
 {
     double largest = 0, worst = 0;
     std::size_t where = 0;
@@ -48,7 +49,7 @@ template<int dim, class F> void expectEqual(Scene<dim>& s, F tag, const std::fun
         }
     }
     EXPECT_GT(largest, 0) << F::info.name << " is zero everywhere: nothing is shown";
-    EXPECT_LE(worst, tolerance*largest) << F::info.name << ", worst at particle " << where;
+    EXPECT_LE(worst, tolerance * largest) << F::info.name << ", worst at particle " << where;
 }
 
 template<int dim> using OnGeometry = std::function<void(Geometry, int groups, std::vector<int> groupOfWall)>;
@@ -65,7 +66,10 @@ template<int dim> void onEveryGeometry(const std::function<void(Geometry, int, s
     named("channel", channel(dim), 2, {0, 1});
     named("ball", aroundABall(dim, 0.33), 1, {0});
 }
-template<int dim> Coefficients coefficients(int phases) { return firstPhases(threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), phases); }
+template<int dim> Coefficients coefficients(int phases)
+{
+    return firstPhases(threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), phases);
+}
 
 Terms with(Terms terms, const Terms& more)
 {
@@ -88,12 +92,17 @@ template<int dim> struct Plain
         for (std::size_t i = 0; i < s.n; ++i)
         {
             double sigma = 0, moment = 0;
-            overPairs(s, i, [&](std::size_t, auto x, double, double W, auto gradW) { sigma += W; moment -= dot(x, gradW)/dim; });
-            V[i] = 1/(c.densityScale*sigma);
-            rho[i] = s.at(Mass{}, i)/V[i];
+            overPairs(s, i,
+                      [&](std::size_t, auto x, double, double W, auto gradW)
+                      {
+                          sigma += W;
+                          moment -= dot(x, gradW) / dim;
+                      });
+            V[i] = 1 / (c.densityScale * sigma);
+            rho[i] = s.at(Mass{}, i) / V[i];
             M[i] = moment;
             const auto k = std::size_t(s.at(Phase{}, i));
-            p[i] = c.stiffness[k]*(std::pow(rho[i]/c.restDensity[k], c.exponent[k]) - 1) + c.backgroundPressure;
+            p[i] = c.stiffness[k] * (std::pow(rho[i] / c.restDensity[k], c.exponent[k]) - 1) + c.backgroundPressure;
         }
         // Images are sought by their source's number, carried in a field that is copied.
         s.store.allocate(StartDensity{});
@@ -109,7 +118,7 @@ template<int dim> struct Plain
         s.refresh(Phase{});
         if (!s.plan->has("gradientNormalisation")) return;
         std::vector<double> N(all);
-        for (std::size_t j = 0; j < all; ++j) N[j] = M[j]*V[j];
+        for (std::size_t j = 0; j < all; ++j) N[j] = M[j] * V[j];
         s.N = N;
     }
     double m(std::size_t i) { return s.at(Mass{}, i); }
@@ -119,22 +128,26 @@ template<int dim> struct Plain
 
 template<int dim> void derivedFields()
 {
-    onEveryGeometry<dim>([](Geometry g, int groups, std::vector<int> groupOfWall)
-    {
-        Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall), with(summed, {"secondMoment", "particleShifting"}));
-        const Plain<dim> plain(s);
-        expectEqual(s, Volume{}, [&](std::size_t i) { return plain.V[i]; });
-        expectEqual(s, Density{}, [&](std::size_t i) { return plain.rho[i]; });
-        // p = B ((rho/rho_0)^n - 1) takes a difference of near equals.
-        expectEqual(s, Pressure{}, [&](std::size_t i) { return plain.p[i]; }, 1e-11);
-        expectEqual(s, KernelMoment{}, [&](std::size_t i) { return plain.M[i]; });
-        expectEqual(s, ShiftDirection{}, [&](std::size_t i)
+    onEveryGeometry<dim>(
+        [](Geometry g, int groups, std::vector<int> groupOfWall)
         {
-            Vector<dim> sum;
-            overPairs(s, i, [&](std::size_t, auto, double, double, auto gradW) { sum += gradW; });
-            return -2*plain.V[i]*sum;
+            Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall),
+                         with(summed, {"secondMoment", "particleShifting"}));
+            const Plain<dim> plain(s);
+            expectEqual(s, Volume{}, [&](std::size_t i) { return plain.V[i]; });
+            expectEqual(s, Density{}, [&](std::size_t i) { return plain.rho[i]; });
+            // p = B ((rho/rho_0)^n - 1) takes a difference of near equals.
+            expectEqual(
+                s, Pressure{}, [&](std::size_t i) { return plain.p[i]; }, 1e-11);
+            expectEqual(s, KernelMoment{}, [&](std::size_t i) { return plain.M[i]; });
+            expectEqual(s, ShiftDirection{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> sum;
+                            overPairs(s, i, [&](std::size_t, auto, double, double, auto gradW) { sum += gradW; });
+                            return -2 * plain.V[i] * sum;
+                        });
         });
-    });
 }
 TEST(PlainLoop, DerivedFieldsIn2D) { derivedFields<2>(); }
 TEST(PlainLoop, DerivedFieldsIn3D) { derivedFields<3>(); }
@@ -143,18 +156,25 @@ TEST(PlainLoop, DerivedFieldsIn3D) { derivedFields<3>(); }
 template<int dim> void acceleration(const Terms& terms, const auto& pair)
 {
     SCOPED_TRACE(terms.back());
-    onEveryGeometry<dim>([&](Geometry g, int groups, std::vector<int> groupOfWall)
-    {
-        Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall), with(summed, terms));
-        Plain<dim> plain(s);
-        expectEqual(s, Acceleration{}, [&](std::size_t i)
+    onEveryGeometry<dim>(
+        [&](Geometry g, int groups, std::vector<int> groupOfWall)
         {
-            Vector<dim> force;
-            overPairs(s, i, [&](std::size_t j, auto x, double r, double, auto gradW)
-                      { if (j != i) force += pair(plain, i, j, gradW, dot(gradW, x)/(r*r)); });
-            return 1/plain.m(i)*force;
-        }, 1e-11);
-    });
+            Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall), with(summed, terms));
+            Plain<dim> plain(s);
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  if (j != i) force += pair(plain, i, j, gradW, dot(gradW, x) / (r * r));
+                              });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-11);
+        });
 }
 
 /// Left as it is, and divided by the mean of both particles' second moments.
@@ -163,14 +183,15 @@ const Terms rawGradient{}, normalisedGradient{"gradientNormalisation"};
 template<int dim> void pressures(const Terms& first)
 {
     acceleration<dim>(with(first, {"huAdamsPressure"}), [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
-                      { return -(q.p[i]*sqr(q.V[i]) + q.p[j]*sqr(q.V[j]))*gradW; });
+                      { return -(q.p[i] * sqr(q.V[i]) + q.p[j] * sqr(q.V[j])) * gradW; });
     acceleration<dim>(with(first, {"monaghanPressure"}), [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
-                      { return -q.V[i]*q.V[j]*(q.p[i] + q.p[j])*gradW; });
-    acceleration<dim>(with(first, {"densityWeightedPressure"}), [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
-    {
-        const double p_ij = (q.rho[j]*q.p[i] + q.rho[i]*q.p[j])/(q.rho[i] + q.rho[j]);
-        return -(sqr(q.V[i]) + sqr(q.V[j]))*p_ij*gradW;
-    });
+                      { return -q.V[i] * q.V[j] * (q.p[i] + q.p[j]) * gradW; });
+    acceleration<dim>(with(first, {"densityWeightedPressure"}),
+                      [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
+                      {
+                          const double p_ij = (q.rho[j] * q.p[i] + q.rho[i] * q.p[j]) / (q.rho[i] + q.rho[j]);
+                          return -(sqr(q.V[i]) + sqr(q.V[j])) * p_ij * gradW;
+                      });
 }
 TEST(PlainLoop, PressuresIn2D) { pressures<2>(rawGradient); }
 TEST(PlainLoop, PressuresWithNormalisedGradientIn2D) { pressures<2>(normalisedGradient); }
@@ -182,9 +203,9 @@ template<int dim> void viscosities(const Terms& first)
     const auto plainForm = [](auto mean)
     {
         return [mean](auto& q, std::size_t i, std::size_t j, auto, double slope)
-        { return mean(q, i, j)*(sqr(q.V[i]) + sqr(q.V[j]))*slope*(q.v(i) - q.v(j)); };
+        { return mean(q, i, j) * (sqr(q.V[i]) + sqr(q.V[j])) * slope * (q.v(i) - q.v(j)); };
     };
-    const auto harmonic = [](auto& q, std::size_t i, std::size_t j) { return 2*q.mu(i)*q.mu(j)/(q.mu(i) + q.mu(j)); };
+    const auto harmonic = [](auto& q, std::size_t i, std::size_t j) { return 2 * q.mu(i) * q.mu(j) / (q.mu(i) + q.mu(j)); };
     const auto single = [](auto& q, std::size_t, std::size_t) { return q.s.coefficients.viscosity[0]; };
     acceleration<dim>(with(first, {"singlePhaseViscosity"}), plainForm(single));
     acceleration<dim>(with(first, {"harmonicViscosity"}), plainForm(harmonic));
@@ -198,36 +219,42 @@ template<int dim> void bodyForces()
 {
     Scene<dim> s(periodicBox(dim), coefficients<dim>(3), 0, {}, with(summed, {"gravity", "bodyForce"}));
     const Plain<dim> plain(s);
-    const auto &c = s.coefficients;
-    expectEqual(s, Acceleration{}, [&](std::size_t i) { return in<dim>(c.g) + 1/plain.rho[i]*in<dim>(c.bodyForce); });
+    const auto& c = s.coefficients;
+    expectEqual(s, Acceleration{}, [&](std::size_t i) { return in<dim>(c.g) + 1 / plain.rho[i] * in<dim>(c.bodyForce); });
 }
 TEST(PlainLoop, BodyForcesIn2D) { bodyForces<2>(); }
 TEST(PlainLoop, BodyForcesIn3D) { bodyForces<3>(); }
 
 template<int dim> void continuityEquation()
 {
-    onEveryGeometry<dim>([](Geometry g, int groups, std::vector<int> groupOfWall)
-    {
-        auto c = coefficients<dim>(1);
-        Scene<dim> s(std::move(g), c, groups, std::move(groupOfWall), with(integrated, {"densityDiffusion"}), true);
-        s.refresh(Velocity{});
-        s.refresh(Density{});
-        s.refresh(Volume{});
-        const double h = 0.5*c.support;
-        expectEqual(s, DensityRate{}, [&](std::size_t i)
+    onEveryGeometry<dim>(
+        [](Geometry g, int groups, std::vector<int> groupOfWall)
         {
-            double rate = 0;
-            const double rho_i = s.at(Density{}, i);
-            overPairs(s, i, [&](std::size_t j, auto x, double r, double, auto gradW)
-            {
-                const double rho_j = s.at(Density{}, j), V_j = s.at(Volume{}, j);
-                rate += rho_i*V_j*dot(s.at(Velocity{}, i) - s.at(Velocity{}, j), gradW);
-                rate += c.diffusion*h*c.soundSpeed[0]*2*(rho_i - rho_j)*dot(x, gradW)/(r*r + 0.01*h*h)*V_j;
-            });
-            return rate;
-        }, 1e-11);
-        for (std::size_t i = 0; i < s.n; ++i) ASSERT_NEAR(s.at(Volume{}, i)*s.at(Density{}, i)/s.at(Mass{}, i), 1, 1e-14);
-    });
+            auto c = coefficients<dim>(1);
+            Scene<dim> s(std::move(g), c, groups, std::move(groupOfWall), with(integrated, {"densityDiffusion"}), true);
+            s.refresh(Velocity{});
+            s.refresh(Density{});
+            s.refresh(Volume{});
+            const double h = 0.5 * c.support;
+            expectEqual(
+                s, DensityRate{},
+                [&](std::size_t i)
+                {
+                    double rate = 0;
+                    const double rho_i = s.at(Density{}, i);
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  const double rho_j = s.at(Density{}, j), V_j = s.at(Volume{}, j);
+                                  rate += rho_i * V_j * dot(s.at(Velocity{}, i) - s.at(Velocity{}, j), gradW);
+                                  rate += c.diffusion * h * c.soundSpeed[0] * 2 * (rho_i - rho_j) * dot(x, gradW) /
+                                          (r * r + 0.01 * h * h) * V_j;
+                              });
+                    return rate;
+                },
+                1e-11);
+            for (std::size_t i = 0; i < s.n; ++i) ASSERT_NEAR(s.at(Volume{}, i) * s.at(Density{}, i) / s.at(Mass{}, i), 1, 1e-14);
+        });
 }
 TEST(PlainLoop, ContinuityWithDiffusionIn2D) { continuityEquation<2>(); }
 TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
@@ -236,56 +263,71 @@ TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
 template<int dim> void interfaceStress(int phases, const Terms& first = rawGradient)
 {
     SCOPED_TRACE(std::to_string(phases) + " phases");
-    onEveryGeometry<dim>([&](Geometry g, int groups, std::vector<int> groupOfWall)
-    {
-        if (phases == 1 && groups == 0) return; // no interface at all
-        const auto wallGroups = groupOfWall;
-        Scene<dim> s(std::move(g), coefficients<dim>(phases), groups, std::move(groupOfWall), with(with(summed, first), {"interfaceStress", "stressDivergence"}));
-        Plain<dim> plain(s);
-        const auto& c = s.coefficients;
-        // Which wall a ghost belongs to, from its place: the channel's lower wall is group 0, its upper one group 1; a ghost has no fluid around it.
-        const auto groupOf = [&](std::size_t j)
+    onEveryGeometry<dim>(
+        [&](Geometry g, int groups, std::vector<int> groupOfWall)
         {
-            if (j < s.n || groups == 0) return -1;
-            const auto x = positionOf(s.store, j);
-            if (groups == 2) return x.y < 0 ? 0 : x.y > 1 ? 1 : -1;
-            return s.geometry.distance(in3D(x)) < 0 ? 0 : -1;
-        };
-        std::vector<int> group(s.images.nullParticle());
-        for (std::size_t j = 0; j < group.size(); ++j) group[j] = groupOf(j);
-        expectEqual(s, Stress{}, [&](std::size_t i)
-        {
-            const int k = int(s.at(Phase{}, i));
-            SymmTensor<dim> S{};
-            for (int l = 0; l < phases; ++l)
+            if (phases == 1 && groups == 0) return; // no interface at all
+            const auto wallGroups = groupOfWall;
+            Scene<dim> s(std::move(g), coefficients<dim>(phases), groups, std::move(groupOfWall),
+                         with(with(summed, first), {"interfaceStress", "stressDivergence"}));
+            Plain<dim> plain(s);
+            const auto& c = s.coefficients;
+            // Which wall a ghost belongs to, from its place: the channel's lower wall is group 0, its upper one group 1; a
+            // ghost has no fluid around it.
+            const auto groupOf = [&](std::size_t j)
             {
-                Vector<dim> gradC;
-                if (l == k) continue;
-                overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
-                          { if (int(s.at(Phase{}, j)) == l) gradC += sqr(plain.V[j])/plain.V[i]*gradW; });
-                if (mag(gradC) < 0.01/c.support) continue;
-                S += c.surfaceTension[std::size_t(k*phases + l)]*(mag(gradC)/dim*identity(gradC) - 1/mag(gradC)*outer(gradC));
-            }
-            for (int w = 0; w < groups; ++w)
-            {
-                Vector<dim> gradC;
-                overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
-                          { if (group[j] == w) gradC += sqr(plain.V[j])/plain.V[i]*gradW; });
-                if (mag(gradC) < 0.01/c.support) continue;
-                const auto n = 1/mag(gradC)*gradC;
-                S += 2*c.wallTension[std::size_t(w*phases + k)]*mag(gradC)*(identity(n) - outer(n));
-            }
-            return S;
+                if (j < s.n || groups == 0) return -1;
+                const auto x = positionOf(s.store, j);
+                if (groups == 2) return x.y < 0 ? 0 : x.y > 1 ? 1 : -1;
+                return s.geometry.distance(in3D(x)) < 0 ? 0 : -1;
+            };
+            std::vector<int> group(s.images.nullParticle());
+            for (std::size_t j = 0; j < group.size(); ++j) group[j] = groupOf(j);
+            expectEqual(s, Stress{},
+                        [&](std::size_t i)
+                        {
+                            const int k = int(s.at(Phase{}, i));
+                            SymmTensor<dim> S{};
+                            for (int l = 0; l < phases; ++l)
+                            {
+                                Vector<dim> gradC;
+                                if (l == k) continue;
+                                overPairs(s, i,
+                                          [&](std::size_t j, auto, double, double, auto gradW)
+                                          {
+                                              if (int(s.at(Phase{}, j)) == l) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
+                                          });
+                                if (mag(gradC) < 0.01 / c.support) continue;
+                                S += c.surfaceTension[std::size_t(k * phases + l)] *
+                                     (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
+                            }
+                            for (int w = 0; w < groups; ++w)
+                            {
+                                Vector<dim> gradC;
+                                overPairs(s, i,
+                                          [&](std::size_t j, auto, double, double, auto gradW)
+                                          {
+                                              if (group[j] == w) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
+                                          });
+                                if (mag(gradC) < 0.01 / c.support) continue;
+                                const auto n = 1 / mag(gradC) * gradC;
+                                S += 2 * c.wallTension[std::size_t(w * phases + k)] * mag(gradC) * (identity(n) - outer(n));
+                            }
+                            return S;
+                        });
+            s.refresh(Stress{});
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double, auto gradW)
+                              { force += (sqr(plain.V[i]) * s.at(Stress{}, i) + sqr(plain.V[j]) * s.at(Stress{}, j)) * gradW; });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-11);
         });
-        s.refresh(Stress{});
-        expectEqual(s, Acceleration{}, [&](std::size_t i)
-        {
-            Vector<dim> force;
-            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
-                      { force += (sqr(plain.V[i])*s.at(Stress{}, i) + sqr(plain.V[j])*s.at(Stress{}, j))*gradW; });
-            return 1/plain.m(i)*force;
-        }, 1e-11);
-    });
 }
 TEST(PlainLoop, InterfaceStressOfOnePhaseAtWalls) { interfaceStress<2>(1); }
 TEST(PlainLoop, InterfaceStressOfTwoPhasesIn2D) { interfaceStress<2>(2); }
@@ -297,67 +339,88 @@ TEST(PlainLoop, InterfaceStressWithNormalisedGradient) { interfaceStress<2>(3, n
 /// The curvature form: four sums, each from the fields of the one before, so that each is shown by itself.
 template<int dim> void curvatureForm(const Terms& first)
 {
-    onEveryGeometry<dim>([&](Geometry g, int groups, std::vector<int> groupOfWall)
-    {
-        Scene<dim> s(std::move(g), coefficients<dim>(2), groups, std::move(groupOfWall), with(with(summed, first), {"curvatureForce"}));
-        Plain<dim> plain(s);
-        const auto& c = s.coefficients;
-        expectEqual(s, SmoothedColour{}, [&](std::size_t i)
+    onEveryGeometry<dim>(
+        [&](Geometry g, int groups, std::vector<int> groupOfWall)
         {
-            double colour = 0;
-            overPairs(s, i, [&](std::size_t j, auto, double, double W, auto) { colour += s.at(Phase{}, j) == 0 ? plain.V[j]*W : 0; });
-            return colour;
+            Scene<dim> s(std::move(g), coefficients<dim>(2), groups, std::move(groupOfWall),
+                         with(with(summed, first), {"curvatureForce"}));
+            Plain<dim> plain(s);
+            const auto& c = s.coefficients;
+            expectEqual(s, SmoothedColour{},
+                        [&](std::size_t i)
+                        {
+                            double colour = 0;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto, double, double W, auto)
+                                      { colour += s.at(Phase{}, j) == 0 ? plain.V[j] * W : 0; });
+                            return colour;
+                        });
+            s.refresh(SmoothedColour{});
+            expectEqual(s, ColourGradient{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> sum;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto, double, double, auto gradW)
+                                      { sum += plain.V[j] * (s.at(SmoothedColour{}, j) - s.at(SmoothedColour{}, i)) * gradW; });
+                            return sum;
+                        });
+            s.refresh(ColourGradient{});
+            // kappa_i = [sum V_j (n_j - n_i) gradW] : B^-1 with B = sum V_j (x_j - x_i) gradW, over particles with a
+            // normal; at most 1/spacing.
+            const auto normal = [&](std::size_t j) { return 1 / mag(s.at(ColourGradient{}, j)) * s.at(ColourGradient{}, j); };
+            const auto present = [&](std::size_t j) { return mag(s.at(ColourGradient{}, j)) > 0.01 / c.support; };
+            expectEqual(
+                s, RawCurvature{},
+                [&](std::size_t i)
+                {
+                    SymmTensor<dim> gradient{}, B{};
+                    if (!present(i)) return 0.0;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double, double, auto gradW)
+                              {
+                                  if (!present(j)) return;
+                                  gradient += 0.5 * plain.V[j] * twiceSymm(normal(j) - normal(i), gradW);
+                                  B += -0.5 * plain.V[j] * twiceSymm(x, gradW);
+                              });
+                    const double kappa = determinant(B) > 0.05 ? doubleDot(gradient, adjugate(B)) / determinant(B) : 0;
+                    return std::clamp(kappa, -1 / c.spacing, 1 / c.spacing);
+                },
+                1e-10);
+            s.refresh(RawCurvature{});
+            const auto weight = [&](std::size_t j) { return mag(s.at(ColourGradient{}, j)); };
+            expectEqual(s, Curvature{},
+                        [&](std::size_t i)
+                        {
+                            double kappa = 0, all = 0;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto, double, double W, auto)
+                                      {
+                                          kappa += plain.V[j] * weight(j) * s.at(RawCurvature{}, j) * W;
+                                          all += plain.V[j] * weight(j) * W;
+                                      });
+                            return all > 0 ? kappa / all : 0;
+                        });
+            s.refresh(Curvature{});
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double, auto gradW)
+                              {
+                                  if (s.at(Phase{}, j) == s.at(Phase{}, i)) return;
+                                  const double kappa = 0.5 * (s.at(Curvature{}, i) + s.at(Curvature{}, j)),
+                                               sign = s.at(Phase{}, i) == 0 ? 1 : -1;
+                                  const double share = 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
+                                  force += sign * c.surfaceTension[1] * kappa * share * 0.5 *
+                                           (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
+                              });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-11);
         });
-        s.refresh(SmoothedColour{});
-        expectEqual(s, ColourGradient{}, [&](std::size_t i)
-        {
-            Vector<dim> sum;
-            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
-                      { sum += plain.V[j]*(s.at(SmoothedColour{}, j) - s.at(SmoothedColour{}, i))*gradW; });
-            return sum;
-        });
-        s.refresh(ColourGradient{});
-        // kappa_i = [sum V_j (n_j - n_i) gradW] : B^-1 with B = sum V_j (x_j - x_i) gradW, over particles with a normal.
-        const auto normal = [&](std::size_t j) { return 1/mag(s.at(ColourGradient{}, j))*s.at(ColourGradient{}, j); };
-        const auto present = [&](std::size_t j) { return mag(s.at(ColourGradient{}, j)) > 0.01/c.support; };
-        expectEqual(s, RawCurvature{}, [&](std::size_t i)
-        {
-            SymmTensor<dim> gradient{}, B{};
-            if (!present(i)) return 0.0;
-            overPairs(s, i, [&](std::size_t j, auto x, double, double, auto gradW)
-            {
-                if (!present(j)) return;
-                gradient += 0.5*plain.V[j]*twiceSymm(normal(j) - normal(i), gradW);
-                B += -0.5*plain.V[j]*twiceSymm(x, gradW);
-            });
-            return determinant(B) > 0.05 ? doubleDot(gradient, adjugate(B))/determinant(B) : 0.0;
-        }, 1e-10);
-        s.refresh(RawCurvature{});
-        const auto weight = [&](std::size_t j) { return mag(s.at(ColourGradient{}, j)); };
-        expectEqual(s, Curvature{}, [&](std::size_t i)
-        {
-            double kappa = 0, all = 0;
-            overPairs(s, i, [&](std::size_t j, auto, double, double W, auto)
-            {
-                kappa += plain.V[j]*weight(j)*s.at(RawCurvature{}, j)*W;
-                all += plain.V[j]*weight(j)*W;
-            });
-            return all > 0 ? kappa/all : 0;
-        });
-        s.refresh(Curvature{});
-        expectEqual(s, Acceleration{}, [&](std::size_t i)
-        {
-            Vector<dim> force;
-            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
-            {
-                if (s.at(Phase{}, j) == s.at(Phase{}, i)) return;
-                const double kappa = 0.5*(s.at(Curvature{}, i) + s.at(Curvature{}, j)), sign = s.at(Phase{}, i) == 0 ? 1 : -1;
-                const double share = 2*plain.rho[i]/(plain.rho[i] + plain.rho[j]);
-                force += sign*c.surfaceTension[1]*kappa*share*0.5*(sqr(plain.V[i]) + sqr(plain.V[j]))*gradW;
-            });
-            return 1/plain.m(i)*force;
-        }, 1e-11);
-    });
 }
 TEST(PlainLoop, CurvatureFormIn2D) { curvatureForm<2>(rawGradient); }
 TEST(PlainLoop, CurvatureFormWithNormalisedGradientIn2D) { curvatureForm<2>(normalisedGradient); }

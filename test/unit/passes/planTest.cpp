@@ -36,7 +36,8 @@ TEST(Plan, NamesTheTermThatLacksAField)
 
 TEST(Plan, RefusesTwoProvidersOfOneField)
 {
-    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}), "field \"p\" is provided by both tait and taitOfPhase: select one");
+    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}),
+              "field \"p\" is provided by both tait and taitOfPhase: select one");
 }
 
 TEST(Plan, AsksWhereSeveralCouldProvide)
@@ -48,7 +49,8 @@ TEST(Plan, AsksWhereSeveralCouldProvide)
 TEST(Plan, AddsTheOneProviderAndSaysWhy)
 {
     const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "numberDensity"}, {"positions", "U", "m", "phase"});
-    for (const char* term : {"colourSmoothing", "smoothedColourGradient", "interfaceCurvature", "curvatureSmoothing"}) EXPECT_TRUE(plan.has(term)) << term;
+    for (const char* term : {"colourSmoothing", "smoothedColourGradient", "interfaceCurvature", "curvatureSmoothing"})
+        EXPECT_TRUE(plan.has(term)) << term;
     FieldStore<2> store;
     plan.allocate(store);
     std::ostringstream log;
@@ -56,11 +58,12 @@ TEST(Plan, AddsTheOneProviderAndSaysWhy)
     EXPECT_NE(log.str().find("(kappa for curvatureForce)"), std::string::npos) << log.str();
 }
 
-// A scene without a feature has neither its pass, nor its field, nor its images' refresh: one viscous phase without surface tension needs volume,
-// density and pressure, the rates, and two loops over pairs.
+// A scene without a feature has neither its pass, nor its field, nor its images' refresh: one viscous phase without surface
+// tension needs volume, density and pressure, the rates, and two loops over pairs.
 TEST(Plan, LeavesOutWhatIsNotSelected)
 {
-    const Plan<3> plan(wholeCatalogue<3>(), {"numberDensity", "summedDensity", "tait", "huAdamsPressure", "singlePhaseViscosity"}, {"positions", "U", "m"});
+    const Plan<3> plan(wholeCatalogue<3>(), {"numberDensity", "summedDensity", "tait", "huAdamsPressure", "singlePhaseViscosity"},
+                       {"positions", "U", "m"});
     EXPECT_EQ(plan.pairPasses(), 2);
     FieldStore<3> store;
     plan.allocate(store);
@@ -74,15 +77,19 @@ TEST(Plan, LeavesOutWhatIsNotSelected)
         EXPECT_NE(leftOut.find(term), std::string::npos) << term;
 }
 
-// Two loops over pairs for the stress form beside pressure and viscosity: number density first, then stress, then all that is left in one.
+// Two loops over pairs for the stress form beside pressure and viscosity: number density first, then stress, then all that is
+// left in one.
 TEST(Plan, MergesTermsThatCanShareAStencil)
 {
-    const Plan<3> plan(wholeCatalogue<3>(), {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress",
-                                             "stressDivergence"}, {"positions", "U", "m", "phase", "mu"});
+    const Plan<3> plan(wholeCatalogue<3>(),
+                       {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity",
+                        "interfaceStress", "stressDivergence"},
+                       {"positions", "U", "m", "phase", "mu"});
     EXPECT_EQ(plan.pairPasses(), 3);
 }
 
-// Antisymmetric pairs: the sum of all forces in a periodic scene is the round-off of adding some 10^5 pair forces, against the largest one.
+// Antisymmetric pairs: the sum of all forces in a periodic scene is the round-off of adding some 10^5 pair forces, against the
+// largest one.
 template<int dim> void conserveMomentum(const std::vector<std::string>& forces)
 {
     std::vector<std::string> terms{"gradientNormalisation", "numberDensity", "summedDensity", "taitOfPhase"};
@@ -92,17 +99,18 @@ template<int dim> void conserveMomentum(const std::vector<std::string>& forces)
     double largest = 0;
     for (std::size_t i = 0; i < s.n; ++i)
     {
-        const auto force = s.at(Mass{}, i)*s.at(Acceleration{}, i);
+        const auto force = s.at(Mass{}, i) * s.at(Acceleration{}, i);
         sum += force;
         largest = std::max(largest, mag(force));
     }
     EXPECT_GT(largest, 0);
-    EXPECT_LT(mag(sum), 1e-12*largest) << forces[0];
+    EXPECT_LT(mag(sum), 1e-12 * largest) << forces[0];
 }
 TEST(Plan, ConservesLinearMomentumWithoutWalls)
 {
-    const std::vector<std::vector<std::string>> all{{"huAdamsPressure"}, {"monaghanPressure"}, {"densityWeightedPressure"}, {"singlePhaseViscosity"},
-                                                    {"harmonicViscosity"}, {"interfaceStress", "stressDivergence"}};
+    const std::vector<std::vector<std::string>> all{{"huAdamsPressure"},         {"monaghanPressure"},
+                                                    {"densityWeightedPressure"}, {"singlePhaseViscosity"},
+                                                    {"harmonicViscosity"},       {"interfaceStress", "stressDivergence"}};
     for (const auto& forces : all)
     {
         conserveMomentum<2>(forces);
@@ -118,7 +126,8 @@ TEST(Plan, GivesTheSameBitsOnAnyNumberOfThreads)
     {
         omp_set_num_threads(threads);
         Scene<3> s(aroundABall(3, 0.33), threePhases(3, 0.07, 2.6), 1, {0},
-                   {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress", "stressDivergence"});
+                   {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress",
+                    "stressDivergence"});
         std::vector<double> all;
         for (int c = 0; c < 3; ++c) all.insert(all.end(), s.store.component("dUdt", c), s.store.component("dUdt", c) + s.n);
         if (first.empty()) first = all;
@@ -126,20 +135,21 @@ TEST(Plan, GivesTheSameBitsOnAnyNumberOfThreads)
     }
 }
 
-// rho_0 of the second phase at 1.1 times its own rest density and n = 7: p = B (1.1^7 - 1) + p_b = 0.9487171 B + p_b, B = rho_0 c^2/7.
+// rho_0 of the second phase at 1.1 times its own rest density and n = 7: p = B (1.1^7 - 1) + p_b = 0.9487171 B + p_b, B = rho_0
+// c^2/7.
 TEST(Tait, HasTheHandValue)
 {
     auto c = threePhases(2, 0.05, 2.6);
     Scene<2> s(periodicBox(2), c, 0, {}, {"integratedVolume", "taitOfPhase"}, true);
-    const double B = 1000*225/7.0;
-    for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1.1*c.restDensity[std::size_t(s.at(Phase{}, i))];
+    const double B = 1000 * 225 / 7.0;
+    for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1.1 * c.restDensity[std::size_t(s.at(Phase{}, i))];
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
     for (std::size_t i = 0; i < s.n; ++i)
-        EXPECT_NEAR(s.at(Phase{}, i) == 1 ? s.at(Pressure{}, i) : 0.9487171*B + 37, 0.9487171*B + 37, 1e-12*B);
+        EXPECT_NEAR(s.at(Phase{}, i) == 1 ? s.at(Pressure{}, i) : 0.9487171 * B + 37, 0.9487171 * B + 37, 1e-12 * B);
 }
 
-// v = e x in an unbounded medium expands it: drho/dt = -d e rho, up to the error of the sum on a jittered lattice (a few per cent of the kernel's
-// second moment, 10 % allowed). Here away from the periodic faces, across which v jumps.
+// v = e x in an unbounded medium expands it: drho/dt = -d e rho, up to the error of the sum on a jittered lattice (a few per
+// cent of the kernel's second moment, 10 % allowed). Here away from the periodic faces, across which v jumps.
 TEST(Continuity, OfUniformExpansion)
 {
     auto c = firstPhases(threePhases(2, 0.05, 2.6), 1);
@@ -147,8 +157,8 @@ TEST(Continuity, OfUniformExpansion)
     for (std::size_t i = 0; i < s.n; ++i)
     {
         s.store.component("rho", 0)[i] = 800;
-        s.store.component("m", 0)[i] = 800*0.05*0.05;
-        for (int k = 0; k < 2; ++k) s.store.component("U", k)[i] = 3*s.store.component("positions", k)[i];
+        s.store.component("m", 0)[i] = 800 * 0.05 * 0.05;
+        for (int k = 0; k < 2; ++k) s.store.component("U", k)[i] = 3 * s.store.component("positions", k)[i];
     }
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
     double mean = 0;
@@ -159,7 +169,7 @@ TEST(Continuity, OfUniformExpansion)
             mean += s.store.component("drhodt", 0)[i];
             ++count;
         }
-    EXPECT_NEAR(mean/count/(-2*3*800), 1, 0.05);
+    EXPECT_NEAR(mean / count / (-2 * 3 * 800), 1, 0.05);
 }
 
 }

@@ -13,7 +13,8 @@ void prepare(const TestCase& c)
     c.runWell("meshToGhost");
 }
 
-/// Compares the last time folder, byte for byte: positions, fields, and the numbers of the state (time, index, step, density scale).
+/// Compares the last time folder, byte for byte: positions, fields, and the numbers of the state (time, index, step, density
+/// scale).
 void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", const std::string& half = "0.04")
 {
     const TestCase whole(files), parts(files);
@@ -61,7 +62,8 @@ TEST(Restart, FromTextFiles)
     restartEqualsTheWhole(files);
 }
 
-// The solver takes a thread for each 2000 particles: 4900 particles on one, two and three threads, three of which share two processors.
+// The solver takes a thread for each 2000 particles: 4900 particles on one, two and three threads, three of which share two
+// processors.
 TEST(Threads, DoNotChangeABit)
 {
     auto files = dropCase();

@@ -16,7 +16,8 @@ Geometry channelGeometry()
     g.high = {1, 1, 0};
     g.periodic = {true, false, false};
     g.walls.resize(2);
-    g.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0}, {std::make_shared<Plane>(Vector<3>{0, 1, 0}, Vector<3>{0, -1, 0}), 1}};
+    g.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0},
+                   {std::make_shared<Plane>(Vector<3>{0, 1, 0}, Vector<3>{0, -1, 0}), 1}};
     repeatPeriodically(g, 0.2);
     return g;
 }
@@ -47,7 +48,10 @@ Files edited(Files files, const std::string& file, const std::string& from, cons
     text.replace(text.find(from), from.size(), to);
     return files;
 }
-void expectError(const Files& files, const std::string& error) { EXPECT_NE(reading(files).errors.find(error), std::string::npos) << reading(files).errors; }
+void expectError(const Files& files, const std::string& error)
+{
+    EXPECT_NE(reading(files).errors.find(error), std::string::npos) << reading(files).errors;
+}
 
 TEST(Settings, OfGoodCasesAreRead)
 {
@@ -59,8 +63,10 @@ TEST(Settings, UnknownWordsAreSuggested)
     const std::string schemes = "system/sphSchemes";
     expectError(edited(channelCase(), schemes, "secondOrder", "secondorder"), "system/sphSchemes:2: ");
     expectError(edited(channelCase(), schemes, "predictorCorrector", "leapFrog"), "Did you mean \"leapfrog\"?");
-    expectError(edited(channelCase(), schemes, "wallVelocity", "pressureGradient huAdam; wallVelocity"), "Did you mean \"huAdams\"?");
-    expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"), "Did you mean \"numberDensity\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "pressureGradient huAdam; wallVelocity"),
+                "Did you mean \"huAdams\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"),
+                "Did you mean \"numberDensity\"?");
     expectError(edited(channelCase(), schemes, "support 2.6", "support 26"), "system/sphSchemes:1: ");
 }
 
@@ -68,15 +74,18 @@ TEST(Settings, SurfaceTensionOfUnknownPhases)
 {
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquit gas) 1"),
                 "constant/phaseProperties:4: phase \"liquit\" is unknown. Did you mean \"liquid\"?");
-    expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid liquid) 1"), "\"liquid\" has no surface tension with itself");
+    expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid liquid) 1"),
+                "\"liquid\" has no surface tension with itself");
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) -1"), "must not be negative");
 }
 
 TEST(Settings, WrongDimensionsAndSigns)
 {
-    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"), "constant/phaseProperties:2: ");
+    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"),
+                "constant/phaseProperties:2: ");
     expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu -10"), "constant/phaseProperties:2: ");
-    expectError(edited(channelCase(), "system/sphSchemes", "spacing 0.05", "spacing [1 0 0 0 0 0 0] 0.05"), "system/sphSchemes:1: ");
+    expectError(edited(channelCase(), "system/sphSchemes", "spacing 0.05", "spacing [1 0 0 0 0 0 0] 0.05"),
+                "system/sphSchemes:1: ");
 }
 
 TEST(Settings, OfAPhaseThatIsNotDescribed)
@@ -93,7 +102,8 @@ TEST(Settings, ChooseTheSoundSpeedAndSayWhy)
     EXPECT_EQ(r.errors, "");
     EXPECT_NEAR(r.settings.coefficients.soundSpeed.at(0), 20, 1e-12);
     ASSERT_FALSE(r.settings.reasons.empty());
-    EXPECT_NE(r.settings.reasons[0].find("hydrostatic pressure over the expected depth"), std::string::npos) << r.settings.reasons[0];
+    EXPECT_NE(r.settings.reasons[0].find("hydrostatic pressure over the expected depth"), std::string::npos)
+        << r.settings.reasons[0];
     expectError(edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", ""), "\"soundSpeed\" of water is missing");
 }
 
@@ -111,7 +121,7 @@ TEST(Settings, WallTensionsObeyYoungsLaw)
     const auto& tension = settings.coefficients.wallTension;
     EXPECT_NEAR(tension[0] - tension[1], -0.5, 1e-14);
     EXPECT_NEAR(tension[2] - tension[3], 0.5, 1e-14);
-    EXPECT_NEAR(tension[0]/tension[1], -1/0.5, 1e-12);
+    EXPECT_NEAR(tension[0] / tension[1], -1 / 0.5, 1e-12);
 }
 
 }

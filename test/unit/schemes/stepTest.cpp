@@ -23,7 +23,7 @@ Geometry periodicSquare()
 Cloud vortex(bool twoPhases)
 {
     Cloud cloud;
-    const double k = 2*std::numbers::pi;
+    const double k = 2 * std::numbers::pi;
     auto &U = cloud.fields["U"], &phase = cloud.fields["phase"];
     U.type = FieldClass::vector;
     U.component.resize(3);
@@ -31,12 +31,12 @@ Cloud vortex(bool twoPhases)
     for (int a = 0; a < 20; ++a)
         for (int b = 0; b < 20; ++b)
         {
-            const double x = (a + 0.5)/20, y = (b + 0.5)/20;
+            const double x = (a + 0.5) / 20, y = (b + 0.5) / 20;
             cloud.x.push_back(x);
             cloud.y.push_back(y);
             cloud.z.push_back(0);
-            U.component[0].push_back(std::sin(k*x)*std::cos(k*y));
-            U.component[1].push_back(-std::cos(k*x)*std::sin(k*y));
+            U.component[0].push_back(std::sin(k * x) * std::cos(k * y));
+            U.component[1].push_back(-std::cos(k * x) * std::sin(k * y));
             U.component[2].push_back(0);
             phase.component[0].push_back(twoPhases && b < 10);
         }
@@ -55,7 +55,8 @@ Settings settingsOf(const Files& files)
 Files vortexCase(const std::string& integrator)
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\nintegration { scheme " + integrator + "; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\nintegration { scheme " + integrator + "; }\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; exponent 1; }\n";
     files.erase("constant/g");
     return files;
@@ -68,9 +69,9 @@ std::vector<double> velocities(const Settings& settings, int steps)
     auto cloud = vortex(false);
     auto& m = cloud.fields["m"].component;
     m.resize(1);
-    for (std::size_t i = 0; i < cloud.size(); ++i) m[0].push_back(2.5*(1 + 1e-12*double(i)));
+    for (std::size_t i = 0; i < cloud.size(); ++i) m[0].push_back(2.5 * (1 + 1e-12 * double(i)));
     const auto simulation = makeSimulation(settings, g, cloud, {{"densityScale", 1.0}});
-    for (int k = 0; k < steps; ++k) simulation->step(0.02/steps);
+    for (int k = 0; k < steps; ++k) simulation->step(0.02 / steps);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < simulation->size(); ++i) order.emplace_back(simulation->field("m").component[0][i], i);
     std::sort(order.begin(), order.end());
@@ -83,33 +84,36 @@ std::vector<double> velocities(const Settings& settings, int steps)
 double distance(const std::vector<double>& a, const std::vector<double>& b)
 {
     double sum = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k])*(a[k] - b[k]);
-    return std::sqrt(sum/double(a.size()));
+    for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    return std::sqrt(sum / double(a.size()));
 }
 
-/// Order from three runs, each with half the step of the one before: log2(|v1 - v2|/|v2 - v4|). Lists are rebuilt at moments that depend on the
-/// step, which changes only the order of sums.
+/// Order from three runs, each with half the step of the one before: log2(|v1 - v2|/|v2 - v4|). Lists are rebuilt at moments
+/// that depend on the step, which changes only the order of sums.
 double observedOrder(const std::string& integrator)
 {
     const auto settings = settingsOf(vortexCase(integrator));
     const auto coarse = velocities(settings, 40), middle = velocities(settings, 80), fine = velocities(settings, 160);
-    return std::log2(distance(coarse, middle)/distance(middle, fine));
+    return std::log2(distance(coarse, middle) / distance(middle, fine));
 }
-// Within 0.2 of the order that the scheme's algebra gives: steps of 1/4 to 1/16 of the sound limit are near, not in, the limit of small steps.
+// Within 0.2 of the order that the scheme's algebra gives: steps of 1/4 to 1/16 of the sound limit are near, not in, the limit
+// of small steps.
 TEST(Step, PredictorCorrectorIsOfSecondOrder) { EXPECT_NEAR(observedOrder("predictorCorrector"), 2, 0.2); }
 TEST(Step, LeapfrogIsOfSecondOrder) { EXPECT_NEAR(observedOrder("leapfrog"), 2, 0.2); }
 TEST(Step, SymplecticEulerIsOfFirstOrderInViscosity) { EXPECT_NEAR(observedOrder("symplecticEuler"), 1, 0.2); }
 
-// Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and momentum stays at
-// the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the particles sorted.
+// Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
+// momentum stays at the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the
+// particles sorted.
 TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 {
     for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler"})
     {
         SCOPED_TRACE(integrator);
         auto files = vortexCase(integrator);
-        files["constant/phaseProperties"] = "phases (water oil);\nwater { rho 1000; mu 20; soundSpeed 15; }\noil { rho 800; mu 30; soundSpeed 15; }\nsigma ( "
-                                            "(water oil) 20 );\n";
+        files["constant/phaseProperties"] =
+            "phases (water oil);\nwater { rho 1000; mu 20; soundSpeed 15; }\noil { rho 800; mu 30; soundSpeed 15; }\nsigma ( "
+            "(water oil) 20 );\n";
         const auto settings = settingsOf(files);
         const auto g = periodicSquare();
         const auto simulation = makeSimulation(settings, g, vortex(true), {});
@@ -121,10 +125,10 @@ TEST(Step, ConservesMassOfEachPhaseAndMomentum)
         for (std::size_t k = 0; k < 2; ++k)
         {
             EXPECT_EQ(after.count[k], before.count[k]);
-            EXPECT_NEAR(after.mass[k]/before.mass[k], 1, 1e-13);
+            EXPECT_NEAR(after.mass[k] / before.mass[k], 1, 1e-13);
         }
         EXPECT_GT(mag(after.momentum), 0);
-        EXPECT_LT(mag(after.momentum - before.momentum), 1e-11*900) << "kg m/s in 2-D; the box holds 900 kg at about 0.5 m/s";
+        EXPECT_LT(mag(after.momentum - before.momentum), 1e-11 * 900) << "kg m/s in 2-D; the box holds 900 kg at about 0.5 m/s";
         EXPECT_LT(after.kineticEnergy, before.kineticEnergy);
     }
 }

@@ -35,42 +35,42 @@ Settings twoPhases()
 void expectLimit(const Settings& s, double deltaT, const std::string& by, double speed = 0, double acceleration = 0)
 {
     const auto limit = stepLimit(s, speed, acceleration);
-    EXPECT_NEAR(limit.deltaT/deltaT, 1, 1e-14);
+    EXPECT_NEAR(limit.deltaT / deltaT, 1, 1e-14);
     EXPECT_EQ(limit.by, by);
 }
 
-TEST(StepLimit, BySound) { expectLimit(quiet(), 0.4*0.5/(2 + 3), "sound", 3); }
-TEST(StepLimit, ByTheFasterPhase) { expectLimit(twoPhases(), 0.4*0.5/20, "sound"); }
+TEST(StepLimit, BySound) { expectLimit(quiet(), 0.4 * 0.5 / (2 + 3), "sound", 3); }
+TEST(StepLimit, ByTheFasterPhase) { expectLimit(twoPhases(), 0.4 * 0.5 / 20, "sound"); }
 TEST(StepLimit, ByStiffness)
 {
     auto s = twoPhases();
     s.stiffnessLimit = true; // c_eff = sqrt(max(1000 x 4, 1 x 400)/1) = sqrt(4000)
-    expectLimit(s, 1.2*0.5/std::sqrt(4000.0), "stiffness");
+    expectLimit(s, 1.2 * 0.5 / std::sqrt(4000.0), "stiffness");
 }
 TEST(StepLimit, ByViscosity)
 {
     auto s = quiet();
     s.coefficients.viscosity = {5000};
-    expectLimit(s, 0.125*0.25/5, "viscosity");
+    expectLimit(s, 0.125 * 0.25 / 5, "viscosity");
 }
 TEST(StepLimit, ByTheViscosityOfAPairOverTheLighterDensity)
 {
     auto s = twoPhases();
     s.coefficients.viscosity = {30, 10}; // pair: 2 x 30 x 10/40 = 15, over 1; air alone: 10 over 1; water alone: 0.03
-    expectLimit(s, 0.125*0.25/15, "viscosity");
+    expectLimit(s, 0.125 * 0.25 / 15, "viscosity");
 }
 TEST(StepLimit, BySurfaceTension)
 {
     auto s = twoPhases();
     s.coefficients.surfaceTension = {0, 1e6, 1e6, 0};
-    expectLimit(s, 0.5*std::sqrt(1001*0.125/(4*std::numbers::pi*1e6)), "capillary");
+    expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
 }
-TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25*std::sqrt(0.5/1e4), "force", 0, 1e4); }
+TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25 * std::sqrt(0.5 / 1e4), "force", 0, 1e4); }
 TEST(StepLimit, FollowsTheFactors)
 {
     auto s = quiet();
     s.factors.sound = 0.1;
-    expectLimit(s, 0.1*0.5/2, "sound");
+    expectLimit(s, 0.1 * 0.5 / 2, "sound");
 }
 
 }

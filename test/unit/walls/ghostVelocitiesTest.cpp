@@ -1,0 +1,106 @@
+/// Velocity rules of wall ghosts against the flows that they are to continue exactly.
+#include "ghostVelocities.hpp"
+#include "Plane.hpp"
+#include <gtest/gtest.h>
+
+namespace sph
+{
+namespace
+{
+
+/// A wall y = 0 that moves with 0.5 m/s along x; fluid of nu = 0.02 m^2/s, driven by g_x = 3 m/s^2.
+struct MovingWall
+{
+    Geometry geometry;
+    Coefficients coefficients;
+    FieldStore<2> store;
+
+    MovingWall()
+    {
+        geometry.dimension = 2;
+        geometry.high = {1, 1, 0};
+        WallProperties wall;
+        wall.velocity = {0.5, 0, 0};
+        geometry.walls = {wall};
+        geometry.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0}};
+        repeatPeriodically(geometry, 0.3);
+        coefficients.restDensity = {1000};
+        coefficients.viscosity = {20};
+        coefficients.g = {3, -9.81, 0};
+        store.allocateState(Position{});
+        store.allocateState(WallAcceleration{});
+        store.allocate(PressureAcceleration{});
+        store.resize(2);
+    }
+    static Reflection<2> at(double d) { return {d, 1, {0, 1}, 0, {0.3, 0, 0}}; }
+};
+
+// v_g = 2 v_w - v: Couette flow v = v_w + s y is continued exactly.
+TEST(GhostVelocity, ReflectedContinuesShear)
+{
+    const MovingWall w;
+    const ReflectedVelocity<2> rule(w.geometry);
+    const double d = 0.07, s = 11;
+    EXPECT_NEAR(rule({0.5 + s * d, 0.2}, 0, w.at(d), true).x, 0.5 - s * d, 1e-15);
+    EXPECT_NEAR(rule({0.5 + s * d, 0.2}, 0, w.at(d), true).y, -0.2, 1e-15);
+}
+
+// v = v_w + s y - g y^2/(2 nu), the steady flow along a wall, has v(-d) = 2 v_w - v(d) - g d^2/nu: the second-order rule gives
+// it exactly, the normal part of gravity (which pressure carries) left out.
+TEST(GhostVelocity, SecondOrderContinuesAParabola)
+{
+    MovingWall w;
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    rule.bind();
+    const double s = 11, nu = 0.02;
+    const auto flow = [&](double y) { return 0.5 + s * y - 3 * y * y / (2 * nu); };
+    for (double d : {0.01, 0.05, 0.2})
+    {
+        EXPECT_NEAR(rule({flow(d), 0}, 0, w.at(d), true).x, flow(-d), 1e-13);
+        EXPECT_NEAR(rule({flow(d), 0}, 0, w.at(d), true).y, 0, 1e-15);
+        // A ghost of a ghost takes the sign alone.
+        EXPECT_NEAR(rule({flow(d), 0}, 0, w.at(d), false).x, 1 - flow(d), 1e-13);
+    }
+}
+
+// A flow driven by pressure looks the same to the wall once the low-passed a_p has arrived: after n steps 1 - 0.9^n of it has.
+TEST(GhostVelocity, SecondOrderFollowsThePressureSlowly)
+{
+    MovingWall w;
+    w.coefficients.g = {0, 0, 0};
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    w.store.component("dUdtByPressure", 0)[0] = 3;
+    rule.bind();
+    for (int step = 0; step < 5; ++step) rule.filter();
+    const double arrived = 3 * (1 - std::pow(0.9, 5)), d = 0.1;
+    EXPECT_NEAR(rule({0.5, 0}, 0, w.at(d), true).x, 0.5 - d * d / 0.02 * arrived, 1e-14);
+}
+
+// Outside a sphere of radius R the ghost at distance d moves (R + d)/(R - d) times as fast the other way: 1/sqrt of its volume
+// factor.
+TEST(GhostVelocity, SecondOrderKnowsTheCurvature)
+{
+    MovingWall w;
+    w.coefficients.g = {0, 0, 0};
+    w.geometry.walls[0].velocity = {0, 0, 0};
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    rule.bind();
+    auto reflection = w.at(0.1);
+    const double R = 0.4, d = 0.1;
+    reflection.weight = std::pow((R - d) / (R + d), 2);
+    EXPECT_NEAR(rule({0.7, 0}, 0, reflection, true).x, -0.7 * (R + d) / (R - d), 1e-14);
+}
+
+// The fluid slides: along the wall the ghost moves with its source, across it the other way, both relative to the wall.
+TEST(GhostVelocity, SlippingMirrors)
+{
+    MovingWall w;
+    w.geometry.walls[0].velocity = {0.5, 0.1, 0};
+    const SlippingVelocity<2> rule(w.geometry);
+    const auto v = rule({2, 0.4}, 0, w.at(0.1), true);
+    EXPECT_NEAR(v.x, 2, 1e-15);
+    EXPECT_NEAR(v.y, -0.2, 1e-15);
+}
+
+}
+}
