@@ -28,6 +28,7 @@ struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::p
 struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
 struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1"};                      template<int dim> struct At { double N; }; };
 struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored};               template<int dim> struct At { SymmTensor<dim> S; }; };
+struct WallStress          { static constexpr FieldInfo info{"wallStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_w; }; };
 struct SmoothedColour      { static constexpr FieldInfo info{"colour", "1"};                            template<int dim> struct At { double colour; }; };
 struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> gradC; }; };
 struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };

@@ -7,7 +7,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> interfacesTerms()
 {
-    return catalogue<dim, InterfaceStress, WallTension, ColourSmoothing, SmoothedColourGradient, InterfaceCurvature, CurvatureSmoothing,
+    return catalogue<dim, InterfaceStress, AddWallStress, ColourSmoothing, SmoothedColourGradient, InterfaceCurvature, CurvatureSmoothing,
                      CurvatureForce>();
 }
 

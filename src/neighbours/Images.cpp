@@ -6,9 +6,8 @@ namespace sph
 {
 
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, double reach, double spacing, std::vector<int> groupOfWall, int groups)
-    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing), groupOfWall_(std::move(groupOfWall)),
-      ghosts_(std::max(groups, 1) + 1, 0), groups_(groups)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing)
+    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing)
 {}
 
 template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
@@ -117,11 +116,8 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     entries_.clear();
     const auto x = store.pointers(Position{});
     reflect(entries_, x);
+    inDomain_ = entries_.size();
     shift(entries_, x);
-
-    const auto group = [&](const Entry& e)
-    { return !e.ghost() ? -1 : groupOfWall_.empty() ? 0 : groupOfWall_[geometry_->patches[e.patch[0]].wall]; };
-    std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) { return group(a) < group(b); });
     firstFoot_.resize(entries_.size());
     std::size_t feet = 0, k = 0;
     for (const auto& e : entries_)
@@ -130,11 +126,6 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         for (int p : e.patch) feet += p >= 0;
     }
     feet_.resize(feet);
-    for (int g = 0; g < int(ghosts_.size()); ++g)
-    {
-        const auto first = std::partition_point(entries_.begin(), entries_.end(), [&](const Entry& e) { return group(e) < g; });
-        ghosts_[g] = long(owned_ + (first - entries_.begin()));
-    }
     store.resize(nullParticle() + 1);
     move(store);
 }

@@ -5,7 +5,7 @@
 /// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
-///   owned | periodic images of the fluid | wall ghosts, by group of contact angle | null particle
+///   owned | periodic images of the fluid and wall ghosts | null particle
 ///
 /// Before each pass only the fields that the pass reads are refreshed.
 #pragma once
@@ -54,8 +54,7 @@ template<int dim> class Images
 {
 public:
     /// The geometry must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls.
-    /// `groupOfWall`: contact-angle group of each wall, 0 .. groups - 1; no groups where no wall has a contact angle.
-    Images(const Geometry&, double reach, double spacing, std::vector<int> groupOfWall, int groups);
+    Images(const Geometry&, double reach, double spacing);
 
     void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
     GhostVelocity<dim>& ghostVelocity() { return *ghostVelocity_; }
@@ -80,9 +79,20 @@ public:
     std::size_t owned() const { return owned_; }
     std::size_t count() const { return entries_.size(); }
     std::size_t nullParticle() const { return owned_ + entries_.size(); }
-    /// First ghost of each contact-angle group, and one past the last: groups + 1 indices.
-    std::span<const long> ghosts() const { return {ghosts_.data(), std::size_t(groups_ + 1)}; }
     std::size_t bytes() const;
+
+    /// Calls f(source, reflection) for each owned particle and each wall that mirrors it directly, as last moved; all walls of one
+    /// particle in a row.
+    template<class F> void forEachReflection(const F& f) const
+    {
+        for (std::size_t k = 0; k < inDomain_; ++k)
+        {
+            const Entry& e = entries_[k];
+            if (e.patch[1] >= 0) continue;
+            const Feet& foot = feet_[firstFoot_[k]];
+            f(std::size_t(e.source), Reflection<dim>{foot.distance, foot.weight, foot.normal, geometry_->patches[e.patch[0]].wall, {}});
+        }
+    }
 
     /// Patches that may be within reach of a point.
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
@@ -106,15 +116,12 @@ private:
     const Geometry* geometry_;
     PatchGrid grid_;
     double reach_, spacing_;
-    std::vector<int> groupOfWall_;
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
     std::unique_ptr<GhostPressure<dim>> ghostPressure_;
-    std::size_t owned_ = 0;
+    std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< mostReflections for each image from firstGhost on, in order
     std::vector<std::size_t> firstFoot_;
-    std::vector<long> ghosts_;
-    int groups_;
 
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet) const;
     void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;

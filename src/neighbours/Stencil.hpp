@@ -31,7 +31,6 @@ template<int dim> struct Stencil
     using Column = double[capacity];
 
     int i, n;                                    ///< particle; entries, a multiple of the lanes
-    std::span<const long> ghosts;                ///< images from ghosts[g] to ghosts[g + 1] mirror in walls of contact-angle group g
     alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
 

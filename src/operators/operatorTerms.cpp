@@ -6,7 +6,7 @@
 namespace sph
 {
 
-template<int dim> Catalogue<dim> operatorTerms() { return catalogue<dim, StressDivergence, SecondMoment, GradientNormalisation, ConcentrationGradient>(); }
+template<int dim> Catalogue<dim> operatorTerms() { return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, ConcentrationGradient>(); }
 
 template Catalogue<2> operatorTerms<2>();
 template Catalogue<3> operatorTerms<3>();

@@ -23,7 +23,7 @@ struct Coefficients
     double backgroundPressure = 0;           ///< p_b [Pa], the same in all phases
 
     std::vector<double> surfaceTension;      ///< gamma_kl [N/m], phases x phases
-    std::vector<double> wallTension;         ///< gamma_sk - mean [N/m], contact-angle groups x phases
+    std::vector<double> wallTension;         ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
 
     Vector<3> g;                             ///< [m/s^2]
     Vector<3> bodyForce;                     ///< [N/m^3]

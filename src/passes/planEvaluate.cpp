@@ -84,7 +84,6 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
         #pragma omp parallel
         {
             static thread_local Stencil<dim> stencil;
-            stencil.ghosts = images.ghosts();
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {

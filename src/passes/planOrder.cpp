@@ -38,13 +38,18 @@ template<int dim> void Plan<dim>::close()
         if (const auto [p, fresh] = provider.try_emplace(e->result.info.name, e); !fresh)
             throw CaseError(fmt::format("field \"{}\" is provided by both {} and {}: select one", p->first, p->second->name, e->name));
     };
-    for (const auto* e : chosen_) provide(e);
+    std::set<std::string> added;
+    for (const auto* e : chosen_)
+    {
+        provide(e);
+        if (!e->provides) added.insert(e->result.info.name);
+    }
     for (std::size_t k = 0; k < chosen_.size(); ++k)
         for (const auto* list : {&chosen_[k]->reads, &chosen_[k]->readsOwn})
             for (const auto& f : *list)
             {
                 const std::string field = f.info.name;
-                if (given_.contains(field) || provider.contains(field)) continue;
+                if (given_.contains(field) || provider.contains(field) || added.contains(field)) continue;
                 std::vector<const Entry*> candidates;
                 std::vector<std::string> names;
                 for (const auto& e : catalogue_)

@@ -2,7 +2,7 @@
 ///
 ///   pair term   operator()(ij, i, j)   summed over the stencil of i;   Reads at i and j, ReadsOwn at i alone (costs no gather)
 ///               finish(i, sum)         optional: what the sum means
-///               sweeps(stencil)        optional: how many sums; then operator()(ij, i, j, sweep), finish(i, sum, sweep), added up
+///               sweeps()               optional: how many sums; then operator()(ij, i, j, sweep), finish(i, sum, sweep), added up
 ///   local law   operator()(i)          one particle at a time;         ReadsOwn
 ///   Provides one derived field (its only writer), or Adds to a rate that several terms share
 ///
@@ -18,13 +18,10 @@
 namespace sph
 {
 
-/// One sum of several over the same stencil: its number, and the indices [from, to) of the wall ghosts it is about.
+/// One sum of several over the same stencil.
 struct Sweep
 {
     int number = 0;
-    long from = 0, to = 0;
-    /// 1 for a ghost of this sweep's walls, else 0.
-    double contains(long j) const { return j >= from && j < to ? 1.0 : 0.0; }
 };
 
 namespace detail
@@ -187,9 +184,9 @@ public:
             const auto j = [&](int t) { return read<dim>(Neighbour{}, [&](int k) { return column[k][t]; }); };
             Result total{};
             if constexpr (Swept<T, dim>)
-                for (int s = 0; s < term.sweeps(stencil.ghosts); ++s)
+                for (int s = 0; s < term.sweeps(); ++s)
                 {
-                    const Sweep sweep = term.sweep(s, stencil.ghosts);
+                    const Sweep sweep{s};
                     using Sum = decltype(term(stencil.pair(0), i, j(0), sweep));
                     total += term.finish(i, sum(Sum{}, stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
                 }

@@ -30,6 +30,7 @@ std::set<std::string> stateOf(const Settings& settings)
     std::set<std::string> state{Position::info.name, Velocity::info.name, Mass::info.name};
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
+    state.insert(WallStress::info.name); // by WallTension, before an evaluation
     return state;
 }
 
@@ -40,8 +41,7 @@ template<int dim>
 ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
     : settings_(settings), geometry_(geometry), coefficients_(settings.coefficients), catalogue_(allTerms<dim>()),
       plan_(catalogue_, settings.terms, stateOf(settings)),
-      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing, settings.contactGroup,
-              settings.contactGroups),
+      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing),
       kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
 {
     plan_.allocate(store_);
@@ -74,6 +74,8 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     else images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
 
     if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
+
+    if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
 
     load(cloud);
     const auto scale = restored.find("densityScale");
@@ -208,6 +210,7 @@ template<int dim> void ParticleSystem<dim>::evaluate()
 {
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
+    if (wallTension_) wallTension_->evaluate(images_, store_);
     plan_.evaluate(store_, images_, lists_, kernel_);
 }
 

@@ -4,6 +4,8 @@
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
+#include "WallTension.hpp"
+#include <optional>
 
 namespace sph
 {
@@ -41,6 +43,7 @@ private:
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
+    std::optional<WallTension<dim>> wallTension_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0;
     long rebuilds_ = 0;

@@ -41,8 +41,6 @@ struct Settings
     bool normaliseDensity = true;
     bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
     double shifting = 0;                       ///< C of particle shifting; 0: none
-    std::vector<int> contactGroup;             ///< of each wall
-    int contactGroups = 0;
     std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
 
     bool multiphase() const { return coefficients.phases.size() > 1; }

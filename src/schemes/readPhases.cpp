@@ -96,28 +96,17 @@ void setContactAngles(const Geometry& geometry, Settings& settings)
 {
     auto& c = settings.coefficients;
     const std::size_t n = c.phases.size();
-    settings.contactGroup.assign(geometry.walls.size(), 0);
-    settings.contactGroups = 0;
-    std::vector<double> angles;
     const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets && w.contactAngle != 90; });
     if (n < 2 || !tension || !wets) return;
-    for (std::size_t w = 0; w < geometry.walls.size(); ++w)
-    {
-        const double angle = geometry.walls[w].wets ? geometry.walls[w].contactAngle : 90;
-        const auto known = std::find(angles.begin(), angles.end(), angle);
-        settings.contactGroup[w] = int(known - angles.begin());
-        if (known != angles.end()) continue;
-        angles.push_back(angle);
-        const double cosine = std::cos(angle*std::numbers::pi/180);
+    for (const auto& wall : geometry.walls)
         for (std::size_t k = 0; k < n; ++k)
         {
+            const double cosine = wall.wets ? std::cos(wall.contactAngle*std::numbers::pi/180) : 0;
             const std::size_t other = k == 0 ? 1 : 0;
             const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
             c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*cosine);
         }
-    }
-    settings.contactGroups = int(angles.size());
 }
 
 }

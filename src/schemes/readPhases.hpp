@@ -13,7 +13,7 @@ namespace sph
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; radius; }` implies, and says why.
 void readPhases(const Case&, Settings&);
 
-/// gamma_sk of each group of walls with the same contact angle, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (erratum HL4), shared
+/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (erratum HL4), shared
 /// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at equal
 /// densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
 void setContactAngles(const Geometry&, Settings&);

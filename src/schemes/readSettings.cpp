@@ -53,12 +53,12 @@ Words termsOf(const Choices& choice, const Settings& settings)
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
-    if (choice.tension == "interfaceStress") { add("interfaceStress"); add("stressDivergence"); }
-    if (choice.tension == "curvature")
-    {
-        add("curvatureForce");
-        if (settings.contactGroups > 0) { add("wallTension"); add("stressDivergence"); }
-    }
+    const bool wetting = choice.tension != "none" && !settings.coefficients.wallTension.empty();
+    if (choice.tension == "interfaceStress") add("interfaceStress");
+    if (wetting) add("wallTension");
+    if (choice.tension == "interfaceStress" || wetting)
+        add(choice.pressure == "densityWeighted" ? "densityWeightedStressDivergence" : "stressDivergence");
+    if (choice.tension == "curvature") add("curvatureForce");
     const auto& c = settings.coefficients;
     if (mag(c.g) > 0) add("gravity");
     if (mag(c.bodyForce) > 0) add("bodyForce");
