@@ -18,9 +18,8 @@ template<int dim> struct Imaged
     FieldStore<dim> store;
     Images<dim> images;
 
-    Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1, std::vector<int> group = {},
-           int groups = 0)
-        : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing, std::move(group), groups)
+    Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1)
+        : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing)
     {
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
         store.allocate(ImageWeight{});
@@ -303,25 +302,46 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     EXPECT_EQ(told({-0.1, 0, 0}), 1);
 }
 
-// Ghosts are ordered by contact-angle group: owned, periodic, group 0, group 1. ghosts() holds where each group begins, and the
-// end.
-TEST(Images, AreOrderedByContactAngle)
+// The direct mirrors of a particle in a corner are two, although it has a third image; each once, with foot, normal and wall,
+// and never again for its periodic copies. All reflections of one particle in a row.
+TEST(Images, TellEachDirectReflectionOnce)
 {
     Geometry g = domain(2, {1, 1, 0}, {true, false, false});
     addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
     addWall(g, Plane({0, 1, 0}, {0, -1, 0}));
     const auto points = randomPoints<2>(300, {1, 1});
-    Imaged<2> scene(g, 0.2, points, 0.05, {1, 0}, 2);
-    const auto groups = scene.images.ghosts();
-    ASSERT_EQ(groups.size(), 3u);
-    for (std::size_t k = 300; k < scene.images.nullParticle(); ++k)
+    Imaged<2> channel(g, 0.6, points, 0.05);
+    std::vector<std::vector<int>> walls(points.size());
+    std::size_t last = 0;
+    channel.images.forEachReflection(
+        [&](std::size_t i, const Reflection<2>& r)
+        {
+            ASSERT_LT(i, points.size());
+            EXPECT_GE(i, last); // chunks are put together in order
+            last = i;
+            walls[i].push_back(r.wall);
+            EXPECT_NEAR(r.distance, r.wall == 0 ? points[i].y : 1 - points[i].y, 1e-15);
+            EXPECT_EQ(r.normal.y, r.wall == 0 ? 1 : -1);
+            EXPECT_EQ(r.weight, 1);
+        });
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-        const double y = positionOf(scene.store, k).y;
-        const int expected = y > 1 ? 0 : y < 0 ? 1 : -1;
-        EXPECT_EQ(long(k) >= groups[0] && long(k) < groups[1], expected == 0);
-        EXPECT_EQ(long(k) >= groups[1] && long(k) < groups[2], expected == 1);
+        std::sort(walls[i].begin(), walls[i].end());
+        std::vector<int> expected;
+        if (points[i].y <= 0.6) expected.push_back(0);
+        if (points[i].y >= 0.4) expected.push_back(1);
+        EXPECT_EQ(walls[i], expected) << points[i].x << ' ' << points[i].y;
     }
-    EXPECT_EQ(groups[2], long(scene.images.nullParticle()));
+
+    Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    int told = 0;
+    corner.images.forEachReflection(
+        [&](std::size_t, const Reflection<2>& r)
+        {
+            ++told;
+            EXPECT_NEAR(r.distance, r.wall == 0 ? 0.1 : 0.15, 1e-15);
+        });
+    EXPECT_EQ(told, 2);
 }
 
 // After the particles have moved, move() gives what build() would, as long as the same images exist.
