@@ -1,4 +1,4 @@
-/// Velocity rules of wall ghosts against the flows that they are to continue exactly.
+/// Velocity and pressure rules of wall ghosts against the flows and columns that they are to continue exactly.
 #include "ghostVelocities.hpp"
 #include "Plane.hpp"
 #include <gtest/gtest.h>
@@ -100,6 +100,26 @@ TEST(GhostVelocity, SlippingMirrors)
     const auto v = rule({2, 0.4}, 0, w.at(0.1), true);
     EXPECT_NEAR(v.x, 2, 1e-15);
     EXPECT_NEAR(v.y, -0.2, 1e-15);
+}
+
+// p = p_0 - rho (g + f/rho)_y y in a column at rest under gravity and a body force, continued below the floor y = 0: p_g(-d) exactly.
+// What acts along the wall changes nothing. rho is the source's own, not the rest density. Round-off of a few kPa.
+TEST(GhostPressure, ContinuesAColumnAtRest)
+{
+    MovingWall w;
+    w.coefficients.bodyForce = {40, -700, 0};
+    w.store.allocate(Density{});
+    w.store.resize(2);
+    w.store.component("rho", 0)[0] = 1100;
+    w.store.component("rho", 0)[1] = 900;
+    HydrostaticPressure<2> rule(w.store, w.coefficients);
+    rule.bind();
+    for (std::size_t i : {0u, 1u})
+    {
+        const double rho = i == 0 ? 1100 : 900;
+        const auto column = [&](double y) { return 5000 + (rho * -9.81 - 700) * y; };
+        for (double d : {0.01, 0.2}) EXPECT_NEAR(rule(column(d), i, w.at(d)), column(-d), 1e-11);
+    }
 }
 
 }

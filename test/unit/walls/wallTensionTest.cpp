@@ -1,0 +1,150 @@
+/// Tension of walls: the kernel's marginal, and the stress on particles between plane walls.
+#include "WallTension.hpp"
+#include "Plane.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace sph
+{
+namespace
+{
+
+constexpr double H = 0.37; ///< not 1: a missing power of H shows
+
+template<int dim> WallTension<dim> tensionOf(const Kernel<dim>& kernel)
+{
+    static const Coefficients none;
+    return WallTension<dim>(none, kernel);
+}
+
+// The half space holds half of the kernel. w_1 is tabled at 257 places, each by 400 panels of the midpoint rule, and read between
+// them by straight lines: the trapezium over the table is the integral of what marginal() gives, exactly. Its error is
+// (H/256)^2/12 of w_1's change in slope, and W' = 0 at d = 0 and H: below 1e-5 with the quintic spline, the steepest.
+template<int dim> void marginalHoldsHalfOfTheKernel()
+{
+    for (const auto& name : kernelNames())
+    {
+        SCOPED_TRACE(name + " in " + std::to_string(dim) + "-D");
+        const auto tension = tensionOf(Kernel<dim>(name, H));
+        const int n = 256;
+        double half = 0;
+        for (int k = 0; k <= n; ++k) half += (k == 0 || k == n ? 0.5 : 1) * tension.marginal(H * k / n) * H / n;
+        EXPECT_NEAR(half, 0.5, 1e-5);
+        EXPECT_EQ(tension.marginal(H), 0);
+        for (int k = 0; k < n; ++k) EXPECT_GE(tension.marginal(H * k / n), tension.marginal(H * (k + 1) / n)) << k;
+    }
+}
+TEST(WallTension, MarginalHoldsHalfOfTheKernelIn2D) { marginalHoldsHalfOfTheKernel<2>(); }
+TEST(WallTension, MarginalHoldsHalfOfTheKernelIn3D) { marginalHoldsHalfOfTheKernel<3>(); }
+
+// In 3-D w_1(d) = 2 pi int_d^H W(r) r dr, so that w_1(0) of Wendland C2, W = 21/(2 pi H^3) (1 - q)^4 (1 + 4 q), is
+// 21/H int_0^1 (1 - q)^4 (1 + 4 q) q dq = 21/H (1/30 + 4/105) = 3/(2 H). Midpoint rule with 400 panels: 1e-5.
+TEST(WallTension, MarginalAtTheWallHasTheHandValue)
+{
+    EXPECT_NEAR(tensionOf(Kernel<3>("wendlandC2", H)).marginal(0) * H, 1.5, 2e-5);
+}
+
+/// A channel 0 < y < 0.5 whose walls are nearer to each other than two supports; two phases.
+template<int dim> struct Channel
+{
+    Geometry geometry;
+    Coefficients coefficients;
+    FieldStore<dim> store;
+    Images<dim> images;
+    static constexpr double height = 0.5;
+
+    explicit Channel(const std::vector<Vector<dim>>& points) : geometry(between()), images(geometry, 1.1 * H, 0.1)
+    {
+        coefficients.phases = {"water", "air"};
+        coefficients.wallTension = {0.01, -0.02, -0.03, 0.05}; // walls x phases
+        store.allocateState(Position{});
+        store.allocateState(Phase{});
+        store.allocate(WallStress{});
+        if (!geometry.patches.empty()) store.allocate(ImageWeight{});
+        store.resize(points.size() + 1);
+        const auto x = store.pointers(Position{});
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            sph::store(points[i], [&](int c, double q) { x[c][i] = q; });
+            store.component("phase", 0)[i] = double(i % 2);
+        }
+        images.build(store, points.size());
+        // Left over from another evaluation: to be forgotten.
+        for (double* component : store.pointers(WallStress{})) std::fill_n(component, points.size(), 1e9);
+    }
+    SymmTensor<dim> stress(std::size_t i)
+    {
+        const auto S = store.pointers(WallStress{});
+        SymmTensor<dim> q;
+        fetch(q, [&](int c) { return S[c][i]; });
+        return q;
+    }
+
+private:
+    static Geometry between()
+    {
+        Geometry g;
+        g.dimension = dim;
+        g.high = {1, height, dim == 3 ? 1.0 : 0};
+        g.periodic = {true, false, dim == 3};
+        g.walls.resize(2);
+        g.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0},
+                       {std::make_shared<Plane>(Vector<3>{0, height, 0}, Vector<3>{0, -1, 0}), 1}};
+        repeatPeriodically(g, 1.1 * H);
+        return g;
+    }
+};
+
+template<int dim> std::vector<Vector<dim>> atHeights(const std::vector<double>& heights)
+{
+    std::vector<Vector<dim>> points;
+    for (double y : heights) // near a periodic face too: shifted copies of a ghost are no further walls
+        for (double x : {0.05, 0.5})
+        {
+            Vector<dim> p{};
+            p.x = x;
+            p.y = y;
+            points.push_back(p);
+        }
+    return points;
+}
+
+// S_w = 2 gamma w_1(d) (I - n n) of each wall within H, with the tension of that wall and of the particle's phase: along the walls
+// alone, and the sum of both where both are near. Between H and the images' reach there is none. Round-off.
+template<int dim> void planeWallsAddUp()
+{
+    const auto points = atHeights<dim>({0.02, 0.1, 0.25, 0.3, 0.45});
+    Channel<dim> channel(points);
+    const Kernel<dim> kernel("wendlandC2", H);
+    const WallTension<dim> tension(channel.coefficients, kernel);
+    tension.evaluate(channel.images, channel.store);
+    int nearBoth = 0, nearOne = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const double d[] = {points[i].y, Channel<dim>::height - points[i].y};
+        const std::size_t phase = i % 2;
+        double along = 0;
+        for (std::size_t w : {0u, 1u})
+            if (d[w] < H) along += 2 * channel.coefficients.wallTension[2 * w + phase] * tension.marginal(d[w]);
+        ++(d[0] < H && d[1] < H ? nearBoth : nearOne);
+        const Vector<dim> n = []
+        {
+            Vector<dim> q{};
+            q.y = 1;
+            return q;
+        }();
+        const auto expected = along * (identity(n) - outer(n));
+        double found[6] = {};
+        store(channel.stress(i), [&](int c, double q) { found[c] = q; });
+        store(expected, [&](int c, double q) { EXPECT_NEAR(found[c], q, 1e-15) << "particle " << i << " component " << c; });
+        EXPECT_NE(along, 0);
+    }
+    EXPECT_GT(nearBoth, 0);
+    EXPECT_GT(nearOne, 0);
+}
+TEST(WallTension, OfPlaneWallsAddsUpIn2D) { planeWallsAddUp<2>(); }
+TEST(WallTension, OfPlaneWallsAddsUpIn3D) { planeWallsAddUp<3>(); }
+
+}
+}
