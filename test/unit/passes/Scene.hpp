@@ -1,6 +1,7 @@
 /// Particles between walls with everything that an evaluation needs, and the plain sums that it is compared with.
 #pragma once
 #include "Plan.hpp"
+#include "WallTension.hpp"
 #include "continuityTerms.hpp"
 #include "interfacesTerms.hpp"
 #include "materialsTerms.hpp"
@@ -13,13 +14,22 @@
 namespace sph::test
 {
 
+/// S += -p I, for what a stress divergence makes of a pressure.
+struct PressureAsStress
+{
+    static constexpr auto name = "pressureAsStress";
+    using Adds = Stress;
+    using ReadsOwn = Fields<Pressure, Position>;
+    auto operator()(const auto& i) const { return -i.p * identity(i.x); }
+};
+
 template<int dim> const Catalogue<dim>& wholeCatalogue()
 {
     static const Catalogue<dim> all = []
     {
         Catalogue<dim> c;
-        for (const auto& terms :
-             {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(), materialsTerms<dim>()})
+        for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(),
+                                  materialsTerms<dim>(), catalogue<dim, PressureAsStress>()})
             c.insert(c.end(), terms.begin(), terms.end());
         return c;
     }();
@@ -41,7 +51,7 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     for (int k = 0; k < 3; ++k) c.stiffness.push_back(c.restDensity[k] * sqr(c.soundSpeed[k]) / c.exponent[k]);
     c.backgroundPressure = 37;
     c.surfaceTension = {0, 0.03, 0.02, 0.03, 0, 0.07, 0.02, 0.07, 0};
-    c.wallTension = {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}; // two groups
+    c.wallTension = {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}; // two walls
     c.g = {0.3, -9.81, 0.7};
     c.bodyForce = {20, 5, -3};
     c.densityScale = 1.013;
@@ -59,8 +69,8 @@ inline Coefficients firstPhases(Coefficients c, int n)
     few.wallTension.clear();
     for (int k = 0; k < n; ++k)
         for (int l = 0; l < n; ++l) few.surfaceTension.push_back(c.surfaceTension[std::size_t(3 * k + l)]);
-    for (int group = 0; group < 2; ++group)
-        for (int k = 0; k < n; ++k) few.wallTension.push_back(c.wallTension[std::size_t(3 * group + k)]);
+    for (int wall = 0; wall < 2; ++wall)
+        for (int k = 0; k < n; ++k) few.wallTension.push_back(c.wallTension[std::size_t(3 * wall + k)]);
     return few;
 }
 
@@ -77,15 +87,14 @@ template<int dim> struct Scene
     std::vector<double> N; ///< of every particle and image, where the plain sums are to divide gradW by (N_i + N_j)/2
 
     /// A jittered lattice where the walls leave room. Phases in layers along y, with a wavy boundary.
-    Scene(Geometry g, Coefficients numbers, int contactGroups, std::vector<int> groupOfWall,
-          const std::vector<std::string>& terms, bool integratedDensity = false, unsigned seed = 1)
+    Scene(Geometry g, Coefficients numbers, const std::vector<std::string>& terms, bool integratedDensity = false,
+          unsigned seed = 1)
         : geometry((repeatPeriodically(g, 1.3 * numbers.support), std::move(g))),
           coefficients(std::move(numbers)),
           kernel("wendlandC2", coefficients.support),
-          images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing, std::move(groupOfWall),
-                 contactGroups)
+          images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);
@@ -119,6 +128,7 @@ template<int dim> struct Scene
         images.build(store, n);
         lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);
         plan->bind(store, coefficients);
+        if (plan->has("wallTension")) WallTension<dim>(coefficients, kernel).evaluate(images, store);
         plan->evaluate(store, images, lists, kernel);
     }
 

@@ -52,19 +52,17 @@ void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F,
     EXPECT_LE(worst, tolerance * largest) << F::info.name << ", worst at particle " << where;
 }
 
-template<int dim> using OnGeometry = std::function<void(Geometry, int groups, std::vector<int> groupOfWall)>;
-
-/// Periodic alone, with plane walls of two contact angles, and with a curved wall (weights).
-template<int dim> void onEveryGeometry(const std::function<void(Geometry, int, std::vector<int>)>& check)
+/// Periodic alone, with two plane walls of unlike tension, and with a curved wall (weights).
+template<int dim> void onEveryGeometry(const std::function<void(Geometry)>& check)
 {
-    const auto named = [&](const char* name, Geometry g, int groups, std::vector<int> groupOfWall)
+    const auto named = [&](const char* name, Geometry g)
     {
         SCOPED_TRACE(std::string(name) + " in " + std::to_string(dim) + "-D");
-        check(std::move(g), groups, std::move(groupOfWall));
+        check(std::move(g));
     };
-    named("periodic", periodicBox(dim), 0, {});
-    named("channel", channel(dim), 2, {0, 1});
-    named("ball", aroundABall(dim, 0.33), 1, {0});
+    named("periodic", periodicBox(dim));
+    named("channel", channel(dim));
+    named("ball", aroundABall(dim, 0.33));
 }
 template<int dim> Coefficients coefficients(int phases)
 {
@@ -129,10 +127,9 @@ template<int dim> struct Plain
 template<int dim> void derivedFields()
 {
     onEveryGeometry<dim>(
-        [](Geometry g, int groups, std::vector<int> groupOfWall)
+        [](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall),
-                         with(summed, {"secondMoment", "particleShifting"}));
+            Scene<dim> s(std::move(g), coefficients<dim>(3), with(summed, {"secondMoment", "particleShifting"}));
             const Plain<dim> plain(s);
             expectEqual(s, Volume{}, [&](std::size_t i) { return plain.V[i]; });
             expectEqual(s, Density{}, [&](std::size_t i) { return plain.rho[i]; });
@@ -157,9 +154,9 @@ template<int dim> void acceleration(const Terms& terms, const auto& pair)
 {
     SCOPED_TRACE(terms.back());
     onEveryGeometry<dim>(
-        [&](Geometry g, int groups, std::vector<int> groupOfWall)
+        [&](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(3), groups, std::move(groupOfWall), with(summed, terms));
+            Scene<dim> s(std::move(g), coefficients<dim>(3), with(summed, terms));
             Plain<dim> plain(s);
             expectEqual(
                 s, Acceleration{},
@@ -217,7 +214,7 @@ TEST(PlainLoop, ViscositiesWithNormalisedGradientIn3D) { viscosities<3>(normalis
 
 template<int dim> void bodyForces()
 {
-    Scene<dim> s(periodicBox(dim), coefficients<dim>(3), 0, {}, with(summed, {"gravity", "bodyForce"}));
+    Scene<dim> s(periodicBox(dim), coefficients<dim>(3), with(summed, {"gravity", "bodyForce"}));
     const Plain<dim> plain(s);
     const auto& c = s.coefficients;
     expectEqual(s, Acceleration{}, [&](std::size_t i) { return in<dim>(c.g) + 1 / plain.rho[i] * in<dim>(c.bodyForce); });
@@ -228,10 +225,10 @@ TEST(PlainLoop, BodyForcesIn3D) { bodyForces<3>(); }
 template<int dim> void continuityEquation()
 {
     onEveryGeometry<dim>(
-        [](Geometry g, int groups, std::vector<int> groupOfWall)
+        [](Geometry g)
         {
             auto c = coefficients<dim>(1);
-            Scene<dim> s(std::move(g), c, groups, std::move(groupOfWall), with(integrated, {"densityDiffusion"}), true);
+            Scene<dim> s(std::move(g), c, with(integrated, {"densityDiffusion"}), true);
             s.refresh(Velocity{});
             s.refresh(Density{});
             s.refresh(Volume{});
@@ -259,30 +256,20 @@ template<int dim> void continuityEquation()
 TEST(PlainLoop, ContinuityWithDiffusionIn2D) { continuityEquation<2>(); }
 TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
 
-/// Interface stress of one, two and three phases with the wall tension of each group of walls, and its divergence.
-template<int dim> void interfaceStress(int phases, const Terms& first = rawGradient)
+/// Interface stress of one, two and three phases with the tension of each wall, and its divergence in both forms.
+template<int dim> void interfaceStress(int phases, bool weighted, const Terms& first = rawGradient)
 {
-    SCOPED_TRACE(std::to_string(phases) + " phases");
+    SCOPED_TRACE(std::to_string(phases) + (weighted ? " phases, density-weighted" : " phases"));
     onEveryGeometry<dim>(
-        [&](Geometry g, int groups, std::vector<int> groupOfWall)
+        [&](Geometry g)
         {
-            if (phases == 1 && groups == 0) return; // no interface at all
-            const auto wallGroups = groupOfWall;
-            Scene<dim> s(std::move(g), coefficients<dim>(phases), groups, std::move(groupOfWall),
-                         with(with(summed, first), {"interfaceStress", "stressDivergence"}));
+            if (phases == 1 && g.walls.empty()) return; // no interface at all
+            Scene<dim> s(std::move(g), coefficients<dim>(phases),
+                         with(with(summed, first), {"interfaceStress", "wallTension",
+                                                    weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
-            // Which wall a ghost belongs to, from its place: the channel's lower wall is group 0, its upper one group 1; a
-            // ghost has no fluid around it.
-            const auto groupOf = [&](std::size_t j)
-            {
-                if (j < s.n || groups == 0) return -1;
-                const auto x = positionOf(s.store, j);
-                if (groups == 2) return x.y < 0 ? 0 : x.y > 1 ? 1 : -1;
-                return s.geometry.distance(in3D(x)) < 0 ? 0 : -1;
-            };
-            std::vector<int> group(s.images.nullParticle());
-            for (std::size_t j = 0; j < group.size(); ++j) group[j] = groupOf(j);
+            const WallTension<dim> wallTension(c, s.kernel);
             expectEqual(s, Stress{},
                         [&](std::size_t i)
                         {
@@ -301,17 +288,13 @@ template<int dim> void interfaceStress(int phases, const Terms& first = rawGradi
                                 S += c.surfaceTension[std::size_t(k * phases + l)] *
                                      (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
                             }
-                            for (int w = 0; w < groups; ++w)
+                            for (const auto& patch : s.geometry.patches)
                             {
-                                Vector<dim> gradC;
-                                overPairs(s, i,
-                                          [&](std::size_t j, auto, double, double, auto gradW)
-                                          {
-                                              if (group[j] == w) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
-                                          });
-                                if (mag(gradC) < 0.01 / c.support) continue;
-                                const auto n = 1 / mag(gradC) * gradC;
-                                S += 2 * c.wallTension[std::size_t(w * phases + k)] * mag(gradC) * (identity(n) - outer(n));
+                                const auto foot = patch.shape->foot(in3D(positionOf(s.store, i)));
+                                if (foot.distance >= c.support) continue;
+                                const auto n = in<dim>(foot.normal);
+                                S += 2 * c.wallTension[std::size_t(patch.wall * phases + k)] *
+                                     wallTension.marginal(foot.distance) * (identity(n) - outer(n));
                             }
                             return S;
                         });
@@ -323,27 +306,51 @@ template<int dim> void interfaceStress(int phases, const Terms& first = rawGradi
                     Vector<dim> force;
                     overPairs(s, i,
                               [&](std::size_t j, auto, double, double, auto gradW)
-                              { force += (sqr(plain.V[i]) * s.at(Stress{}, i) + sqr(plain.V[j]) * s.at(Stress{}, j)) * gradW; });
+                              {
+                                  const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i],
+                                               rho_j = plain.rho[j];
+                                  const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
+                                  force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
+                                                     : V2_i * S_i + V2_j * S_j) *
+                                           gradW;
+                              });
                     return 1 / plain.m(i) * force;
                 },
                 1e-11);
         });
 }
-TEST(PlainLoop, InterfaceStressOfOnePhaseAtWalls) { interfaceStress<2>(1); }
-TEST(PlainLoop, InterfaceStressOfTwoPhasesIn2D) { interfaceStress<2>(2); }
-TEST(PlainLoop, InterfaceStressOfTwoPhasesIn3D) { interfaceStress<3>(2); }
-TEST(PlainLoop, InterfaceStressOfThreePhasesIn2D) { interfaceStress<2>(3); }
-TEST(PlainLoop, InterfaceStressOfThreePhasesIn3D) { interfaceStress<3>(3); }
-TEST(PlainLoop, InterfaceStressWithNormalisedGradient) { interfaceStress<2>(3, normalisedGradient); }
+TEST(PlainLoop, WallTensionOfOnePhase) { interfaceStress<2>(1, false); }
+TEST(PlainLoop, InterfaceStressOfTwoPhasesIn2D) { interfaceStress<2>(2, false); }
+TEST(PlainLoop, InterfaceStressOfTwoPhasesIn3D) { interfaceStress<3>(2, false); }
+TEST(PlainLoop, InterfaceStressOfThreePhasesIn2D) { interfaceStress<2>(3, false); }
+TEST(PlainLoop, InterfaceStressOfThreePhasesIn3D) { interfaceStress<3>(3, false); }
+TEST(PlainLoop, InterfaceStressWithNormalisedGradient) { interfaceStress<2>(3, false, normalisedGradient); }
+TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn2D) { interfaceStress<2>(3, true); }
+TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn3D) { interfaceStress<3>(3, true); }
+TEST(PlainLoop, DensityWeightedStressWithNormalisedGradient) { interfaceStress<2>(3, true, normalisedGradient); }
+
+/// A stress -p I accelerates as the pressure p does: the density-weighted divergence is the density-weighted pressure's sibling.
+template<int dim> void stressOfAPressure()
+{
+    onEveryGeometry<dim>(
+        [](Geometry g)
+        {
+            Scene<dim> pressure(g, coefficients<dim>(3), with(summed, {"densityWeightedPressure"}));
+            Scene<dim> stress(std::move(g), coefficients<dim>(3),
+                              with(summed, {"pressureAsStress", "densityWeightedStressDivergence"}));
+            expectEqual(stress, Acceleration{}, [&](std::size_t i) { return pressure.at(Acceleration{}, i); });
+        });
+}
+TEST(PlainLoop, DensityWeightedStressOfAPressureIsThePressureForceIn2D) { stressOfAPressure<2>(); }
+TEST(PlainLoop, DensityWeightedStressOfAPressureIsThePressureForceIn3D) { stressOfAPressure<3>(); }
 
 /// The curvature form: four sums, each from the fields of the one before, so that each is shown by itself.
 template<int dim> void curvatureForm(const Terms& first)
 {
     onEveryGeometry<dim>(
-        [&](Geometry g, int groups, std::vector<int> groupOfWall)
+        [&](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(2), groups, std::move(groupOfWall),
-                         with(with(summed, first), {"curvatureForce"}));
+            Scene<dim> s(std::move(g), coefficients<dim>(2), with(with(summed, first), {"curvatureForce"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             expectEqual(s, SmoothedColour{},
