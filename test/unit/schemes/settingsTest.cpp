@@ -107,21 +107,25 @@ TEST(Settings, ChooseTheSoundSpeedAndSayWhy)
     expectError(edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", ""), "\"soundSpeed\" of water is missing");
 }
 
-// Young: gamma_sl - gamma_sg = -gamma cos(theta), shared by density; the channel's two walls are two groups.
+// Young: gamma_sl - gamma_sg = -gamma cos(theta), shared by density, for each wall its own; a wall that says nothing has 90 degrees: no tension
+// with either phase.
 TEST(Settings, WallTensionsObeyYoungsLaw)
 {
     const TestCase folder(dropCase());
     const Case c(folder.folder());
     auto g = channelGeometry();
+    g.walls.resize(3);
     g.walls[0].wets = g.walls[1].wets = true;
     g.walls[0].contactAngle = 60;
     g.walls[1].contactAngle = 120;
     const auto settings = readSettings(c, g);
-    ASSERT_EQ(settings.contactGroups, 2);
     const auto& tension = settings.coefficients.wallTension;
+    ASSERT_EQ(tension.size(), 6u); // walls x phases
     EXPECT_NEAR(tension[0] - tension[1], -0.5, 1e-14);
     EXPECT_NEAR(tension[2] - tension[3], 0.5, 1e-14);
     EXPECT_NEAR(tension[0] / tension[1], -1 / 0.5, 1e-12);
+    EXPECT_EQ(tension[4], 0);
+    EXPECT_EQ(tension[5], 0);
 }
 
 }
