@@ -30,7 +30,7 @@ Figures forcePass(PairLimit& limit, double skin)
 
     Geometry open;
     open.high = {1, 1, 1};
-    Images<3> images(open, H + skin, 1, {}, 0);
+    Images<3> images(open, H + skin, 1);
     images.build(store, count);
     const auto x = store.pointers(Position{});
     NeighbourLists<3> lists;

@@ -30,7 +30,7 @@ double neighboursWithinSupport(const AnySimulation& simulation, const Settings& 
     store.resize(n);
     const auto from = simulation.positions();
     for (int c = 0; c < 3; ++c) std::copy_n(from.component[c], n, store.component("positions", c));
-    Images<3> images(geometry, H, settings.resolution.spacing, {}, 0);
+    Images<3> images(geometry, H, settings.resolution.spacing);
     images.build(store, n);
     const auto x = store.pointers(Position{});
     NeighbourLists<3> lists;
