@@ -41,6 +41,7 @@ struct Settings
     bool normaliseDensity = true;
     bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
     double shifting = 0;                       ///< C of particle shifting; 0: none
+    double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
     std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
 
     bool multiphase() const { return coefficients.phases.size() > 1; }

@@ -4,6 +4,7 @@
 #include "moves.hpp"
 #include "summarise.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sph
@@ -30,7 +31,7 @@ public:
     ///   predictorCorrector   rates at t predict v(t + dt/2): second order, two evaluations
     ///   leapfrog             the last rates predict v(t + dt/2): second order, one evaluation
     ///   symplecticEuler      v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory
-    void step(double deltaT) override
+    void step(double time, double deltaT) override
     {
         const bool predicts = settings_.integrator != Integrator::symplecticEuler;
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
@@ -40,6 +41,7 @@ public:
         particles_.evaluate();
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
+        if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
         if (settings_.shifting > 0) shift(particles_, settings_, deltaT);
         particles_.images().ghostVelocity().filter();

@@ -33,8 +33,8 @@ class AnySimulation
 public:
     virtual ~AnySimulation() = default;
 
-    /// Takes a step of `deltaT` [s] with the scheme of the settings. Throws CaseError where a particle has left the scene.
-    virtual void step(double deltaT) = 0;
+    /// Takes a step of `deltaT` [s] from `time` [s] with the scheme of the settings. Throws CaseError where a particle has left the scene.
+    virtual void step(double time, double deltaT) = 0;
     virtual StepLimit stepLimit() const = 0;
     virtual Summary summary() const = 0;
 

@@ -51,6 +51,12 @@ template<int dim> void correct(ParticleSystem<dim>& p, double deltaT)
     if (integratesDensity(p)) advance(p, Density{}, StartDensity{}, DensityRate{}, deltaT);
 }
 
+template<int dim> void damp(ParticleSystem<dim>& p, double factor)
+{
+    for (double* v : p.store().pointers(Velocity{}))
+        for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+}
+
 template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, double deltaT)
 {
     auto& store = p.store();
@@ -81,6 +87,8 @@ template void predict(ParticleSystem<2>&, double);
 template void predict(ParticleSystem<3>&, double);
 template void correct(ParticleSystem<2>&, double);
 template void correct(ParticleSystem<3>&, double);
+template void damp(ParticleSystem<2>&, double);
+template void damp(ParticleSystem<3>&, double);
 template void shift(ParticleSystem<2>&, const Settings&, double);
 template void shift(ParticleSystem<3>&, const Settings&, double);
 

@@ -76,6 +76,9 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
+    const auto damping = dict.subDictOrEmpty("damping");
+    settings.dampingRate = damping.getNonNegative("rate", units::none/units::s, 0);
+    settings.dampedUntil = damping.getNonNegative("until", units::s, 0);
     f.sound = dict.getPositive("soundFactor", units::none, f.sound);
     f.stiffness = dict.getPositive("stiffnessFactor", units::none, f.stiffness);
     f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);

@@ -48,14 +48,14 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
     const Settings settings = readSettings(theCase, geometry);
     theCase.diagnostics().throwIfAny();
     const auto simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});
-    simulation->step(simulation->stepLimit().deltaT);
+    simulation->step(0, simulation->stepLimit().deltaT);
 
     double best = 1e9, bestOfLimit = 1e9;
     const long rebuildsBefore = simulation->rebuilds();
     for (int turn = 0; turn < turns; ++turn)
     {
         bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
-        const double seconds = secondsOf([&] { for (int s = 0; s < stepsATurn; ++s) simulation->step(simulation->stepLimit().deltaT); });
+        const double seconds = secondsOf([&] { for (int s = 0; s < stepsATurn; ++s) simulation->step(0, simulation->stepLimit().deltaT); });
         best = std::min(best, seconds/stepsATurn);
     }
     const double steps = double(turns)*stepsATurn, particles = double(simulation->size());

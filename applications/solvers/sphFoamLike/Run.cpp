@@ -192,7 +192,7 @@ void Run::solve()
         const StepLimit limit = simulation_->stepLimit();
         check(limit);
         const double deltaT = time_.nextDeltaT(limit.deltaT);
-        simulation_->step(deltaT);
+        simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
         if (stopRequested) time_.stopNow();
         if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';

@@ -71,7 +71,7 @@ std::vector<double> velocities(const Settings& settings, int steps)
     m.resize(1);
     for (std::size_t i = 0; i < cloud.size(); ++i) m[0].push_back(2.5 * (1 + 1e-12 * double(i)));
     const auto simulation = makeSimulation(settings, g, cloud, {{"densityScale", 1.0}});
-    for (int k = 0; k < steps; ++k) simulation->step(0.02 / steps);
+    for (int k = 0; k < steps; ++k) simulation->step(0, 0.02 / steps);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < simulation->size(); ++i) order.emplace_back(simulation->field("m").component[0][i], i);
     std::sort(order.begin(), order.end());
@@ -118,7 +118,7 @@ TEST(Step, ConservesMassOfEachPhaseAndMomentum)
         const auto g = periodicSquare();
         const auto simulation = makeSimulation(settings, g, vortex(true), {});
         const auto before = simulation->summary();
-        for (int k = 0; k < 200; ++k) simulation->step(simulation->stepLimit().deltaT);
+        for (int k = 0; k < 200; ++k) simulation->step(0, simulation->stepLimit().deltaT);
         const auto after = simulation->summary();
         EXPECT_GT(simulation->rebuilds(), 5);
         ASSERT_EQ(after.mass.size(), 2u);
