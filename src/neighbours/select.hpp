@@ -1,8 +1,7 @@
 /// Keeps of a run of candidates those within a radius: the inner loop of list building and of the stencil's fill.
 ///
 /// GCC 12 does not vectorise a loop that appends. With AVX-512 the compress instruction does it, in registers (its form that writes
-/// to memory is slow on some machines); elsewhere a scalar loop without branches. Measured on a 2-core AVX-512 machine, 216k particles:
-/// list build 5 x faster than the scalar loop.
+/// to memory is slow on some machines); elsewhere a scalar loop without branches.
 #pragma once
 #include "Vector.hpp"
 #if defined(__AVX512F__) && defined(__AVX512VL__)
