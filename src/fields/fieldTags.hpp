@@ -37,7 +37,6 @@ struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Im
 struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_p; }; };
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
-struct DensityDiffusionRate{ static constexpr FieldInfo info{"drhodtByDiffusion", "kg/(m^3 s)"};        template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
 struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };

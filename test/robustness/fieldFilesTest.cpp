@@ -15,19 +15,7 @@ Damaged inText()
     return Damaged(
         []() -> const TestCase&
         {
-            static const std::unique_ptr<const TestCase> made = []
-            {
-                auto files = channelCase();
-                auto& control = files["system/controlDict"];
-                control.replace(control.find("0.08"), 4, "0.02");
-                control.replace(control.find("binary"), 6, "ascii");
-                auto c = std::make_unique<TestCase>(files);
-                c->runWell("packParticles");
-                c->runWell("meshToGhost");
-                c->runWell("sphFoamLike");
-                c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
-                return std::unique_ptr<const TestCase>(std::move(c));
-            }();
+            static const auto made = channelRun("ascii");
             return *made;
         }());
 }

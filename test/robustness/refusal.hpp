@@ -8,21 +8,25 @@
 namespace sph::test
 {
 
-/// The channel of smallCases, packed, with walls, run to 0.02; made once.
+/// The channel of smallCases, packed, with walls, run to 0.02 and written in `format`.
+inline std::unique_ptr<const TestCase> channelRun(const std::string& format)
+{
+    auto files = channelCase();
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("0.08"), 4, "0.02");
+    control.replace(control.find("binary"), 6, format);
+    auto c = std::make_unique<TestCase>(files);
+    c->runWell("packParticles");
+    c->runWell("meshToGhost");
+    c->runWell("sphFoamLike");
+    c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
+    return c;
+}
+
+/// The same in binary, made once.
 inline const TestCase& goodChannel()
 {
-    static const std::unique_ptr<const TestCase> made = []
-    {
-        auto files = channelCase();
-        auto& control = files["system/controlDict"];
-        control.replace(control.find("0.08"), 4, "0.02");
-        auto c = std::make_unique<TestCase>(files);
-        c->runWell("packParticles");
-        c->runWell("meshToGhost");
-        c->runWell("sphFoamLike");
-        c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
-        return std::unique_ptr<const TestCase>(std::move(c));
-    }();
+    static const auto made = channelRun("binary");
     return *made;
 }
 
