@@ -82,16 +82,24 @@ public:
     std::size_t bytes() const;
 
     /// Calls f(source, reflection) for each owned particle and each wall that mirrors it directly, as last moved; all walls of one
-    /// particle in a row.
+    /// particle in a row and on one thread.
     template<class F> void forEachReflection(const F& f) const
     {
-        for (std::size_t k = 0; k < inDomain_; ++k)
+        const auto fromNextSource = [&](std::size_t k)
         {
-            const Entry& e = entries_[k];
-            if (e.patch[1] >= 0) continue;
-            const Feet& foot = feet_[firstFoot_[k]];
-            f(std::size_t(e.source), Reflection<dim>{foot.distance, foot.weight, foot.normal, geometry_->patches[e.patch[0]].wall, {}});
-        }
+            while (k > 0 && k < inDomain_ && entries_[k].source == entries_[k - 1].source) ++k;
+            return k;
+        };
+        const std::size_t block = 4096;
+        #pragma omp parallel for schedule(static)
+        for (std::size_t begin = 0; begin < inDomain_; begin += block)
+            for (std::size_t k = fromNextSource(begin), end = fromNextSource(std::min(begin + block, inDomain_)); k < end; ++k)
+            {
+                const Entry& e = entries_[k];
+                if (e.patch[1] >= 0) continue;
+                const Feet& foot = feet_[firstFoot_[k]];
+                f(std::size_t(e.source), Reflection<dim>{foot.distance, foot.weight, foot.normal, geometry_->patches[e.patch[0]].wall, {}});
+            }
     }
 
     /// Patches that may be within reach of a point.

@@ -48,9 +48,10 @@ template<int dim> struct Stencil
     };
 
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart; or null. `factors` names the columns of the factors that gradW carries.
+    /// doubles apart; or null. `factors` names the columns of the factors that gradW carries. `within`: the list is one that an earlier pass
+    /// has left (NeighbourLists::within).
     template<class K>
-    [[gnu::flatten]] void fill(int particle, std::span<const int> list, const std::array<const double*, dim>& position,
+    [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
                                const double* records, std::size_t recordArray, std::span<const double* const> columns,
                                const Factors factors, const K kernel, bool readsW, long nullParticle)
     {
@@ -60,7 +61,7 @@ template<int dim> struct Stencil
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return p[c][particle]; });
         const int packed = records ? std::min(int(columns.size()), packedColumns) : 0;
-        n = records ? fromRecords(records, list, x_i, sqr(kernel.H), packed)
+        n = records ? fromRecords(records, list, within, x_i, sqr(kernel.H), packed)
                     : gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
         for (; n%lanes; ++n)
         {
@@ -109,10 +110,14 @@ template<int dim> struct Stencil
         }
     }
 
-    int fromRecords(const double* records, std::span<const int> list, Vector<dim> x_i, double radiusSqr, int packed)
+    int fromRecords(const double* records, std::span<const int> list, bool within, Vector<dim> x_i, double radiusSqr, int packed)
     {
         const auto gather = [&]<int count>(std::integral_constant<int, count>)
-        { return gatherRecords<dim, count>(records, list.data(), int(list.size()), x_i, radiusSqr, j, x, r, field); };
+        {
+            const auto n_list = int(list.size());
+            return within ? gatherRecords<dim, count, false>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field)
+                          : gatherRecords<dim, count>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field);
+        };
         switch (packed)
         {
             case 0: return gather(std::integral_constant<int, 0>{});

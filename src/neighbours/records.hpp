@@ -50,35 +50,48 @@ inline Rows transposed(const Rows& a)
 }
 
 /// Of the listed particles (a multiple of 8 indices) keeps those within the radius: indices, x_i - x_j, squared distances and the first
-/// nFields columns, packed; each needs room for 8 more. Returns their number.
-template<int dim, int nFields, class Column>
+/// nFields columns, packed; each needs room for 8 more. Returns their number. With `selects` false the list holds nothing beyond the radius
+/// but null particles at its end: all stay, null particles with x_i - x_j = 0 at twice the radius.
+template<int dim, int nFields, bool selects = true, class Column>
 inline int gatherRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, long* j, Column (&xij)[dim],
                          double* rSqr, Column* field)
 {
     int found = 0;
     const __m512d limit = _mm512_set1_pd(radiusSqr);
-    const auto keep = [&](double* to, __mmask8 near, __m512d q) { _mm512_storeu_pd(to + found, _mm512_maskz_compress_pd(near, q)); };
+    [[maybe_unused]] const __m512d beyond = _mm512_set1_pd(4*radiusSqr);
+    const auto keep = [&](double* to, __mmask8 near, __m512d q)
+    {
+        if constexpr (selects) _mm512_storeu_pd(to + found, _mm512_maskz_compress_pd(near, q));
+        else _mm512_store_pd(to + found, q);
+    };
     for (int t = 0; t < n; t += 8)
     {
         detail::Rows rows;
         for (int k = 0; k < 8; ++k) rows.row[k] = _mm512_load_pd(records + std::size_t(list[t + k])*recordSize);
         const detail::Rows column = detail::transposed(rows);
-        const __m512d dx = _mm512_set1_pd(x.x) - column.row[0], dy = _mm512_set1_pd(x.y) - column.row[1];
-        __m512d dz{}, r2 = dx*dx + dy*dy;
+        __m512d dx = _mm512_set1_pd(x.x) - column.row[0], dy = _mm512_set1_pd(x.y) - column.row[1], dz{}, r2 = dx*dx + dy*dy;
         if constexpr (dim == 3)
         {
             dz = _mm512_set1_pd(x.z) - column.row[2];
             r2 += dz*dz;
         }
         const __mmask8 near = _mm512_cmp_pd_mask(r2, limit, _CMP_LT_OQ);
+        if constexpr (!selects)
+        {
+            dx = _mm512_maskz_mov_pd(near, dx);
+            dy = _mm512_maskz_mov_pd(near, dy);
+            dz = _mm512_maskz_mov_pd(near, dz);
+            r2 = _mm512_mask_mov_pd(beyond, near, r2);
+        }
         keep(xij[0], near, dx);
         keep(xij[1], near, dy);
         if constexpr (dim == 3) keep(xij[2], near, dz);
         keep(rSqr, near, r2);
         const __m512i index = _mm512_cvtepi32_epi64(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(list + t)));
-        _mm512_storeu_si512(j + found, _mm512_maskz_compress_epi64(near, index));
+        if constexpr (selects) _mm512_storeu_si512(j + found, _mm512_maskz_compress_epi64(near, index));
+        else _mm512_store_si512(j + found, index);
         for (int f = 0; f < nFields; ++f) keep(field[f], near, column.row[dim + f]);
-        found += __builtin_popcount(near);
+        found += selects ? __builtin_popcount(near) : 8;
     }
     return found;
 }
@@ -115,7 +128,7 @@ constexpr bool packsRecords = false;
 template<class Column> inline void gatherColumns(const double*, const long*, int, Column*) {}
 inline void packRecords(const double* const (&)[recordSize], std::size_t, double*) {}
 
-template<int dim, int nFields, class Column>
+template<int dim, int nFields, bool selects = true, class Column>
 inline int gatherRecords(const double*, const int*, int, Vector<dim>, double, long*, Column (&)[dim], double*, Column*)
 {
     return 0;

@@ -23,7 +23,8 @@ public:
     void allocate(FieldStore<dim>&) const;
     /// Again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
-    void evaluate(FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&);
+    /// The lists keep, for the passes behind the first, what lies within the support.
+    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
 
     int pairPasses() const;
     /// Of the packed records.
@@ -54,7 +55,8 @@ private:
 
     void close();
     void order();
-    void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, const NeighbourLists<dim>&, const Kernel<dim>&);
+    enum class Candidates { listed, listedAndKept, kept };
+    void evaluatePairs(const Pass&, Candidates, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
     const double* pack(const Pass&, FieldStore<dim>&);
 };
 

@@ -69,9 +69,11 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
 }
 
 template<int dim>
-void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists,
-                              const Kernel<dim>& kernel)
+void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStore<dim>& store, const Images<dim>& images,
+                              NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
 {
+    const bool within = candidates == Candidates::kept, keeps = candidates == Candidates::listedAndKept;
+    if (keeps) lists.makeRoomWithin();
     const double* const records = pack(pass, store);
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
@@ -87,7 +89,8 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), lists.of(i), x, records, store.size()*recordSize, pass.sources, pass.factors, k, pass.readsKernel, null);
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, pass.factors, k, pass.readsKernel, null);
+                if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
         }
@@ -95,13 +98,18 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
 }
 
 template<int dim>
-void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, const NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
 {
+    auto candidates = pairPasses() > 1 ? Candidates::listedAndKept : Candidates::listed;
     const std::size_t n = images.owned(), block = 4096;
     for (const auto& pass : passes_)
     {
         for (const auto& f : pass.refresh) f.refresh(images, store);
-        if (pass.pair()) evaluatePairs(pass, store, images, lists, kernel);
+        if (pass.pair())
+        {
+            evaluatePairs(pass, candidates, store, images, lists, kernel);
+            if (candidates == Candidates::listedAndKept) candidates = Candidates::kept;
+        }
         else
             #pragma omp parallel for schedule(static)
             for (std::size_t begin = 0; begin < n; begin += block)

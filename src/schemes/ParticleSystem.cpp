@@ -77,6 +77,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
 
     if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
+    if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
     load(cloud);
     const auto scale = restored.find("densityScale");
@@ -213,6 +214,7 @@ template<int dim> void ParticleSystem<dim>::evaluate()
     else images_.move(store_);
     if (wallTension_) wallTension_->evaluate(images_, store_);
     plan_.evaluate(store_, images_, lists_, kernel_);
+    if (wallPotential_) wallPotential_->addAcceleration(images_, store_);
 }
 
 /// NUMERICS: scale the number density so that its mean is exact; the kernel sum over a packing is 0.7 to 1 % off by itself.

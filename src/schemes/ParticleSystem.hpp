@@ -4,6 +4,7 @@
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
+#include "WallPotential.hpp"
 #include "WallTension.hpp"
 #include <optional>
 
@@ -44,6 +45,7 @@ private:
     CellList<dim> cells_;
     Kernel<dim> kernel_;
     std::optional<WallTension<dim>> wallTension_;
+    std::optional<WallPotential<dim>> wallPotential_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0;
     long rebuilds_ = 0;

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, pressure, viscosity, tension, wall, wallPressure, normalisation;
+    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -30,6 +30,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tension ? "interfaceStress" : "none");
+    choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential"}, "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
@@ -53,7 +54,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
-    const bool wetting = choice.tension != "none" && !settings.coefficients.wallTension.empty();
+    const bool wetting = choice.contactAngle == "wallStress" && !settings.coefficients.wallTension.empty();
     if (choice.tension == "interfaceStress") add("interfaceStress");
     if (wetting) add("wallTension");
     if (choice.tension == "interfaceStress" || wetting)
@@ -131,6 +132,9 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.hydrostaticGhosts = choice.wallPressure == "hydrostatic" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
+    if (choice.tension == "none") c.wallTension.clear();
+    settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();
+    if (settings.wallPotential) settings.reasons.push_back("contact angles by the potential of the walls, added to dU/dt after the passes");
     settings.terms = termsOf(choice, settings);
 
     double gamma = 0;

@@ -1,7 +1,6 @@
 /// Tension of walls: the kernel's marginal, and the stress on particles between plane walls.
 #include "WallTension.hpp"
-#include "Plane.hpp"
-#include <algorithm>
+#include "Channel.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -9,8 +8,6 @@ namespace sph
 {
 namespace
 {
-
-constexpr double H = 0.37; ///< not 1: a missing power of H shows
 
 template<int dim> WallTension<dim> tensionOf(const Kernel<dim>& kernel)
 {
@@ -49,77 +46,12 @@ TEST(WallTension, MarginalAtTheWallHasTheHandValue)
     EXPECT_NEAR(tensionOf(Kernel<3>("wendlandC2", H)).marginal(0) * H, 1.5, 6e-6);
 }
 
-/// A channel 0 < y < 0.5 whose walls are nearer to each other than two supports; two phases.
-template<int dim> struct Channel
-{
-    Geometry geometry;
-    Coefficients coefficients;
-    FieldStore<dim> store;
-    Images<dim> images;
-    static constexpr double height = 0.5;
-
-    explicit Channel(const std::vector<Vector<dim>>& points) : geometry(between()), images(geometry, 1.1 * H, 0.1)
-    {
-        coefficients.phases = {"water", "air"};
-        coefficients.wallTension = {0.01, -0.02, -0.03, 0.05}; // walls x phases
-        store.allocateState(Position{});
-        store.allocateState(Phase{});
-        store.allocate(WallStress{});
-        if (!geometry.patches.empty()) store.allocate(ImageWeight{});
-        store.resize(points.size() + 1);
-        const auto x = store.pointers(Position{});
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-            sph::store(points[i], [&](int c, double q) { x[c][i] = q; });
-            store.component("phase", 0)[i] = double(i % 2);
-        }
-        images.build(store, points.size());
-        // Left over from another evaluation: to be forgotten.
-        for (double* component : store.pointers(WallStress{})) std::fill_n(component, points.size(), 1e9);
-    }
-    SymmTensor<dim> stress(std::size_t i)
-    {
-        const auto S = store.pointers(WallStress{});
-        SymmTensor<dim> q;
-        fetch(q, [&](int c) { return S[c][i]; });
-        return q;
-    }
-
-private:
-    static Geometry between()
-    {
-        Geometry g;
-        g.dimension = dim;
-        g.high = {1, height, dim == 3 ? 1.0 : 0};
-        g.periodic = {true, false, dim == 3};
-        g.walls.resize(2);
-        g.originals = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0},
-                       {std::make_shared<Plane>(Vector<3>{0, height, 0}, Vector<3>{0, -1, 0}), 1}};
-        repeatPeriodically(g, 1.1 * H);
-        return g;
-    }
-};
-
-template<int dim> std::vector<Vector<dim>> atHeights(const std::vector<double>& heights)
-{
-    std::vector<Vector<dim>> points;
-    for (double y : heights) // near a periodic face too: shifted copies of a ghost are no further walls
-        for (double x : {0.05, 0.5})
-        {
-            Vector<dim> p{};
-            p.x = x;
-            p.y = y;
-            points.push_back(p);
-        }
-    return points;
-}
-
 // S_w = 2 gamma w_1(d) (I - n n) of each wall within H, with the tension of that wall and of the particle's phase: along the walls
 // alone, and the sum of both where both are near. Between H and the images' reach there is none. Round-off.
 template<int dim> void planeWallsAddUp()
 {
     const auto points = atHeights<dim>({0.02, 0.1, 0.25, 0.3, 0.45});
-    Channel<dim> channel(points);
+    Channel<dim> channel(points, WallStress{}, 1e9);
     const Kernel<dim> kernel("wendlandC2", H);
     const WallTension<dim> tension(channel.coefficients, kernel);
     tension.evaluate(channel.images, channel.store);
@@ -132,15 +64,11 @@ template<int dim> void planeWallsAddUp()
         for (std::size_t w : {0u, 1u})
             if (d[w] < H) along += 2 * channel.coefficients.wallTension[2 * w + phase] * tension.marginal(d[w]);
         ++(d[0] < H && d[1] < H ? nearBoth : nearOne);
-        const Vector<dim> n = []
-        {
-            Vector<dim> q{};
-            q.y = 1;
-            return q;
-        }();
+        Vector<dim> n;
+        n.y = 1;
         const auto expected = along * (identity(n) - outer(n));
         double found[6] = {};
-        store(channel.stress(i), [&](int c, double q) { found[c] = q; });
+        store(channel.at(WallStress{}, i), [&](int c, double q) { found[c] = q; });
         store(expected, [&](int c, double q) { EXPECT_NEAR(found[c], q, 1e-15) << "particle " << i << " component " << c; });
         EXPECT_NE(along, 0);
     }

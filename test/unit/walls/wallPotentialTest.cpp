@@ -1,0 +1,64 @@
+/// Potential of walls: its energy per area, and the force on particles between plane walls.
+#include "WallPotential.hpp"
+#include "Channel.hpp"
+#include <gtest/gtest.h>
+
+namespace sph
+{
+namespace
+{
+
+/// Simpson's rule over 400 intervals.
+double integral(double from, double to, const auto& f)
+{
+    const int n = 400;
+    const double step = (to - from) / n;
+    double sum = 0;
+    for (int k = 0; k <= n; ++k) sum += (k == 0 || k == n ? 1 : k % 2 ? 4 : 2) * f(from + k * step);
+    return sum * step / 3;
+}
+
+// A wall covered by a phase stores its tension: the integral of Phi = -int slope over the fluid's side is 1; Phi(0) = 35/(16 H); no force at
+// either end. The slope is of degree 5 in d: Simpson's rule errs by about (1/400)^4.
+TEST(WallPotential, StoresTheTension)
+{
+    Coefficients c;
+    c.support = H;
+    const WallPotential<3> wall(c);
+    const auto Phi = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q); }); };
+    EXPECT_NEAR(integral(0, H, Phi), 1, 1e-8);
+    EXPECT_NEAR(Phi(0) * H, 35.0 / 16, 1e-8);
+    EXPECT_EQ(wall.slope(0), 0);
+    EXPECT_EQ(wall.slope(H), 0);
+    EXPECT_EQ(wall.slope(1.05 * H), 0);
+}
+
+// Each wall within H pulls along its normal, by the tension that it has with the particle's phase; what was there before stays.
+template<int dim> void planeWallsAddUp()
+{
+    const auto points = atHeights<dim>({0.02, 0.1, 0.25, 0.3, 0.45});
+    const double before = 3;
+    Channel<dim> channel(points, Acceleration{}, before);
+    auto& c = channel.coefficients;
+    c.support = H;
+    c.restDensity = {1000, 1.2};
+    const WallPotential<dim> wall(c);
+    wall.addAcceleration(channel.images, channel.store);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const std::size_t phase = i % 2;
+        const double lower = wall.slope(points[i].y), upper = wall.slope(Channel<dim>::height - points[i].y);
+        const double up = (-c.wallTension[phase] * lower + c.wallTension[2 + phase] * upper) / c.restDensity[phase];
+        double a[3] = {};
+        store(channel.at(Acceleration{}, i), [&](int d, double q) { a[d] = q; });
+        EXPECT_NEAR(a[1], before + up, 1e-13 * (1 + std::abs(up))) << "particle " << i;
+        EXPECT_NE(up, 0);
+        EXPECT_EQ(a[0], before);
+        EXPECT_EQ(a[2], dim == 3 ? before : 0);
+    }
+}
+TEST(WallPotential, OfPlaneWallsAddsUpIn2D) { planeWallsAddUp<2>(); }
+TEST(WallPotential, OfPlaneWallsAddsUpIn3D) { planeWallsAddUp<3>(); }
+
+}
+}
