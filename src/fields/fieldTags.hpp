@@ -7,13 +7,15 @@
 namespace sph
 {
 
-/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule.
-enum class Image { copied, mirrored, velocity, pressure };
+/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule; placed: what
+/// an image is rather than what its source has, written when images are moved and never refreshed.
+enum class Image { copied, mirrored, velocity, pressure, placed };
 
 struct FieldInfo
 {
     const char *name, *unit;
     Image image = Image::copied;
+    const char* ofGhosts = nullptr;  ///< field that wall ghosts take their value from, where the scene has it
 };
 
 // clang-format off
@@ -27,8 +29,9 @@ struct Volume              { static constexpr FieldInfo info{"V", "m^3"};       
 struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::pressure};               template<int dim> struct At { double p; }; };
 struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
 struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1"};                      template<int dim> struct At { double N; }; };
-struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored};               template<int dim> struct At { SymmTensor<dim> S; }; };
+struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored, "solidStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
 struct WallStress          { static constexpr FieldInfo info{"wallStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_w; }; };
+struct SolidStress         { static constexpr FieldInfo info{"solidStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_s; }; };
 struct SmoothedColour      { static constexpr FieldInfo info{"colour", "1"};                            template<int dim> struct At { double colour; }; };
 struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> gradC; }; };
 struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };
@@ -41,6 +44,8 @@ struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Ima
 struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
+/// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).
+struct GhostWall           { static constexpr FieldInfo info{"ghostWall", "1", Image::placed};                  template<int dim> struct At { double wall; }; };
 // clang-format on
 
 template<class... F> struct Fields

@@ -12,6 +12,13 @@
 namespace sph
 {
 
+/// gamma (|g| I/d - g g/|g|), nothing where |g| is below `least`.
+inline auto tensionAcross(const auto& g, double gamma, double least)
+{
+    const double size = mag(g);
+    return size > least ? gamma*(size/dimensions(g)*identity(g) - 1/size*outer(g)) : 0.0*identity(g);
+}
+
 struct InterfaceStress
 {
     static constexpr auto name = "interfaceStress";
@@ -37,9 +44,7 @@ struct InterfaceStress
     }
     auto finish(const auto& i, const auto& sum, Sweep s) const
     {
-        const auto g = 1/i.V*sum;
-        const double size = mag(g), gamma_kl = gamma[int(i.phase)*phases + int(other(i.phase, s))];
-        return size > least ? gamma_kl*(size/dimensions(g)*identity(g) - 1/size*outer(g)) : 0.0*identity(g);
+        return tensionAcross(1/i.V*sum, gamma[int(i.phase)*phases + int(other(i.phase, s))], least);
     }
 };
 

@@ -1,14 +1,15 @@
 #include "interfacesTerms.hpp"
 #include "CurvatureForce.hpp"
 #include "InterfaceStress.hpp"
+#include "SolidPhase.hpp"
 
 namespace sph
 {
 
 template<int dim> Catalogue<dim> interfacesTerms()
 {
-    return catalogue<dim, InterfaceStress, AddWallStress, ColourSmoothing, SmoothedColourGradient, InterfaceCurvature, CurvatureSmoothing,
-                     CurvatureForce>();
+    return catalogue<dim, InterfaceStress, AddWallStress, SolidPhaseStress, StressOfSolid, ColourSmoothing, SmoothedColourGradient,
+                     InterfaceCurvature, CurvatureSmoothing, CurvatureForce>();
 }
 
 template Catalogue<2> interfacesTerms<2>();

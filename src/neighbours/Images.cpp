@@ -134,6 +134,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 {
     const auto x = store.pointers(Position{});
     double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
+    double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
     #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
@@ -149,6 +150,12 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
             weight[owned_ + k] = w;
         }
+        if (wall)
+        {
+            double behind = 0;
+            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) behind = 1 + geometry_->patches[e.patch[r]].wall;
+            wall[owned_ + k] = behind;
+        }
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3*extent, [&](int c, double q) { x[c][nullParticle()] = q; });
@@ -156,6 +163,11 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     {
         std::fill_n(weight, owned_, 1.0);
         weight[nullParticle()] = 1.0;
+    }
+    if (wall)
+    {
+        std::fill_n(wall, owned_, 0.0);
+        wall[nullParticle()] = 0.0;
     }
 }
 

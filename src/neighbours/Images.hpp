@@ -70,7 +70,7 @@ public:
     /// Makes the images of the first `owned` particles and resizes the store.
     void build(FieldStore<dim>& store, std::size_t owned);
 
-    /// Positions of the images, their volume factors where the store has them, and the null particle's position.
+    /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
 
     /// Values of one field, by the rule that its tag states.
@@ -140,8 +140,13 @@ private:
 /// The image's value: mirrored in every wall it was reflected in, shifted by nothing.
 template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store)
 {
+    if (F::info.image == Image::placed) return;
     using Value = decltype(unwrap(At<F, dim>{}));
     const auto p = store.pointers(F{});
+    [[maybe_unused]] auto ofGhosts = p;
+    if constexpr (F::info.ofGhosts != nullptr)
+        if (store.has(F::info.ofGhosts))
+            for (std::size_t c = 0; c < p.size(); ++c) ofGhosts[c] = store.component(F::info.ofGhosts, int(c));
     [[maybe_unused]] const auto position = store.pointers(Position{});
     const std::size_t n = images.entries_.size(), owned = images.owned_;
     #pragma omp parallel for schedule(static)
@@ -149,7 +154,8 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
     {
         const Entry& e = images.entries_[k];
         Value q;
-        fetch(q, [&](int c) { return p[c][e.source]; });
+        if constexpr (F::info.ofGhosts != nullptr) fetch(q, [&](int c) { return (e.ghost() ? ofGhosts : p)[c][e.source]; });
+        else fetch(q, [&](int c) { return p[c][e.source]; });
         if constexpr (F::info.image != Image::copied)
         {
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];

@@ -32,6 +32,7 @@ std::set<std::string> stateOf(const Settings& settings)
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
+    state.insert(GhostWall::info.name);  // by the images
     return state;
 }
 

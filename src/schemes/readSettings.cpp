@@ -17,20 +17,21 @@ struct Choices
     std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
 };
 
-Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
+Choices choose(const Dictionary& dict, const Settings& settings, const Geometry& geometry)
 {
     const Words schemes{"suite", "paper"};
     const bool paper = dict.choose("scheme", schemes, "suite") == "paper";
     const auto& c = settings.coefficients;
     const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const bool second = !paper && walls && viscous && !settings.multiphase();
+    const bool second = !paper && !geometry.patches.empty() && viscous && !settings.multiphase();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
     choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tension ? "interfaceStress" : "none");
-    choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential"}, "wallStress");
+    choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
+                                      paper && choice.tension == "interfaceStress" ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
@@ -38,6 +39,9 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
+    if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
+        dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
+                                               "{}; take wallStress or wallPotential", choice.tension));
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }
@@ -54,8 +58,9 @@ Words termsOf(const Choices& choice, const Settings& settings)
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
-    const bool wetting = choice.contactAngle == "wallStress" && !settings.coefficients.wallTension.empty();
-    if (choice.tension == "interfaceStress") add("interfaceStress");
+    const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
+    if (angles && choice.contactAngle == "paper") { add("solidPhaseStress"); add("stressOfSolid"); }
+    else if (choice.tension == "interfaceStress") add("interfaceStress");
     if (wetting) add("wallTension");
     if (choice.tension == "interfaceStress" || wetting)
         add(choice.pressure == "densityWeighted" ? "densityWeightedStressDivergence" : "stressDivergence");
@@ -114,7 +119,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
-    const auto choice = choose(dict, settings, !geometry.patches.empty());
+    const auto choice = choose(dict, settings, geometry);
     settings.integratedDensity = choice.density == "continuity";
     for (int k = 0; k < geometry.dimension; ++k)
         if (geometry.periodic[k] && geometry.length(k) < c.support + c.spacing)
@@ -135,6 +140,13 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     if (choice.tension == "none") c.wallTension.clear();
     settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();
     if (settings.wallPotential) settings.reasons.push_back("contact angles by the potential of the walls, added to dU/dt after the passes");
+    // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
+    if (choice.contactAngle == "paper" && choice.tension == "interfaceStress" &&
+        std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets; }))
+    {
+        c.wallTension.resize(geometry.walls.size()*c.phases.size());
+        settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
+    }
     settings.terms = termsOf(choice, settings);
 
     double gamma = 0;

@@ -75,6 +75,71 @@ TEST(Images, OfAParticleInTheVeryCornerAppearOnceEach)
     EXPECT_EQ(scene.countAt({-0.002, -0.002}, 1e-6), 1);
 }
 
+// 1 + the wall that an image lies behind, 0 for the fluid, its periodic images and the null particle; the corner's image lies behind both
+// walls and has the one that it was mirrored in last. A refresh, which would copy the source's value, leaves it alone; without the field
+// in the store nothing is written.
+TEST(Images, KnowTheWallTheyLieBehind)
+{
+    Geometry g = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    addWall(g, Plane({0, 1, 0}, {0, -1, 0}));
+    Imaged<2> scene(g, 0.3, {{0.1, 0.15}, {0.5, 0.8}, {0.5, 0.5}});
+    EXPECT_FALSE(scene.store.has(GhostWall{}));
+    scene.store.allocate(GhostWall{});
+    scene.images.move(scene.store);
+    Images<2>::refresh<GhostWall>(scene.images, scene.store);
+    const double* const wall = scene.store.component("ghostWall", 0);
+    int ghosts[3] = {};
+    for (std::size_t j = 0; j <= scene.images.nullParticle(); ++j)
+    {
+        const auto x = positionOf(scene.store, j);
+        const bool null = j == scene.images.nullParticle();
+        EXPECT_EQ(wall[j], null || (x.y > 0 && x.y < 1) ? 0 : x.y < 0 ? 1 : 2) << j;
+        ++ghosts[int(wall[j])];
+    }
+    EXPECT_EQ(ghosts[1], 2); // of the first particle and of its periodic image
+    EXPECT_EQ(ghosts[2], 1);
+
+    Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    corner.store.allocate(GhostWall{});
+    corner.images.move(corner.store);
+    for (std::size_t j = 1; j < corner.images.nullParticle(); ++j)
+    {
+        const auto x = positionOf(corner.store, j);
+        const double found = corner.store.component("ghostWall", 0)[j];
+        if (x.x > 0) EXPECT_EQ(found, 2);
+        else if (x.y > 0) EXPECT_EQ(found, 1);
+        else EXPECT_TRUE(found == 1 || found == 2);
+    }
+}
+
+// Wall ghosts carry the stress of the solid where the scene has one; periodic images carry their sources'.
+TEST(Images, TakeTheStressOfTheSolidBehindWalls)
+{
+    Geometry g = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    Imaged<2> scene(g, 0.3, {{0.1, 0.15}});
+    scene.store.allocate(Stress{});
+    const auto fill = [&](auto tag, std::array<double, 3> q)
+    {
+        for (int c = 0; c < 3; ++c) scene.store.component(tag.info.name, c)[0] = q[std::size_t(c)];
+    };
+    const auto values = [&](bool behind)
+    {
+        Images<2>::refresh<Stress>(scene.images, scene.store);
+        for (std::size_t j = 1; j < scene.images.nullParticle(); ++j)
+            if ((positionOf(scene.store, j).y < 0) == behind)
+                return std::array{scene.store.component("S", 0)[j], scene.store.component("S", 1)[j], scene.store.component("S", 2)[j]};
+        return std::array<double, 3>{};
+    };
+    fill(Stress{}, {1, 2, 3});
+    EXPECT_EQ(values(true), (std::array<double, 3>{1, -2, 3}));
+    scene.store.allocate(SolidStress{});
+    fill(SolidStress{}, {5, 6, 7});
+    EXPECT_EQ(values(true), (std::array<double, 3>{5, -6, 7}));
+    EXPECT_EQ(values(false), (std::array<double, 3>{1, 2, 3}));
+}
+
 // Nothing further than `reach` from the particles' side of a wall or face has images.
 TEST(Images, EndAtTheReach)
 {

@@ -94,7 +94,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);

@@ -329,6 +329,125 @@ TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn2D) { interfaceStress<2>(3, 
 TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn3D) { interfaceStress<3>(3, true); }
 TEST(PlainLoop, DensityWeightedStressWithNormalisedGradient) { interfaceStress<2>(3, true, normalisedGradient); }
 
+/// Which wall each image lies behind, 1 + its number, by the walls' own distances; 0 on the fluid's side of all of them.
+template<int dim> std::vector<int> wallsBehind(Scene<dim>& s)
+{
+    std::vector<int> wall(s.images.nullParticle());
+    for (std::size_t j = 0; j < wall.size(); ++j)
+        for (const auto& patch : s.geometry.patches)
+            if (patch.shape->foot(in3D(positionOf(s.store, j))).distance < 0) wall[j] = 1 + patch.wall;
+    return wall;
+}
+
+/// The stress that each ghost behind a plane carries is what its own sums over the fluid give: exact, by the mirror. Ghosts beyond the
+/// periodic faces lack neighbours of their own and are left aside.
+template<int dim> void ghostsOwnSums(Scene<dim>& s, const std::vector<int>& wall, const auto& tension, const auto& gradient)
+{
+    const int phases = int(s.coefficients.phases.size());
+    double largest = 0, worst = 0;
+    for (std::size_t j = s.n; j < s.images.nullParticle(); ++j)
+    {
+        const auto x = in3D(positionOf(s.store, j));
+        if (wall[j] == 0 || x.x < 0 || x.x > s.geometry.high.x || (dim == 3 && (x.z < 0 || x.z > s.geometry.high.z))) continue;
+        SymmTensor<dim> own{};
+        for (int k = 0; k < phases; ++k)
+            own += tension(gradient(j, [&](std::size_t i) { return wall[i] == 0 && int(s.at(Phase{}, i)) == k; }),
+                           s.coefficients.wallTension[std::size_t((wall[j] - 1) * phases + k)]);
+        const auto off = s.at(Stress{}, j) - own;
+        largest = std::max(largest, std::sqrt(doubleDot(own, own)));
+        worst = std::max(worst, std::sqrt(doubleDot(off, off)));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LE(worst, 1e-11 * largest);
+}
+
+/// The solid as a phase of its own: every image behind a wall is of that phase, whatever it mirrors; and ghosts carry the solid's
+/// stress.
+template<int dim> void solidPhase(int phases, bool weighted, const Terms& first = rawGradient)
+{
+    SCOPED_TRACE(std::to_string(phases) + (weighted ? " phases, density-weighted" : " phases"));
+    onEveryGeometry<dim>(
+        [&](Geometry g)
+        {
+            if (phases == 1 && g.walls.empty()) return; // no interface at all
+            Scene<dim> s(std::move(g), coefficients<dim>(phases),
+                         with(with(summed, first), {"solidPhaseStress", "stressOfSolid",
+                                                    weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
+            Plain<dim> plain(s);
+            const auto& c = s.coefficients;
+            const auto wall = wallsBehind(s);
+            const auto tension = [&](auto gradC, double gamma)
+            {
+                if (mag(gradC) < 0.01 / c.support) return 0.0 * identity(gradC);
+                return gamma * (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
+            };
+            const auto gradient = [&](std::size_t i, auto counts)
+            {
+                Vector<dim> gradC;
+                overPairs(s, i,
+                          [&](std::size_t j, auto, double, double, auto gradW)
+                          {
+                              if (counts(j)) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
+                          });
+                return gradC;
+            };
+            const auto phase = [&](std::size_t j) { return int(s.at(Phase{}, j)); };
+            const auto gammaOfWall = [&](int w, int k) { return c.wallTension[std::size_t(w * phases + k)]; };
+            const int walls = int(c.wallTension.size()) / phases;
+            expectEqual(s, Stress{},
+                        [&](std::size_t i)
+                        {
+                            SymmTensor<dim> S{};
+                            for (int l = 0; l < phases; ++l)
+                                if (l != phase(i))
+                                    S += tension(gradient(i, [&](std::size_t j) { return wall[j] == 0 && phase(j) == l; }),
+                                                 c.surfaceTension[std::size_t(phase(i) * phases + l)]);
+                            for (int w = 0; w < walls; ++w)
+                                S += tension(gradient(i, [&](std::size_t j) { return wall[j] == 1 + w; }), gammaOfWall(w, phase(i)));
+                            return S;
+                        });
+            if (!s.geometry.patches.empty())
+                expectEqual(s, SolidStress{},
+                            [&](std::size_t i)
+                            {
+                                SymmTensor<dim> S{};
+                                for (int w = 0; w < walls; ++w)
+                                    for (int k = 0; k < phases; ++k)
+                                        S += tension(gradient(i, [&](std::size_t j) { return wall[j] == 1 + w && phase(j) == k; }),
+                                                     gammaOfWall(w, k));
+                                return S;
+                            });
+            s.refresh(Stress{});
+            if (s.geometry.patches.size() == 2) ghostsOwnSums(s, wall, tension, gradient);
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double, auto gradW)
+                              {
+                                  const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i],
+                                               rho_j = plain.rho[j];
+                                  const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
+                                  force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
+                                                     : V2_i * S_i + V2_j * S_j) *
+                                           gradW;
+                              });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-11);
+        });
+}
+
+TEST(PlainLoop, SolidPhaseOfOneFluidIn2D) { solidPhase<2>(1, false); }
+TEST(PlainLoop, SolidPhaseOfTwoFluidsIn2D) { solidPhase<2>(2, false); }
+TEST(PlainLoop, SolidPhaseOfTwoFluidsIn3D) { solidPhase<3>(2, false); }
+TEST(PlainLoop, SolidPhaseOfThreeFluidsIn2D) { solidPhase<2>(3, false); }
+TEST(PlainLoop, SolidPhaseOfThreeFluidsIn3D) { solidPhase<3>(3, false); }
+TEST(PlainLoop, SolidPhaseWithNormalisedGradient) { solidPhase<2>(3, false, normalisedGradient); }
+TEST(PlainLoop, DensityWeightedStressWithASolidPhase) { solidPhase<2>(3, true, normalisedGradient); }
+
 /// A stress -p I accelerates as the pressure p does: the density-weighted divergence is the density-weighted pressure's sibling.
 template<int dim> void stressOfAPressure()
 {

@@ -100,6 +100,32 @@ TEST(Plan, ReadsAFieldThatSeveralTermsAddTo)
               "term \"wallTension\" reads \"wallStress\" [Pa], which the scene does not give and no term provides");
 }
 
+// The solid as a phase of its own takes part in the passes that are there and has its two fields. A scene of the same phases without
+// it has neither, nor a column more to gather; the image's wall is known only where it is asked for.
+TEST(Plan, KnowsGhostsWallsOnlyForTheSolidPhase)
+{
+    const std::vector<std::string> common{"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "stressDivergence"};
+    const auto printed = [&](std::vector<std::string> terms, std::set<std::string>& fields)
+    {
+        terms.insert(terms.begin(), common.begin(), common.end());
+        const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase", "wallStress", "ghostWall"});
+        EXPECT_EQ(plan.pairPasses(), 3);
+        FieldStore<2> store;
+        plan.allocate(store);
+        for (const auto& [name, _] : store.fields()) fields.insert(name);
+        std::ostringstream log;
+        plan.print(log, store);
+        return log.str().substr(0, log.str().find("left out"));
+    };
+    std::set<std::string> without, with;
+    const auto plain = printed({"interfaceStress"}, without), solid = printed({"solidPhaseStress", "stressOfSolid"}, with);
+    EXPECT_EQ(without, (std::set<std::string>{"positions", "m", "phase", "V", "rho", "p", "S", "dUdt"}));
+    for (const char* word : {"ghostWall", "solid", "wallStress"}) EXPECT_EQ(plain.find(word), std::string::npos) << plain;
+    without.insert({"ghostWall", "solidStress"});
+    EXPECT_EQ(with, without);
+    EXPECT_NE(solid.find("p V phase ghostWall\n"), std::string::npos) << solid;
+}
+
 // Antisymmetric pairs: the sum of all forces in a periodic scene is the round-off of adding some 10^5 pair forces, against the
 // largest one.
 template<int dim> void conserveMomentum(const std::vector<std::string>& forces)

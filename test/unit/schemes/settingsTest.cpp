@@ -128,5 +128,64 @@ TEST(Settings, WallTensionsObeyYoungsLaw)
     EXPECT_EQ(tension[5], 0);
 }
 
+/// Settings of the drop with these words in its sphSchemes and contact angles on both walls of the channel.
+Settings wetting(const std::string& words, double first = 60, double second = 120)
+{
+    auto files = dropCase();
+    files["system/sphSchemes"] += words;
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    auto g = channelGeometry();
+    g.walls[0].wets = g.walls[1].wets = true;
+    g.walls[0].contactAngle = first;
+    g.walls[1].contactAngle = second;
+    const auto settings = readSettings(c, g);
+    c.diagnostics().throwIfAny();
+    return settings;
+}
+bool selects(const Settings& settings, const std::string& term)
+{
+    return std::count(settings.terms.begin(), settings.terms.end(), term) > 0;
+}
+
+// Each form of the contact angle selects its own terms; `scheme paper;` takes the paper's, unless the case says otherwise, has no contact angle,
+// or has no interface stress that the solid could be a phase of.
+TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
+{
+    const auto form = [](const Settings& s)
+    {
+        EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
+        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
+        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : s.wallPotential ? "wallPotential" : "none";
+    };
+    EXPECT_STREQ(form(wetting("")), "wallStress");
+    EXPECT_STREQ(form(wetting("contactAngle wallPotential;")), "wallPotential");
+    EXPECT_STREQ(form(wetting("contactAngle paper;")), "paper");
+    EXPECT_STREQ(form(wetting("scheme paper;")), "paper");
+    EXPECT_STREQ(form(wetting("scheme paper; contactAngle wallStress;")), "wallStress");
+    EXPECT_STREQ(form(wetting("scheme paper; surfaceTension curvature;")), "wallStress");
+    EXPECT_STREQ(form(wetting("scheme paper; surfaceTension curvature; contactAngle wallPotential;")), "wallPotential");
+    EXPECT_STREQ(form(reading(edited(dropCase(), "system/sphSchemes", "integration", "scheme paper; integration")).settings), "none");
+}
+
+// 90 degrees is no tension with either phase; as a phase of its own the solid then still ends the fluids' colour gradients.
+TEST(Settings, ASolidPhaseOf90DegreesIsASolidPhase)
+{
+    EXPECT_FALSE(selects(wetting("", 90, 90), "wallTension"));
+    const auto settings = wetting("contactAngle paper;", 90, 90);
+    EXPECT_TRUE(selects(settings, "solidPhaseStress"));
+    EXPECT_EQ(settings.coefficients.wallTension, std::vector<double>(4, 0.0));
+}
+
+TEST(Settings, ASolidPhaseNeedsTheInterfaceStress)
+{
+    for (const char* tension : {"curvature", "none"})
+        expectError(edited(dropCase(), "system/sphSchemes", "integration",
+                           "\nsurfaceTension " + std::string(tension) + ";\ncontactAngle paper;\nintegration"),
+                    "system/sphSchemes:4: paper makes the solid a phase of the interface stress and goes with surfaceTension "
+                    "interfaceStress, not " + std::string(tension));
+    expectError(edited(dropCase(), "system/sphSchemes", "integration", "contactAngle papr; integration"), "Did you mean \"paper\"?");
+}
+
 }
 }
