@@ -1,8 +1,8 @@
 #include "CsvReference.hpp"
+#include "csv.hpp"
 #include "readDirection.hpp"
 #include "words.hpp"
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
@@ -13,37 +13,10 @@ namespace sph
 namespace
 {
 
-std::vector<std::string> cellsOf(const std::string& line)
-{
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line)
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else if (c != '\r')
-            cells.back() += c;
-    for (auto& cell : cells)
-    {
-        cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
-        cell.erase(cell.find_last_not_of(" \t") + 1);
-    }
-    return cells;
-}
-
-std::optional<double> numberIn(const std::string& text)
-{
-    double value;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
-}
-
 /// Equal as numbers where both are numbers (1e-6 is 1.0e-06), as words otherwise.
 bool matches(const std::string& cell, const std::string& wanted)
 {
-    const auto a = numberIn(cell), b = numberIn(wanted);
+    const auto a = finiteNumber(cell), b = finiteNumber(wanted);
     return a && b ? *a == *b : cell == wanted;
 }
 
@@ -99,7 +72,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     std::ifstream file(caseFolder / fileName);
     std::string line;
     if (!file || !std::getline(file, line)) return d.error("file", fmt::format("cannot read {}", fileName));
-    const auto header = cellsOf(line);
+    const auto header = csvCells(line);
     const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
     {
         const auto found = std::find(header.begin(), header.end(), name);
@@ -116,7 +89,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     std::map<double, std::map<double, double>> table;
     for (int number = 2; std::getline(file, line); ++number)
     {
-        const auto cells = cellsOf(line);
+        const auto cells = csvCells(line);
         if (cells.size() == 1 && cells[0].empty()) continue;
         const Location here{fileName, number};
         if (cells.size() != header.size())
@@ -127,7 +100,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
         if (!std::ranges::all_of(filter, [&](const auto& f) { return matches(cells[f.first], f.second); })) continue;
         const auto number_ = [&](std::size_t k)
         {
-            const auto value = numberIn(cells[k]);
+            const auto value = finiteNumber(cells[k]);
             if (!value) d.diagnostics().error(here, fmt::format("\"{}\" in column {} is not a number", cells[k], header[k]));
             return value.value_or(0);
         };

@@ -1,4 +1,5 @@
 #include "Run.hpp"
+#include "DivergedError.hpp"
 #include "Walls.hpp"
 #include <algorithm>
 #include <csignal>
@@ -100,21 +101,21 @@ void Run::printPlan() const { reportPlan(); }
 void Run::check(const StepLimit& limit) const
 {
     if (!simulation_->summary().finite)
-        throw CaseError(fmt::format("the solution is no longer finite at time {} after step {}; the last time folder written is whole. "
-                                    "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
-                                    time_.name(), time_.index(), limit.by));
+        throw DivergedError(fmt::format("it is no longer finite at time {} after step {}; the last time folder written is whole. "
+                                        "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
+                                        time_.name(), time_.index(), limit.by));
     const auto& summary = simulation_->summary();
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
         if (summary.count[k] > 0 && summary.maxDensity[k] > mostCompression*settings_.coefficients.restDensity[k])
-            throw CaseError(fmt::format("the density of {} has reached {:.4g} kg/m^3 at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
-                                        "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
-                                        settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
-                                        summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
+            throw DivergedError(fmt::format("the density of {} has reached {:.4g} kg/m^3 at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
+                                            "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
+                                            settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
+                                            summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
     const double span = std::min(time_.endTime(), 1e30) - time_.startTime();
     if (time_.adjustTimeStep() && limit.deltaT < 1e-12*span)
-        throw CaseError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
-                                    "acceleration {:.3g} m/s^2): the solution is blowing up", limit.deltaT, time_.name(), limit.by,
-                                    simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+        throw DivergedError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
+                                        "acceleration {:.3g} m/s^2)", limit.deltaT, time_.name(), limit.by,
+                                        simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const

@@ -1,0 +1,123 @@
+#include "CaseCopy.hpp"
+#include "DictionaryText.hpp"
+#include "OutputFile.hpp"
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace sph
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Fowler-Noll-Vo's FNV-1a of 64 bits: to notice a change, not to withstand an attack.
+class Stamp
+{
+    std::uint64_t value_ = 0xcbf29ce484222325u;
+
+public:
+    void add(std::string_view bytes)
+    {
+        for (const unsigned char c : bytes) value_ = (value_ ^ c) * 0x100000001b3u;
+    }
+    /// With an end, so that "ab" "c" differs from "a" "bc".
+    void addWord(std::string_view word)
+    {
+        add(word);
+        add(std::string_view("\0", 1));
+    }
+    void addFile(const fs::path& path)
+    {
+        std::ifstream in(path, std::ios::binary);
+        char block[1 << 16];
+        while (in.read(block, sizeof block), in.gcount() > 0) add({block, std::size_t(in.gcount())});
+        addWord("");
+    }
+    std::string text() const { return fmt::format("{:016x}", value_); }
+};
+
+bool has(const fs::path& folder, const Override& o, std::size_t depth)
+{
+    auto d = Dictionary::read(folder, o.file, std::make_shared<Diagnostics>());
+    for (std::size_t k = 0; k < depth; ++k)
+    {
+        if (!d.found(o.keywords[k])) return false;
+        if (k + 1 < depth) d = d.subDict(o.keywords[k]);
+    }
+    return true;
+}
+
+}
+
+void copyInputs(const fs::path& from, const fs::path& to, bool withStart)
+{
+    std::error_code reason;
+    fs::remove_all(to, reason);
+    createFolders(to);
+    const bool original = fs::exists(from / "0.orig", reason);
+    for (const char* part : {"constant", "system", "reference", "0.orig", "0"})
+        if (fs::exists(from / part, reason) && (std::string_view(part) != "0" || (withStart && !original)))
+        {
+            fs::copy(from / part, to / part, fs::copy_options::recursive, reason);
+            if (reason) throw CaseError({(to / part).string(), 0}, "cannot be made: " + reason.message());
+        }
+    for (const char* written :
+         {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp"})
+        fs::remove_all(to / written, reason);
+}
+
+void apply(const std::vector<Override>& overrides, const fs::path& caseFolder, Diagnostics& diagnostics)
+{
+    for (const auto& o : overrides) try
+        {
+            std::string outer;
+            for (std::size_t depth = 1; depth < o.keywords.size(); ++depth)
+            {
+                outer += (depth > 1 ? "." : "") + o.keywords[depth - 1];
+                if (!has(caseFolder, o, depth)) setEntry(caseFolder, o.file, outer, "{ }");
+            }
+            setEntry(caseFolder, o.file, o.entry(), o.value);
+        }
+        catch (const CaseError& e)
+        {
+            diagnostics.error(o.where, fmt::format("\"{}\" of {} cannot be set: {}", o.entry(), o.file, e.what()));
+        }
+}
+
+Location placeOf(const Override& o, const fs::path& caseFolder)
+{
+    auto d = Dictionary::read(caseFolder, o.file, std::make_shared<Diagnostics>());
+    for (std::size_t k = 0; k + 1 < o.keywords.size(); ++k) d = d.subDictOrEmpty(o.keywords[k]);
+    return d.found(o.keywords.back()) ? d.where(o.keywords.back()) : Location{o.file, 0};
+}
+
+std::string inputsStamp(const fs::path& folder, const std::vector<std::string>& without, const std::vector<std::string>& more)
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::ranges::sort(files);
+    Stamp stamp;
+    for (const auto& file : files)
+    {
+        const auto name = file.lexically_relative(folder).string();
+        if (std::ranges::find(without, name) != without.end()) continue;
+        stamp.addWord(name);
+        stamp.addFile(file);
+    }
+    for (const auto& word : more) stamp.addWord(word);
+    return stamp.text();
+}
+
+std::string fileStamp(const fs::path& file)
+{
+    Stamp stamp;
+    stamp.addFile(file);
+    return stamp.text();
+}
+
+}

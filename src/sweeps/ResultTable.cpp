@@ -1,0 +1,223 @@
+#include "ResultTable.hpp"
+#include "OutputFile.hpp"
+#include "csv.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <optional>
+
+namespace sph
+{
+
+namespace
+{
+
+enum class Range
+{
+    any,
+    nonNegative,
+    positive
+};
+
+struct NumberColumn
+{
+    std::string name;
+    double ResultRow::*value;
+    bool required;
+    Range range;
+};
+struct WordColumn
+{
+    std::string name;
+    std::string ResultRow::*value;
+    bool required;
+    const std::vector<std::string>& (*words)() = nullptr; ///< those possible; any where there is no such list
+};
+
+/// In the order of the file.
+const std::vector<std::string>& columnNames()
+{
+    static const std::vector<std::string> names{"variant",    "resolution",  "spacing",    "nParticles", "steps",
+                                                "cpuSeconds", "wallSeconds", "peakMemory", "time",       "field",
+                                                "norm",       "error",       "order",      "status",     "inputs"};
+    return names;
+}
+
+const std::vector<NumberColumn>& numberColumns()
+{
+    using R = ResultRow;
+    static const std::vector<NumberColumn> columns{{"resolution", &R::resolution, false, Range::positive},
+                                                   {"spacing", &R::spacing, true, Range::positive},
+                                                   {"nParticles", &R::nParticles, false, Range::nonNegative},
+                                                   {"steps", &R::steps, false, Range::nonNegative},
+                                                   {"cpuSeconds", &R::cpuSeconds, true, Range::nonNegative},
+                                                   {"wallSeconds", &R::wallSeconds, false, Range::nonNegative},
+                                                   {"peakMemory", &R::peakMemory, false, Range::nonNegative},
+                                                   {"time", &R::time, false, Range::any},
+                                                   {"error", &R::error, true, Range::nonNegative},
+                                                   {"order", &R::order, false, Range::any}};
+    return columns;
+}
+
+const std::vector<WordColumn>& wordColumns()
+{
+    using R = ResultRow;
+    static const std::vector<WordColumn> columns{{"variant", &R::variant, true},
+                                                 {"field", &R::field, true},
+                                                 {"norm", &R::norm, true, errorNorms},
+                                                 {"status", &R::status, false, resultStatuses},
+                                                 {"inputs", &R::inputs, false}};
+    return columns;
+}
+
+/// What is wrong with a number, "" where nothing is.
+std::string mistakeIn(Range range, double value)
+{
+    if (range == Range::positive && !(value > 0)) return "must be greater than 0";
+    if (range == Range::nonNegative && !(value >= 0)) return "must not be negative";
+    return "";
+}
+
+bool readHeader(const std::vector<std::string>& header, const Location& here, Completeness wanted, Diagnostics& diagnostics)
+{
+    bool well = true;
+    const auto fail = [&](const std::string& what)
+    {
+        diagnostics.error(here, what);
+        well = false;
+    };
+    for (auto cell = header.begin(); cell != header.end(); ++cell)
+    {
+        if (std::ranges::find(columnNames(), *cell) == columnNames().end())
+            fail(fmt::format("column \"{}\" is unknown. {}", *cell, suggestion(*cell, "columns", columnNames())));
+        else if (std::find(header.begin(), cell, *cell) != cell)
+            fail(fmt::format("column \"{}\" stands twice", *cell));
+    }
+    const auto require = [&](const auto& column)
+    {
+        if ((column.required || wanted == Completeness::ownRows) && std::ranges::find(header, column.name) == header.end())
+            fail(fmt::format("column \"{}\" is missing", column.name));
+    };
+    for (const auto& column : wordColumns()) require(column);
+    for (const auto& column : numberColumns()) require(column);
+    return well;
+}
+
+/// A row, or nothing where a cell of it is wrong.
+std::optional<ResultRow> readRow(const std::vector<std::string>& header, const std::vector<std::string>& cells,
+                                 const Location& here, Completeness wanted, Diagnostics& diagnostics)
+{
+    const auto before = diagnostics.errors();
+    const auto cellOf = [&](const std::string& name)
+    {
+        const auto at = std::ranges::find(header, name);
+        return at == header.end() ? std::string() : cells[std::size_t(at - header.begin())];
+    };
+    ResultRow row;
+    for (const auto& column : wordColumns())
+    {
+        const auto cell = cellOf(column.name);
+        if (!cell.empty()) row.*column.value = cell;
+        const auto& word = row.*column.value;
+        if (word.empty() && column.required) diagnostics.error(here, fmt::format("\"{}\" is empty", column.name));
+        if (!word.empty() && column.words && std::ranges::find(column.words(), word) == column.words().end())
+            diagnostics.error(here, fmt::format("{} \"{}\" is unknown. {}", column.name, word,
+                                                suggestion(word, column.name == "norm" ? "norms" : "statuses", column.words())));
+    }
+    for (const auto& column : numberColumns())
+    {
+        const auto cell = cellOf(column.name);
+        if (cell.empty())
+        {
+            if (column.required && wanted == Completeness::wholeRows)
+                diagnostics.error(here, fmt::format("\"{}\" is empty", column.name));
+            continue;
+        }
+        const auto value = finiteNumber(cell);
+        if (!value)
+            diagnostics.error(here, fmt::format("\"{}\" in column {} is not a number", cell, column.name));
+        else if (const auto mistake = mistakeIn(column.range, *value); !mistake.empty())
+            diagnostics.error(here, fmt::format("{} is {} but {}", column.name, cell, mistake));
+        else
+            row.*column.value = *value;
+    }
+    if (diagnostics.errors() > before) return {};
+    return row;
+}
+
+}
+
+const std::vector<std::string>& resultStatuses()
+{
+    static const std::vector<std::string> statuses{"ok", "failed", "timeLimit", "diverged"};
+    return statuses;
+}
+
+const std::vector<std::string>& errorNorms()
+{
+    static const std::vector<std::string> norms{"L1", "L2", "Linf"};
+    return norms;
+}
+
+std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, const std::string& file, Completeness wanted,
+                                       Diagnostics& diagnostics)
+{
+    std::vector<ResultRow> rows;
+    std::ifstream in(folder / file);
+    if (!in || !std::filesystem::is_regular_file(folder / file))
+    {
+        diagnostics.error({file, 0}, "cannot be read");
+        return rows;
+    }
+    std::vector<std::string> header;
+    std::string line;
+    bool any = false;
+    for (int number = 1; std::getline(in, line); ++number)
+    {
+        if (line.starts_with('#')) continue;
+        const auto cells = csvCells(line);
+        if (cells.size() == 1 && cells[0].empty()) continue;
+        const Location here{file, number};
+        if (header.empty())
+        {
+            header = cells;
+            if (!readHeader(header, here, wanted, diagnostics)) return rows;
+            continue;
+        }
+        any = true;
+        if (cells.size() != header.size())
+            diagnostics.error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));
+        else if (auto row = readRow(header, cells, here, wanted, diagnostics))
+            rows.push_back(*std::move(row));
+    }
+    if (header.empty())
+        diagnostics.error({file, 0}, fmt::format("has no line of column names: {}", list(columnNames())));
+    else if (!any && wanted == Completeness::wholeRows)
+        diagnostics.error({file, 0}, "has no rows");
+    return rows;
+}
+
+std::string resultTableText(const std::vector<ResultRow>& rows)
+{
+    std::string text;
+    for (const auto& name : columnNames()) text += (text.empty() ? "" : ",") + name;
+    text += '\n';
+    for (const auto& row : rows)
+    {
+        std::string line;
+        for (const auto& name : columnNames())
+        {
+            if (name != columnNames().front()) line += ',';
+            for (const auto& column : wordColumns())
+                if (column.name == name) line += row.*column.value;
+            for (const auto& column : numberColumns())
+                if (column.name == name && std::isfinite(row.*column.value)) line += shortestText(row.*column.value);
+        }
+        text += line + '\n';
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,88 @@
+/// What system/workPrecisionDict asks for.
+///
+///     baseCase        ".";                        // default: the case itself
+///     resolutions     (8 16 32);                  // $n below is one of these at a time
+///     setResolution                               // what a resolution means: entries of the case's files, as changeDictionary has them
+///     {
+///         "system/sphSchemes" { resolution { spacing #eval "1e-3/$n"; } }
+///     }
+///     variants                                    // entries that differ; on top of setResolution. Default: one, called base
+///     {
+///         suite { }
+///         paper { "system/sphSchemes" { scheme paper; } }
+///     }
+///     steps           (packParticles meshToGhost sphFoamLike);   // "reconstructSurface -latestTime" has an argument
+///     repeats         1;                          // the least cost of several counts
+///     timeLimit       600;                        // [s] for the steps of one run together; default: none
+///     core            1;                          // default: the last one that this process may use
+///     errors                                      // rows of postProcessing/<function>/<startTime>/errors.dat
+///     (
+///         { function errors; field U.x; norm L2; time 0.1; }     // default: function errors, norm L2, time: the end
+///     );
+///     peers           ("reference/interFoam.csv"); // other codes' rows, drawn beside; default: none
+///     plots           yes;
+///
+/// `$n`, and every macro and #eval, is resolved when the dictionary is read, once for each resolution.
+#pragma once
+#include "Case.hpp"
+#include <optional>
+
+namespace sph
+{
+
+/// One entry to be given another value, in the copy of the case.
+struct Override
+{
+    std::string file;                  ///< relative to the case
+    std::vector<std::string> keywords; ///< dictionary, sub-dictionary, .. entry
+    std::string value;
+    Location where; ///< in workPrecisionDict
+
+    /// "resolution.spacing"
+    std::string entry() const;
+};
+
+/// Which error to take of a run.
+struct ErrorChoice
+{
+    std::string function, field, norm;
+    std::optional<double> time; ///< [s]; the end where there is none
+    Location whereFunction, whereField, whereTime;
+};
+
+/// A variant at a resolution.
+struct PlannedRun
+{
+    std::string variant;
+    double resolution = 0;
+    Location where; ///< of the variant
+    std::vector<Override> overrides;
+
+    /// "paper/16", also the folder below run/workPrecision
+    std::string name() const;
+};
+
+struct SweepPlan
+{
+    std::filesystem::path baseCase;
+    std::vector<double> resolutions;
+    std::vector<std::string> variants;
+    /// All variants of the coarsest resolution first: what a finer one costs is then known before it starts.
+    std::vector<PlannedRun> runs;
+    std::vector<std::string> steps;
+    Location whereSteps;
+    int repeats = 1;
+    std::optional<double> timeLimit; ///< [s]
+    std::optional<int> core;
+    Location whereCore;
+    std::vector<ErrorChoice> errors;
+    std::vector<std::string> peers;
+    bool plots = true;
+};
+
+inline const std::string sweepDictionary = "system/workPrecisionDict";
+
+/// Every mistake goes to the case's Diagnostics.
+SweepPlan readSweepPlan(const Case&);
+
+}
