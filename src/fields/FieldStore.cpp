@@ -16,15 +16,23 @@ template<int dim> double* FieldStore<dim>::component(const std::string& name, in
     return field->second.component[c].data();
 }
 
-template<int dim> void FieldStore<dim>::resize(std::size_t n)
+template<int dim> void FieldStore<dim>::keepImagesOf(const std::set<std::string>& fields)
+{
+    for (auto& [name, field] : fields_) field.imaged = fields.contains(name);
+    resize(size_, owned_);
+}
+
+template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
 {
     size_ = n;
+    owned_ = owned;
     for (auto& [_, field] : fields_)
         for (auto& a : field.component)
         {
+            const std::size_t length = field.imaged ? n : owned;
             // The number of images changes a little at each rebuild: some room spares most reallocations.
-            if (n > a.capacity()) a.reserve(n + n/20);
-            a.resize(n, 0.0);
+            if (length > a.capacity()) a.reserve(length + (n - owned)/20);
+            a.resize(length, 0.0);
         }
 }
 

@@ -1,10 +1,11 @@
 /// The arrays of a scene: only those that its plan asked for, one array per component, owned particles first, then images, then
-/// the null particle that pads neighbour lists.
+/// the null particle that pads neighbour lists. Fields that are never read at a neighbour end with the owned particles.
 #pragma once
 #include "fieldTags.hpp"
 #include <array>
 #include <map>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ public:
         FieldInfo info;
         std::vector<Array> component;
         bool state = false;      ///< travels with the particles when they are sorted; derived fields are recomputed instead
+        bool imaged = true;      ///< has room for images; what no pass reads at a neighbour needs none
     };
 
     /// `n` arrays of the current size, filled with 0; asking twice is harmless.
@@ -55,9 +57,14 @@ public:
         return p;
     }
 
-    /// Owned particles + images + null particle.
-    void resize(std::size_t n);
+    /// Gives up the room of images in every field but the named ones.
+    void keepImagesOf(const std::set<std::string>& fields);
+
+    /// `n` owned particles + images + null particle, `owned` of them without images.
+    void resize(std::size_t n, std::size_t owned);
+    void resize(std::size_t n) { resize(n, n); }
     std::size_t size() const { return size_; }
+    std::size_t owned() const { return owned_; }
 
     /// Brings owned particle order[k] to place k in every state field.
     void sortState(const std::vector<int>& order);
@@ -69,7 +76,7 @@ public:
 
 private:
     std::map<std::string, Field> fields_;
-    std::size_t size_ = 0;
+    std::size_t size_ = 0, owned_ = 0;
 };
 
 }

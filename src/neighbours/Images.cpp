@@ -118,15 +118,22 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     reflect(entries_, x);
     inDomain_ = entries_.size();
     shift(entries_, x);
-    firstFoot_.resize(entries_.size());
+    // Vectors that grow by themselves double: of many images that is more than a field.
+    if (entries_.capacity() > entries_.size() + entries_.size()/10) entries_.shrink_to_fit();
+    const auto resize = [](auto& v, std::size_t n)
+    {
+        if (n > v.capacity()) v.reserve(n + n/20);
+        v.resize(n);
+    };
+    resize(firstFoot_, entries_.size());
     std::size_t feet = 0, k = 0;
     for (const auto& e : entries_)
     {
-        firstFoot_[k++] = feet;
+        firstFoot_[k++] = unsigned(feet);
         for (int p : e.patch) feet += p >= 0;
     }
-    feet_.resize(feet);
-    store.resize(nullParticle() + 1);
+    resize(feet_, feet);
+    store.resize(nullParticle() + 1, owned_);
     move(store);
 }
 
@@ -173,7 +180,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 
 template<int dim> std::size_t Images<dim>::bytes() const
 {
-    return entries_.capacity()*sizeof(Entry) + feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(std::size_t);
+    return entries_.capacity()*sizeof(Entry) + feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
 }
 
 template class Images<2>;

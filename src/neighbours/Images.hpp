@@ -129,7 +129,7 @@ private:
     std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
-    std::vector<std::size_t> firstFoot_;
+    std::vector<unsigned> firstFoot_;
 
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet) const;
     void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;

@@ -21,6 +21,8 @@ public:
     Plan(const Catalogue<dim>&, const std::vector<std::string>& selected, std::set<std::string> given);
 
     void allocate(FieldStore<dim>&) const;
+    /// Positions, volume factors and what some pass gathers: all that images need values of.
+    std::set<std::string> readAtNeighbours() const;
     /// Again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
     /// The lists keep, for the passes behind the first, what lies within the support.

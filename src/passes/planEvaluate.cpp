@@ -18,6 +18,17 @@ template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
     }
 }
 
+template<int dim> std::set<std::string> Plan<dim>::readAtNeighbours() const
+{
+    std::set<std::string> read{Position::info.name, ImageWeight::info.name};
+    for (const auto& pass : passes_)
+    {
+        for (const auto& f : pass.columns) read.insert(f.info.name);
+        if (pass.normalised) read.insert(GradientScale::info.name);
+    }
+    return read;
+}
+
 template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
 {
     std::set<std::string> written = given_; // what adds to a state changes it, and never overwrites it

@@ -80,6 +80,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
+    store_.keepImagesOf(plan_.readAtNeighbours());
     load(cloud);
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
@@ -91,7 +92,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
 
 template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
 {
-    store_.resize(owned_ + 1);
+    store_.resize(owned_ + 1, owned_);
     const auto& phases = coefficients_.phases;
     const auto copy = [&](auto tag, const char* name)
     {

@@ -27,11 +27,16 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
     const bool second = !paper && !geometry.patches.empty() && viscous && !settings.multiphase();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
-    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, "huAdams");
+    // Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
+    // the density-weighted pressure and the wall potential. More phases have the stress form alone, and so have the walls' stresses.
+    const bool stress = paper || c.phases.size() > 2 || dict.isWord("contactAngle", "paper") || dict.isWord("contactAngle", "wallStress");
+    const auto tensionDefault = !tension ? "none" : stress ? "interfaceStress" : "curvature";
+    choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
+    const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
+    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
-    choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tension ? "interfaceStress" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
-                                      paper && choice.tension == "interfaceStress" ? "paper" : "wallStress");
+                                      byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},

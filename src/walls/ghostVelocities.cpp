@@ -23,7 +23,7 @@ template<int dim> void SecondOrderVelocity<dim>::filter()
 {
     const double share = 0.1; // 0.1, 0.3 and 1 were stable (NUMERICS); 0.1 keeps sound waves out of the wall
     const auto a_p = store_.pointers(PressureAcceleration{});
-    const std::size_t n = store_.size();
+    const std::size_t n = store_.owned();
     #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
         for (int c = 0; c < dim; ++c) a_[c][i] += share*(a_p[c][i] - a_[c][i]);

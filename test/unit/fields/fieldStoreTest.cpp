@@ -46,6 +46,24 @@ TEST(FieldStore, KeepsValuesThroughGrowth)
     EXPECT_TRUE(store.fields().at("rho").state);
 }
 
+// Images have room in the named fields alone, also after a later resize.
+TEST(FieldStore, GivesImagesRoomWhereTheyAreRead)
+{
+    FieldStore<2> store;
+    store.allocate(Density{});
+    store.allocate(Pressure{});
+    store.resize(100, 40);
+    store.keepImagesOf({"p"});
+    const auto length = [&](const char* name) { return store.fields().at(name).component[0].size(); };
+    EXPECT_EQ(length("rho"), 40u);
+    EXPECT_EQ(length("p"), 100u);
+    store.resize(200, 50);
+    EXPECT_EQ(length("rho"), 50u);
+    EXPECT_EQ(length("p"), 200u);
+    EXPECT_EQ(store.owned(), 50u);
+    EXPECT_EQ(store.size(), 200u);
+}
+
 // order[k] says who comes to place k; derived fields stay where they are, since the next evaluation writes them anew.
 TEST(FieldStore, SortsTheStateAlone)
 {

@@ -56,6 +56,25 @@ TEST(NeighbourLists, EqualBruteForceOfDegenerateClouds)
     listsEqualBruteForce<2>({{0.3, 0.4}}, 1, 0.1);
 }
 
+// What a pass keeps of each particle comes back, and spoils no other particle's.
+TEST(NeighbourLists, KeepWhatAPassFound)
+{
+    const auto points = randomPoints<2>(1500, {1, 1});
+    FieldStore<2> store;
+    setPositions(store, points);
+    NeighbourLists<2> lists;
+    lists.build(positions(store), points.size(), points.size(), 0.1);
+    lists.makeRoomWithin();
+    const auto kept = [&](std::size_t i)
+    {
+        const auto all = lists.of(i).first(lists.of(i).size() - 8 * (i % 2));
+        return std::vector<long>(all.begin(), all.end());
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) lists.keepWithin(i, kept(i).data(), int(kept(i).size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        ASSERT_EQ(std::vector<long>(lists.within(i).begin(), lists.within(i).end()), kept(i)) << "particle " << i;
+}
+
 // A lattice, whose distances equal the radius up to round-off: "less than" must mean the same in cells, lanes and the plain loop.
 TEST(NeighbourLists, EqualBruteForceOfALattice)
 {

@@ -93,8 +93,24 @@ template<int dim> void gatheringEqualsAPlainLoop()
     };
     check(gatherWithin<dim>(scene.position, list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr), false);
     if constexpr (packsRecords)
-        check(gatherRecords<dim, nFields>(records.data(), list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr, column),
-              true);
+    {
+        const int n = gatherRecords<dim, nFields>(records.data(), list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr, column);
+        check(n, true);
+        // What was found, padded with a point far away, needs no selection: all of it again, and the padding at twice the radius.
+        std::vector<int> within(j, j + n);
+        records.resize(301 * recordSize);
+        std::fill_n(records.end() - recordSize, recordSize, 1e3);
+        while (within.size() % 8) within.push_back(300);
+        const int all = gatherRecords<dim, nFields, false>(records.data(), within.data(), int(within.size()), x, radiusSqr, j, xij, rSqr, column);
+        ASSERT_EQ(std::size_t(all), within.size());
+        ASSERT_GT(all, n) << "no padding to look at";
+        check(n, true);
+        for (int k = n; k < all; ++k)
+        {
+            EXPECT_EQ(rSqr[k], 4 * radiusSqr);
+            for (int c = 0; c < dim; ++c) EXPECT_EQ(xij[c][k], 0);
+        }
+    }
 }
 TEST(GatherWithin, EqualsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2>(); }
 TEST(GatherWithin, EqualsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3>(); }

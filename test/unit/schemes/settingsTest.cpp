@@ -158,13 +158,14 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
         EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
         return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : s.wallPotential ? "wallPotential" : "none";
     };
-    EXPECT_STREQ(form(wetting("")), "wallStress");
+    EXPECT_STREQ(form(wetting("")), "wallPotential");
+    EXPECT_STREQ(form(wetting("surfaceTension interfaceStress;")), "wallStress");
+    EXPECT_STREQ(form(wetting("contactAngle wallStress;")), "wallStress");
     EXPECT_STREQ(form(wetting("contactAngle wallPotential;")), "wallPotential");
     EXPECT_STREQ(form(wetting("contactAngle paper;")), "paper");
     EXPECT_STREQ(form(wetting("scheme paper;")), "paper");
     EXPECT_STREQ(form(wetting("scheme paper; contactAngle wallStress;")), "wallStress");
-    EXPECT_STREQ(form(wetting("scheme paper; surfaceTension curvature;")), "wallStress");
-    EXPECT_STREQ(form(wetting("scheme paper; surfaceTension curvature; contactAngle wallPotential;")), "wallPotential");
+    EXPECT_STREQ(form(wetting("scheme paper; surfaceTension curvature;")), "wallPotential");
     EXPECT_STREQ(form(reading(edited(dropCase(), "system/sphSchemes", "integration", "scheme paper; integration")).settings), "none");
 }
 
