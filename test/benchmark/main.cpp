@@ -1,6 +1,6 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
-///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedCurvature; all unless named
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress; all unless named
 #include "CaseError.hpp"
 #include "forcePass.hpp"
 #include "wholeStep.hpp"
@@ -30,9 +30,14 @@ int main(int argc, char** argv)
         omp_set_num_threads(1);
         PairLimit limit = jitteredBlock(60);
         if (wanted("force")) print(forcePass(limit, 0.3));
-        if (wanted("block")) print(wholeStep(cases/"block", "whole", limit, 12, 4));
+        if (wanted("block"))
+        {
+            const auto figures = wholeStep(cases/"block", "whole", limit, 12, 4);
+            print(figures);
+            print({{"bytesPerParticle", figures.back().value, figures.back().unit}});
+        }
         if (wanted("bed")) print(wholeStep(cases/"bed", "bed", limit, 20, 4));
-        if (wanted("bedCurvature")) print(wholeStep(cases/"bedCurvature", "bedCurvature", limit, 20, 4));
+        if (wanted("bedStress")) print(wholeStep(cases/"bedStress", "bedStress", limit, 20, 4));
     }
     catch (const CaseError& e)
     {

@@ -69,8 +69,8 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
             {name + "StepOfPairLimit", neighbours*passes*particles/best/limitRate, "1"},
             {name + "ParticleStepsAt345", particles/best/1e6*345e6/limitRate, "million particle-steps/s/core where the limit is 345 million pairs/s"},
             {name + "StepsPerListBuild", steps/double(std::max(1L, simulation->rebuilds() - rebuildsBefore)), "1"},
-            {name + "BytesPerParticle", simulation->bytesPerParticle(), "bytes, images and records included"},
-            {name + "BytesPerEntry", simulation->bytesPerParticle()*particles/(particles + double(simulation->images())), "bytes"}};
+            {name + "BytesPerOwnedParticle", simulation->bytesPerParticle(), "bytes, images and records included"},
+            {name + "BytesPerParticle", simulation->bytesPerParticle()*particles/(particles + double(simulation->images())), "bytes, owned or image"}};
 }
 
 }
