@@ -18,6 +18,7 @@
 ///     errors                                      // rows of postProcessing/<function>/<startTime>/errors.dat
 ///     (
 ///         { function errors; field U.x; norm L2; time 0.1; }     // default: function errors, norm L2, time: the end
+///         { field laplaceJump; norm mean; averageFrom 1.2; }      // |mean value/mean reference - 1| from 1.2 s to the time: what rings
 ///     );
 ///     peers           ("reference/interFoam.csv"); // other codes' rows, drawn beside; default: none
 ///     plots           yes;
@@ -46,7 +47,8 @@ struct Override
 struct ErrorChoice
 {
     std::string function, field, norm;
-    std::optional<double> time; ///< [s]; the end where there is none
+    std::optional<double> time;        ///< [s]; the end where there is none
+    std::optional<double> averageFrom; ///< [s], of norm mean
     Location whereFunction, whereField, whereTime;
 };
 

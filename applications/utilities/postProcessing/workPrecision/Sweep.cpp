@@ -166,6 +166,8 @@ void Sweep::checkRuns()
         apply(run.plan.overrides, scratch.copy(), case_.diagnostics());
         if (case_.diagnostics().errors() > before) continue;
         run.inputs = inputsStamp(scratch.copy(), noInputs, stamps);
+        for (const auto& choice : plan_.errors)
+            if (choice.averageFrom) run.inputs += "/" + shortestText(*choice.averageFrom);
         const auto check = checkCase(scratch.copy(), programs());
         run.spacing = check.spacing;
         run.endTime = check.endTime;

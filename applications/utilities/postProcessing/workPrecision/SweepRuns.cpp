@@ -87,7 +87,8 @@ struct ErrorLine
     bool referenceIsZero = false;
 };
 
-/// The row of a function object's errors.dat at a time, if there is one. NaN and infinity are errors, too: of a run that has diverged.
+/// The row of a function object's errors.dat at a time, or the means up to it, if there is one. NaN and infinity are errors, too: of a run
+/// that has diverged.
 std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice& choice, double time)
 {
     std::error_code none;
@@ -97,6 +98,7 @@ std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice
     std::ifstream in(file);
     std::vector<std::string> names;
     std::optional<ErrorLine> found;
+    double values = 0, references = 0; // sums over time, for the norm mean
     for (std::string line; std::getline(in, line);)
     {
         std::vector<std::string> cells;
@@ -113,9 +115,17 @@ std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice
             return at < cells.size() ? cells[at] : std::string();
         };
         const auto t = finiteNumber(cell("Time"));
-        if (!t || cell("field") != choice.field || std::abs(*t - time) > 1e-6 * std::max(std::abs(time), std::abs(*t))) continue;
-        found = ErrorLine{finiteNumber(cell("nParticles")).value_or(ResultRow::unknown),
-                          finiteNumber(cell(choice.norm)).value_or(ResultRow::unknown), finiteNumber(cell("reference")) == 0};
+        if (!t || cell("field") != choice.field) continue;
+        const auto number = [&](const std::string& name) { return finiteNumber(cell(name)).value_or(ResultRow::unknown); };
+        const double late = *t - time, slack = 1e-6 * std::max(std::abs(time), std::abs(*t));
+        if (choice.averageFrom && *t >= *choice.averageFrom && late <= slack)
+        {
+            values += number("value");
+            references += number("reference");
+            found = ErrorLine{number("nParticles"), std::abs(values / references - 1), references == 0};
+        }
+        if (choice.averageFrom || std::abs(late) > slack) continue;
+        found = ErrorLine{number("nParticles"), number(choice.norm), finiteNumber(cell("reference")) == 0};
     }
     return found;
 }
