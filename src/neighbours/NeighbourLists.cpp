@@ -75,13 +75,16 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
 template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 {
     for (auto& c : chunks_)
+    {
         if (c.within.size() < c.entries.size()) c.within.resize(c.entries.size());
+        c.withinCount.resize(chunkSize);
+    }
 }
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
     std::size_t n = 0;
-    for (const auto& c : chunks_) n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity())*sizeof(int);
+    for (const auto& c : chunks_) n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity() + c.withinCount.capacity())*sizeof(int);
     return n;
 }
 

@@ -53,8 +53,7 @@ private:
     {
         std::vector<int> entries;
         std::array<unsigned, chunkSize + 1> begin;
-        std::vector<int> within;                   ///< at the places of `entries`
-        std::array<int, chunkSize> withinCount;
+        std::vector<int> within, withinCount;      ///< at the places of `entries`, none where no pass keeps
         std::size_t pairs;
     };
     std::vector<Chunk> chunks_;

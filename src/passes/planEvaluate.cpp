@@ -100,7 +100,8 @@ void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStor
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, pass.factors, k, pass.readsKernel, null);
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources,
+                             pass.factors, k, pass.readsKernel, null);
                 if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
