@@ -85,7 +85,7 @@ template<int dim> struct Stencil
         std::size_t c = packed;
         if (records)
             for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
-                gatherColumns(records + array*recordArray, j, n, field + c, int(columns.size() - c));
+                gatherColumns(records + array*recordArray, j, n, field + c);
         for (; c < columns.size(); ++c)
         {
             const double* const source = columns[c];

@@ -96,16 +96,15 @@ inline int gatherRecords(const double* records, const int* list, int n, Vector<d
     return found;
 }
 
-/// Further columns, at most 8, of n particles (a multiple of 8 indices) from a second packed array.
-template<class Column> inline void gatherColumns(const double* records, const long* j, int n, Column* field, int columns)
+/// Eight further columns of n particles (a multiple of 8 indices) from another packed array.
+template<class Column> inline void gatherColumns(const double* records, const long* j, int n, Column* field)
 {
     for (int t = 0; t < n; t += 8)
     {
         detail::Rows rows;
         for (int k = 0; k < 8; ++k) rows.row[k] = _mm512_load_pd(records + j[t + k]*recordSize);
         const detail::Rows column = detail::transposed(rows);
-        for (int f = 0; f < recordSize; ++f)
-            if (f < columns) _mm512_store_pd(field[f] + t, column.row[f]);
+        for (int f = 0; f < recordSize; ++f) _mm512_store_pd(field[f] + t, column.row[f]);
     }
 }
 
@@ -126,7 +125,7 @@ inline void packRecords(const double* const (&from)[recordSize], std::size_t cou
 #else
 constexpr bool packsRecords = false;
 
-template<class Column> inline void gatherColumns(const double*, const long*, int, Column*, int) {}
+template<class Column> inline void gatherColumns(const double*, const long*, int, Column*) {}
 inline void packRecords(const double* const (&)[recordSize], std::size_t, double*) {}
 
 template<int dim, int nFields, bool selects = true, class Column>

@@ -17,14 +17,14 @@ struct Choices
     std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
 };
 
-Choices choose(const Dictionary& dict, const Settings& settings, const Geometry& geometry)
+Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
 {
     const Words schemes{"suite", "paper"};
     const bool paper = dict.choose("scheme", schemes, "suite") == "paper";
     const auto& c = settings.coefficients;
     const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const bool second = !paper && !geometry.patches.empty() && viscous && !settings.multiphase();
+    const bool second = !paper && walls && viscous && !settings.multiphase();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
     // Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
@@ -124,7 +124,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
-    const auto choice = choose(dict, settings, geometry);
+    const auto choice = choose(dict, settings, !geometry.patches.empty());
     settings.integratedDensity = choice.density == "continuity";
     for (int k = 0; k < geometry.dimension; ++k)
         if (geometry.periodic[k] && geometry.length(k) < c.support + c.spacing)

@@ -7,8 +7,8 @@
 /// no step in the force, and ghosts need no rule of their own.
 ///
 /// The force has an energy whatever the particles' arrangement: liquid bodies of a few spacings stay on the wall, where the stress
-/// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The price: the interface must bend within H of the wall, where it
-/// is not resolved; angles come out too far from 90 degrees (tutorials/verification/contactAngle shows both).
+/// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The interface must bend within H of the wall: the curvature form
+/// does, and has angles within 3 degrees; the interface stress does not, and has them too far from 90 (tutorials/verification/contactAngle).
 #pragma once
 #include "Coefficients.hpp"
 #include "Images.hpp"

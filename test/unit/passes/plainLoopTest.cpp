@@ -256,6 +256,48 @@ template<int dim> void continuityEquation()
 TEST(PlainLoop, ContinuityWithDiffusionIn2D) { continuityEquation<2>(); }
 TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
 
+/// gradC of particle i over the neighbours that count.
+template<int dim> Vector<dim> colourGradient(Scene<dim>& s, const Plain<dim>& plain, std::size_t i, auto counts)
+{
+    Vector<dim> gradC;
+    overPairs(s, i,
+              [&](std::size_t j, auto, double, double, auto gradW)
+              {
+                  if (counts(j)) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
+              });
+    return gradC;
+}
+
+/// gamma (|g| I/d - g g/|g|)
+template<int dim> SymmTensor<dim> tensionOf(const Scene<dim>& s, Vector<dim> gradC, double gamma)
+{
+    if (mag(gradC) < 0.01 / s.coefficients.support) return {};
+    return gamma * (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
+}
+
+/// The acceleration is the divergence of the stress that the scene has, in either form.
+template<int dim> void expectDivergenceOfStress(Scene<dim>& s, Plain<dim>& plain, bool weighted)
+{
+    s.refresh(Stress{});
+    expectEqual(
+        s, Acceleration{},
+        [&](std::size_t i)
+        {
+            Vector<dim> force;
+            overPairs(s, i,
+                      [&](std::size_t j, auto, double, double, auto gradW)
+                      {
+                          const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i], rho_j = plain.rho[j];
+                          const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
+                          force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
+                                             : V2_i * S_i + V2_j * S_j) *
+                                   gradW;
+                      });
+            return 1 / plain.m(i) * force;
+        },
+        1e-11);
+}
+
 /// Interface stress of one, two and three phases with the tension of each wall, and its divergence in both forms.
 template<int dim> void interfaceStress(int phases, bool weighted, const Terms& first = rawGradient)
 {
@@ -277,16 +319,9 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
                             SymmTensor<dim> S{};
                             for (int l = 0; l < phases; ++l)
                             {
-                                Vector<dim> gradC;
                                 if (l == k) continue;
-                                overPairs(s, i,
-                                          [&](std::size_t j, auto, double, double, auto gradW)
-                                          {
-                                              if (int(s.at(Phase{}, j)) == l) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
-                                          });
-                                if (mag(gradC) < 0.01 / c.support) continue;
-                                S += c.surfaceTension[std::size_t(k * phases + l)] *
-                                     (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
+                                const auto gradC = colourGradient(s, plain, i, [&](std::size_t j) { return int(s.at(Phase{}, j)) == l; });
+                                S += tensionOf(s, gradC, c.surfaceTension[std::size_t(k * phases + l)]);
                             }
                             for (const auto& patch : s.geometry.patches)
                             {
@@ -298,25 +333,7 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
                             }
                             return S;
                         });
-            s.refresh(Stress{});
-            expectEqual(
-                s, Acceleration{},
-                [&](std::size_t i)
-                {
-                    Vector<dim> force;
-                    overPairs(s, i,
-                              [&](std::size_t j, auto, double, double, auto gradW)
-                              {
-                                  const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i],
-                                               rho_j = plain.rho[j];
-                                  const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
-                                  force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
-                                                     : V2_i * S_i + V2_j * S_j) *
-                                           gradW;
-                              });
-                    return 1 / plain.m(i) * force;
-                },
-                1e-11);
+            expectDivergenceOfStress(s, plain, weighted);
         });
 }
 TEST(PlainLoop, WallTensionOfOnePhase) { interfaceStress<2>(1, false); }
@@ -376,21 +393,8 @@ template<int dim> void solidPhase(int phases, bool weighted, const Terms& first 
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             const auto wall = wallsBehind(s);
-            const auto tension = [&](auto gradC, double gamma)
-            {
-                if (mag(gradC) < 0.01 / c.support) return 0.0 * identity(gradC);
-                return gamma * (mag(gradC) / dim * identity(gradC) - 1 / mag(gradC) * outer(gradC));
-            };
-            const auto gradient = [&](std::size_t i, auto counts)
-            {
-                Vector<dim> gradC;
-                overPairs(s, i,
-                          [&](std::size_t j, auto, double, double, auto gradW)
-                          {
-                              if (counts(j)) gradC += sqr(plain.V[j]) / plain.V[i] * gradW;
-                          });
-                return gradC;
-            };
+            const auto tension = [&](auto gradC, double gamma) { return tensionOf(s, gradC, gamma); };
+            const auto gradient = [&](std::size_t i, auto counts) { return colourGradient(s, plain, i, counts); };
             const auto phase = [&](std::size_t j) { return int(s.at(Phase{}, j)); };
             const auto gammaOfWall = [&](int w, int k) { return c.wallTension[std::size_t(w * phases + k)]; };
             const int walls = int(c.wallTension.size()) / phases;
@@ -419,24 +423,7 @@ template<int dim> void solidPhase(int phases, bool weighted, const Terms& first 
                             });
             s.refresh(Stress{});
             if (s.geometry.patches.size() == 2) ghostsOwnSums(s, wall, tension, gradient);
-            expectEqual(
-                s, Acceleration{},
-                [&](std::size_t i)
-                {
-                    Vector<dim> force;
-                    overPairs(s, i,
-                              [&](std::size_t j, auto, double, double, auto gradW)
-                              {
-                                  const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i],
-                                               rho_j = plain.rho[j];
-                                  const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
-                                  force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
-                                                     : V2_i * S_i + V2_j * S_j) *
-                                           gradW;
-                              });
-                    return 1 / plain.m(i) * force;
-                },
-                1e-11);
+            expectDivergenceOfStress(s, plain, weighted);
         });
 }
 

@@ -17,9 +17,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Times of a table and of a dictionary are the same where they differ by less than the digits that either is written with.
-bool sameTime(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); }
-
 /// A folder for copies to be looked at, which is gone afterwards, with those above it that are then empty.
 class ScratchFolder
 {
@@ -73,6 +70,8 @@ std::pair<Location, std::string> placeAndText(const std::string& mistake)
 }
 
 }
+
+bool sameTime(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); }
 
 Sweep::Sweep(const fs::path& caseFolder)
     : case_(fs::weakly_canonical(fs::absolute(caseFolder))),
@@ -155,6 +154,8 @@ void Sweep::checkRuns()
         stamps.insert(stamps.end(), step.command.begin() + 1, step.command.end());
         stamps.push_back(fileStamp(step.command.front()));
     }
+    for (const auto& choice : plan_.errors)
+        if (choice.averageFrom) stamps.push_back("averageFrom " + shortestText(*choice.averageFrom));
     // A variant more, or another code's rows, change no run.
     std::vector<std::string> noInputs{sweepDictionary};
     for (const auto& file : plan_.peers) noInputs.push_back(fs::path(file).lexically_normal().string());
@@ -166,8 +167,6 @@ void Sweep::checkRuns()
         apply(run.plan.overrides, scratch.copy(), case_.diagnostics());
         if (case_.diagnostics().errors() > before) continue;
         run.inputs = inputsStamp(scratch.copy(), noInputs, stamps);
-        for (const auto& choice : plan_.errors)
-            if (choice.averageFrom) run.inputs += "/" + shortestText(*choice.averageFrom);
         const auto check = checkCase(scratch.copy(), programs());
         run.spacing = check.spacing;
         run.endTime = check.endTime;

@@ -9,6 +9,9 @@
 namespace sph
 {
 
+/// Times of a table and of a dictionary are the same where they differ by less than the digits that either is written with.
+bool sameTime(double a, double b);
+
 class Sweep
 {
 public:
@@ -49,7 +52,6 @@ private:
 
     void findPrograms();
     void checkRuns();
-    void checkRun(Run&);
     void checkOverrides(const Run&);
     void checkErrors(const Run&, const std::filesystem::path& copy, bool endIsKnown);
     void reportMistakes(const Run&, const std::filesystem::path& copy, const std::vector<std::string>& mistakes);

@@ -117,14 +117,13 @@ std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice
         const auto t = finiteNumber(cell("Time"));
         if (!t || cell("field") != choice.field) continue;
         const auto number = [&](const std::string& name) { return finiteNumber(cell(name)).value_or(ResultRow::unknown); };
-        const double late = *t - time, slack = 1e-6 * std::max(std::abs(time), std::abs(*t));
-        if (choice.averageFrom && *t >= *choice.averageFrom && late <= slack)
+        if (choice.averageFrom && *t >= *choice.averageFrom && (*t < time || sameTime(*t, time)))
         {
             values += number("value");
             references += number("reference");
             found = ErrorLine{number("nParticles"), std::abs(values / references - 1), references == 0};
         }
-        if (choice.averageFrom || std::abs(late) > slack) continue;
+        if (choice.averageFrom || !sameTime(*t, time)) continue;
         found = ErrorLine{number("nParticles"), number(choice.norm), finiteNumber(cell("reference")) == 0};
     }
     return found;
