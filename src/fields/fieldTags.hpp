@@ -7,9 +7,10 @@
 namespace sph
 {
 
-/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule; placed: what
-/// an image is rather than what its source has, written when images are moved and never refreshed.
-enum class Image { copied, mirrored, velocity, pressure, placed };
+/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule; velocityChange:
+/// what the velocity rule makes of a change; placed: what an image is rather than what its source has, written when images are moved and
+/// never refreshed.
+enum class Image { copied, mirrored, velocity, velocityChange, pressure, placed };
 
 struct FieldInfo
 {
@@ -42,6 +43,9 @@ struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
 struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
+struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::velocityChange};       template<int dim> struct At { Vector<dim> dv; }; };
+struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
+struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).

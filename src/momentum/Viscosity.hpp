@@ -29,31 +29,76 @@ struct HarmonicMean
 /// mu [Pa s] mean dynamic viscosity of the pair, V = 1/sigma [m^3], v_ij = v_i - v_j [m/s]. Conserves linear momentum exactly.
 /// With a normalised gradient (KernelMoment.hpp) a parabola is differentiated exactly: order 2 in plane Poiseuille flow, verified by
 /// tutorials/verification/planePoiseuille; without, the paper's scheme, it is 4 % low at any resolution.
-template<class MeanViscosity> struct MorrisViscosity
+template<class MeanViscosity> struct MorrisSum
 {
-    using Adds = Acceleration;
+    using ReadsOwn = Fields<Mass>;
     MeanViscosity mean;
 
-    explicit MorrisViscosity(const Coefficients& c) : mean(c) {}
-    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    explicit MorrisSum(const Coefficients& c) : mean(c) {}
+    /// What a pair's velocity difference is multiplied by [1/s]: negative.
+    auto rate(const auto& ij, const auto& i, const auto& j) const
     {
-        return 1/i.m*mean(i, j)*(sqr(i.V) + sqr(j.V))*ij.dWdrOverR*(i.v - j.v);
+        return 1/i.m*mean(i, j)*(sqr(i.V) + sqr(j.V))*ij.dWdrOverR;
     }
 };
 
+template<class MeanViscosity> struct MorrisViscosity : MorrisSum<MeanViscosity>
+{
+    using Adds = Acceleration;
+    using MorrisSum<MeanViscosity>::MorrisSum;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.v - j.v); }
+};
 struct SinglePhaseViscosity : MorrisViscosity<UniformViscosity>
 {
     static constexpr auto name = "singlePhaseViscosity";
     using Reads = Fields<Volume, Velocity>;
-    using ReadsOwn = Fields<Mass>;
     using MorrisViscosity::MorrisViscosity;
 };
 struct HarmonicViscosity : MorrisViscosity<HarmonicMean>
 {
     static constexpr auto name = "harmonicViscosity";
     using Reads = Fields<Volume, Velocity, DynamicViscosity>;
-    using ReadsOwn = Fields<Mass>;
     using MorrisViscosity::MorrisViscosity;
+};
+
+/// What an implicit step asks of viscosity (schemes/ImplicitViscosity): the same sum over a change of the velocity,
+template<class MeanViscosity> struct MorrisResponse : MorrisSum<MeanViscosity>
+{
+    using Provides = ViscousResponse;
+    using MorrisSum<MeanViscosity>::MorrisSum;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.dv - j.dv); }
+};
+struct SinglePhaseResponse : MorrisResponse<UniformViscosity>
+{
+    static constexpr auto name = "singlePhaseViscousResponse";
+    using Reads = Fields<Volume, VelocityChange>;
+    using MorrisResponse::MorrisResponse;
+};
+struct HarmonicResponse : MorrisResponse<HarmonicMean>
+{
+    static constexpr auto name = "harmonicViscousResponse";
+    using Reads = Fields<Volume, VelocityChange, DynamicViscosity>;
+    using MorrisResponse::MorrisResponse;
+};
+
+/// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s].
+template<class MeanViscosity> struct MorrisRate : MorrisSum<MeanViscosity>
+{
+    using Provides = ViscousRate;
+    using MorrisSum<MeanViscosity>::MorrisSum;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j)*(ij.r > 0); }
+};
+struct SinglePhaseRate : MorrisRate<UniformViscosity>
+{
+    static constexpr auto name = "singlePhaseViscousRate";
+    using Reads = Fields<Volume>;
+    using MorrisRate::MorrisRate;
+};
+struct HarmonicRate : MorrisRate<HarmonicMean>
+{
+    static constexpr auto name = "harmonicViscousRate";
+    using Reads = Fields<Volume, DynamicViscosity>;
+    using MorrisRate::MorrisRate;
 };
 
 }

@@ -35,6 +35,8 @@ public:
     virtual ~GhostVelocity() = default;
     /// v: velocity of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
     virtual Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const = 0;
+    /// By how much the ghost's velocity changes with that of what is mirrored: the rule's linear part.
+    virtual Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const = 0;
     /// After each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
     virtual void bind() {}
     virtual void filter() {}
@@ -171,6 +173,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                                                      in3D(foot)};
                     x = foot - feet[r].distance*feet[r].normal;
                     if constexpr (F::info.image == Image::velocity) q = (*images.ghostVelocity_)(q, e.source, reflection, r == 0);
+                    else if constexpr (F::info.image == Image::velocityChange) q = images.ghostVelocity_->change(q, reflection);
                     else if (images.ghostPressure_) q = (*images.ghostPressure_)(q, e.source, reflection);
                 }
             }

@@ -16,17 +16,24 @@ namespace sph
 template<int dim> class Plan
 {
 public:
-    /// `selected` names of terms; `given` names of the fields that the scene brings (its state). The catalogue must outlive the plan.
-    /// Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
-    Plan(const Catalogue<dim>&, const std::vector<std::string>& selected, std::set<std::string> given);
+    /// `selected` names of terms; `given` names of the fields that the scene brings (its state), `current` those of them whose images need
+    /// no refreshing. The catalogue must outlive the plan. Throws CaseError naming the term that lacks a provider, has several, or waits
+    /// in a circle.
+    Plan(const Catalogue<dim>&, const std::vector<std::string>& selected, std::set<std::string> given, std::set<std::string> current = {});
 
     void allocate(FieldStore<dim>&) const;
     /// Positions, volume factors and what some pass gathers: all that images need values of.
     std::set<std::string> readAtNeighbours() const;
     /// Again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
-    /// The lists keep, for the passes behind the first, what lies within the support.
-    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
+    /// The lists keep, for the pair passes behind the first, what lies within the support.
+    void evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+    {
+        evaluate(store, images, lists, kernel, pairPasses() > 1 ? Candidates::listedAndKept : Candidates::listed);
+    }
+    /// The same, where another plan is evaluated at the same positions: `listedAndKept` keeps the pairs for it, `kept` takes them.
+    enum class Candidates { listed, listedAndKept, kept };
+    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, Candidates);
 
     int pairPasses() const;
     /// Of the packed records.
@@ -49,7 +56,7 @@ private:
         bool pair() const { return entries[0]->pair; }
     };
     const Catalogue<dim>& catalogue_;
-    std::set<std::string> given_;
+    std::set<std::string> given_, current_;
     std::vector<const Entry*> chosen_;
     std::map<const Entry*, std::string> reason_;
     std::vector<Pass> passes_;
@@ -57,7 +64,6 @@ private:
 
     void close();
     void order();
-    enum class Candidates { listed, listedAndKept, kept };
     void evaluatePairs(const Pass&, Candidates, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
     const double* pack(const Pass&, FieldStore<dim>&);
 };

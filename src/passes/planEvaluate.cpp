@@ -110,9 +110,9 @@ void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStor
 }
 
 template<int dim>
-void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
+                         Candidates candidates)
 {
-    auto candidates = pairPasses() > 1 ? Candidates::listedAndKept : Candidates::listed;
     const std::size_t n = images.owned(), block = 4096;
     for (const auto& pass : passes_)
     {

@@ -10,8 +10,8 @@ namespace sph
 {
 
 template<int dim>
-Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& selected, std::set<std::string> given)
-    : catalogue_(catalogue), given_(std::move(given))
+Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& selected, std::set<std::string> given, std::set<std::string> current)
+    : catalogue_(catalogue), given_(std::move(given)), current_(std::move(current))
 {
     for (const auto& name : selected)
     {
@@ -71,7 +71,8 @@ template<int dim> void Plan<dim>::close()
 
 template<int dim> void Plan<dim>::order()
 {
-    std::set<std::string> waiting, stale = given_;
+    std::set<std::string> waiting, stale;
+    std::set_difference(given_.begin(), given_.end(), current_.begin(), current_.end(), std::inserter(stale, stale.end()));
     std::map<std::string, int> adders;
     for (const auto* e : chosen_) (e->provides ? void(waiting.insert(e->result.info.name)) : void(++adders[e->result.info.name]));
     // A rate that terms add to, and that another term reads, is there once all of them have added.
@@ -79,7 +80,7 @@ template<int dim> void Plan<dim>::order()
         if (!given_.contains(field)) waiting.insert(field);
     auto left = chosen_;
     const std::string scale = GradientScale::info.name;
-    const bool normalises = waiting.contains(scale);
+    const bool normalises = waiting.contains(scale) || given_.contains(scale);
     const auto normalised = [&](const Entry* e) { return normalises && e->pair && !e->ofRawGradient; };
     while (!left.empty())
     {
@@ -118,7 +119,7 @@ template<int dim> void Plan<dim>::order()
     }
 }
 
-template Plan<2>::Plan(const Catalogue<2>&, const std::vector<std::string>&, std::set<std::string>);
-template Plan<3>::Plan(const Catalogue<3>&, const std::vector<std::string>&, std::set<std::string>);
+template Plan<2>::Plan(const Catalogue<2>&, const std::vector<std::string>&, std::set<std::string>, std::set<std::string>);
+template Plan<3>::Plan(const Catalogue<3>&, const std::vector<std::string>&, std::set<std::string>, std::set<std::string>);
 
 }

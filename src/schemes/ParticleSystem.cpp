@@ -60,7 +60,8 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
         store_.allocateState(Density{});
         store_.allocateState(StartDensity{});
     }
-    if (settings.integrator != Integrator::symplecticEuler) store_.allocateState(StartVelocity{});
+    if (settings.predicts()) store_.allocateState(StartVelocity{});
+    if (settings.integrator == Integrator::semiImplicit) implicit_.emplace(settings, catalogue_, store_);
     if (settings.integrator == Integrator::leapfrog)
     {
         store_.allocateState(Acceleration{});
@@ -80,7 +81,9 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
-    store_.keepImagesOf(plan_.readAtNeighbours());
+    auto imaged = plan_.readAtNeighbours();
+    if (implicit_) imaged.merge(implicit_->readAtNeighbours());
+    store_.keepImagesOf(imaged);
     load(cloud);
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
@@ -187,9 +190,15 @@ template<int dim> void ParticleSystem<dim>::rebuild()
     images_.build(store_, owned_);
     lists_.build(pointers(), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
     images_.bindRules();
-    plan_.bind(store_, coefficients_);
+    bindPlans();
     travelled_ = 0;
     ++rebuilds_;
+}
+
+template<int dim> void ParticleSystem<dim>::bindPlans()
+{
+    plan_.bind(store_, coefficients_);
+    if (implicit_) implicit_->bind(store_, coefficients_);
 }
 
 /// Nothing parts two particles at one place: every sum takes x_ij = 0.
@@ -215,7 +224,8 @@ template<int dim> void ParticleSystem<dim>::evaluate()
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
     if (wallTension_) wallTension_->evaluate(images_, store_);
-    plan_.evaluate(store_, images_, lists_, kernel_);
+    if (implicit_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
+    else plan_.evaluate(store_, images_, lists_, kernel_);
     if (wallPotential_) wallPotential_->addAcceleration(images_, store_);
 }
 
@@ -227,7 +237,7 @@ template<int dim> void ParticleSystem<dim>::normaliseDensity()
     double sum = 0;
     for (std::size_t i = 0; i < owned_; ++i) sum += m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i];
     coefficients_.densityScale *= double(owned_)/sum;
-    plan_.bind(store_, coefficients_);
+    bindPlans();
     evaluate();
 }
 

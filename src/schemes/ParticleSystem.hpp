@@ -1,6 +1,7 @@
 /// The particles with their images, lists and plan: everything that an integrator moves, and nothing of time.
 #pragma once
 #include "Images.hpp"
+#include "ImplicitViscosity.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
@@ -18,6 +19,8 @@ public:
 
     /// Rates and derived fields at the present positions and velocities. A pure function of the state.
     void evaluate();
+    /// After an evaluation: makes of dU/dt one that has viscosity act at the end of a step of `deltaT` [s] (integrator semiImplicit).
+    void solveViscosity(double deltaT) { implicit_->solve(store_, images_, lists_, kernel_, deltaT); }
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
@@ -29,6 +32,7 @@ public:
     Images<dim>& images() { return images_; }
     const Images<dim>& images() const { return images_; }
     const Plan<dim>& plan() const { return plan_; }
+    const ImplicitViscosity<dim>* implicitViscosity() const { return implicit_ ? &*implicit_ : nullptr; }
     const NeighbourLists<dim>& lists() const { return lists_; }
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
@@ -44,6 +48,7 @@ private:
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
+    std::optional<ImplicitViscosity<dim>> implicit_;
     std::optional<WallTension<dim>> wallTension_;
     std::optional<WallPotential<dim>> wallPotential_;
     std::size_t owned_ = 0;
@@ -55,6 +60,7 @@ private:
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();
+    void bindPlans();
 };
 
 }

@@ -22,11 +22,18 @@ Resolution readResolution(const Dictionary& sphSchemes);
 /// Fractions of the stability limits, as prototypes measured them (NUMERICS).
 struct StepFactors
 {
-    double sound = 0.4, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
+    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
 };
 
-enum class Integrator { predictorCorrector, leapfrog, symplecticEuler };
+enum class Integrator { predictorCorrector, leapfrog, symplecticEuler, semiImplicit };
 enum class WallVelocity { reflected, secondOrder, freeSlip };
+
+/// How semiImplicit solves for the velocities at the end of a step (ImplicitViscosity.hpp).
+struct ImplicitSolve
+{
+    double theta = 1, tolerance = 1e-6;
+    int maxIter = 1000;
+};
 
 struct Settings
 {
@@ -36,6 +43,7 @@ struct Settings
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
     bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'
+    ImplicitSolve implicitSolve;
     StepFactors factors;
     bool integratedDensity = false;            ///< density by the continuity equation
     bool normaliseDensity = true;
@@ -45,6 +53,8 @@ struct Settings
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
     std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
 
+    /// Whether velocities half a step on are foretold, for the rates there.
+    bool predicts() const { return integrator == Integrator::predictorCorrector || integrator == Integrator::leapfrog; }
     bool multiphase() const { return coefficients.phases.size() > 1; }
     bool weighted = false;                     ///< some wall is curved: images carry volume factors
 };

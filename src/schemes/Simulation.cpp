@@ -31,14 +31,16 @@ public:
     ///   predictorCorrector   rates at t predict v(t + dt/2): second order, two evaluations
     ///   leapfrog             the last rates predict v(t + dt/2): second order, one evaluation
     ///   symplecticEuler      v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory
+    ///   semiImplicit         the same, but viscosity acts with v(t + dt), solved for: no viscous limit of the step
     void step(double time, double deltaT) override
     {
-        const bool predicts = settings_.integrator != Integrator::symplecticEuler;
+        const bool predicts = settings_.predicts();
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
         drift(particles_, 0.5*deltaT);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
         if (predicts) predict(particles_, 0.5*deltaT);
         particles_.evaluate();
+        if (settings_.integrator == Integrator::semiImplicit) particles_.solveViscosity(deltaT);
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
@@ -97,13 +99,15 @@ public:
     }
 
     void printPlan(std::ostream& out) const override { particles_.plan().print(out, particles_.store()); }
+    int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }
     double bytesPerParticle() const override
     {
-        return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes())/double(std::max<std::size_t>(1, size()));
+        return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes() +
+                      (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
     }
 };
 

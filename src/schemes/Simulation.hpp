@@ -49,6 +49,8 @@ public:
 
     virtual void printPlan(std::ostream&) const = 0;
     virtual int pairPasses() const = 0;
+    /// Of the last step's implicit viscosity; 0 without.
+    virtual int solverIterations() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;

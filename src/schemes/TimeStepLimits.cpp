@@ -20,7 +20,13 @@ StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceler
     };
 
     const double sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
-    consider(s.sound*h/(sound + maxSpeed), "sound");
+    const bool implicit = settings.integrator == Integrator::semiImplicit;
+    const double soundStep = s.sound*h/(sound + maxSpeed);
+    double leastViscosity = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < n; ++k) leastViscosity = std::min(leastViscosity, c.viscosity[k]/c.restDensity[k]);
+    const double damped = std::min(s.dampedSound*leastViscosity/sqr(sound), s.sound*h/maxSpeed);
+    if (implicit && settings.implicitSolve.theta == 1 && damped > soundStep) consider(damped, "damped sound");
+    else consider(soundStep, "sound");
     if (settings.stiffnessLimit)
     {
         double stiffest = 0;
@@ -36,7 +42,7 @@ StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceler
             if (const double gamma = c.surfaceTension[k*n + l]; gamma > 0)
                 capillary = std::min(capillary, std::sqrt((c.restDensity[k] + c.restDensity[l])*h*h*h/(4*std::numbers::pi*gamma)));
         }
-    if (nu > 0) consider(s.viscous*h*h/nu, "viscosity");
+    if (nu > 0 && !implicit) consider(s.viscous*h*h/nu, "viscosity");
     consider(s.capillary*capillary, "capillary");
     if (maxAcceleration > 0) consider(s.force*std::sqrt(h/maxAcceleration), "force");
     return limit;

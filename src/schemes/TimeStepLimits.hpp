@@ -1,9 +1,11 @@
 /// How large a step may be.
 ///
 ///   sound      s h/(c + |v|)                              s = 0.4
+///   damped sound  s nu/c^2, at most 0.4 h/|v|             s = 0.25, where it is longer: an Euler step of implicit viscosity damps the waves
+///                                                         that it does not resolve; stable to 2, within 1 % to 0.5 (NUMERICS); nu the least
 ///   stiffness  s h/c_eff,  c_eff = sqrt(max(rho c^2)/min(rho))   s = 1.2, for the Hu-Adams pressure between phases: it pushes the
 ///                                                         light particle with the heavy side's stiffness (NUMERICS)
-///   viscosity  s h^2/nu                                   s = 0.125; nu the largest pair viscosity over the smaller density
+///   viscosity  s h^2/nu                                   s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density
 ///   capillary  s sqrt((rho_k + rho_l) h^3/(4 pi gamma))   s = 0.5
 ///   force      s sqrt(h/|dv/dt|)                          s = 0.25
 ///

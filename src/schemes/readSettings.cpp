@@ -47,6 +47,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
         dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", choice.tension));
+    if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
+        dict.error("integration", "semiImplicit solves for viscosity, and there is none");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }
@@ -62,6 +64,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (settings.integrator == Integrator::semiImplicit) add(multiphase ? "harmonicViscousRate" : "singlePhaseViscousRate");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
     if (angles && choice.contactAngle == "paper") { add("solidPhaseStress"); add("stressOfSolid"); }
@@ -81,9 +84,19 @@ Words termsOf(const Choices& choice, const Settings& settings)
 void readIntegration(const Dictionary& schemes, Settings& settings)
 {
     const auto dict = schemes.subDictOrEmpty("integration");
-    const Words names{"predictorCorrector", "leapfrog", "symplecticEuler"};
+    const Words names{"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit"};
     const auto name = dict.choose("scheme", names, "predictorCorrector");
     settings.integrator = Integrator(std::find(names.begin(), names.end(), name) - names.begin());
+    if (settings.integrator == Integrator::semiImplicit)
+    {
+        auto& solve = settings.implicitSolve;
+        solve.theta = dict.getPositive("theta", units::none, solve.theta);
+        if (solve.theta < 0.5 || solve.theta > 1) dict.error("theta", "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
+        solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
+        settings.reasons.push_back(fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
+                                               solve.theta, solve.tolerance));
+        solve.maxIter = int(dict.getPositive("maxIter", units::none, solve.maxIter));
+    }
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
@@ -91,6 +104,7 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     settings.dampingRate = damping.getNonNegative("rate", units::none/units::s, 0);
     settings.dampedUntil = damping.getNonNegative("until", units::s, 0);
     f.sound = dict.getPositive("soundFactor", units::none, f.sound);
+    if (settings.integrator == Integrator::semiImplicit) f.dampedSound = dict.getPositive("dampedSoundFactor", units::none, f.dampedSound);
     f.stiffness = dict.getPositive("stiffnessFactor", units::none, f.stiffness);
     f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
     f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);

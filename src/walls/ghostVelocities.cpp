@@ -9,6 +9,8 @@ Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const
     return 2*in<dim>(geometry_.wallVelocity(r.wall, r.foot)) - v;
 }
 
+template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>&) const { return -1*dv; }
+
 template<int dim>
 SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c)
     : geometry_(geometry), store_(store), g_(in<dim>(c.g) + in<dim>(c.bodyForce)/c.restDensity[0]), nu_(c.viscosity[0]/c.restDensity[0])
@@ -33,7 +35,7 @@ template<int dim>
 Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
-    const auto continued = v_w - 1/std::sqrt(r.weight)*(v - v_w);
+    const auto continued = v_w + change(v - v_w, r);
     if (!once) return continued;
     Vector<dim> a;
     fetch(a, [&](int c) { return a_[c][source]; });
@@ -42,12 +44,19 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     return continued - sqr(r.distance)/nu_*(a - dot(a, r.normal)*r.normal);
 }
 
+template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
+{
+    return -1/std::sqrt(r.weight)*dv;
+}
+
 template<int dim>
 Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
-    return v_w + mirrored(v - v_w, r.normal);
+    return v_w + change(v - v_w, r);
 }
+
+template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return mirrored(dv, r.normal); }
 
 template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
 {

@@ -14,6 +14,7 @@ template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 public:
     explicit ReflectedVelocity(const Geometry& g) : geometry_(g) {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
 /// Second-order no slip (NUMERICS, "mode 4"): the smooth continuation of the flow through the wall, from its momentum balance there.
@@ -33,6 +34,7 @@ template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 public:
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&);
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
     /// Again after each change of the arrays.
     void bind() override;
     /// Moves a_w, the low-passed a_p, a tenth of the way to the latest a_p. Once a step: an evaluation leaves no trace.
@@ -69,6 +71,7 @@ template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 public:
     explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
 }

@@ -127,10 +127,12 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
                               s.maxDensity[k], s.mass[k]);
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  neighbours {:.1f}  lists built {}\n{}\n"
+    const int iterations = simulation_->solverIterations();
+    const std::string solver = iterations > 0 ? fmt::format("  viscosity {} iterations", iterations) : "";
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  neighbours {:.1f}  lists built {}{}\n{}\n"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
                         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, simulation_->meanNeighbours(),
-                        simulation_->rebuilds(), phases, Clock::executionTime(), clock, expected);
+                        simulation_->rebuilds(), solver, phases, Clock::executionTime(), clock, expected);
     log_.flush();
 }
 

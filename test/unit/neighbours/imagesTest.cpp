@@ -346,6 +346,7 @@ public:
         feet.push_back(r.foot);
         return v;
     }
+    Vector<2> change(Vector<2> dv, const Reflection<2>&) const override { return dv; }
 };
 
 // The velocity rule is told the foot point of each reflection, on the wall it is mirrored in: the second one is that of the

@@ -35,6 +35,7 @@ template<int dim> class Reversed : public GhostVelocity<dim>
 {
 public:
     Vector<dim> operator()(Vector<dim> v, std::size_t, const Reflection<dim>&, bool) const override { return -1.0 * v; }
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override { return -1.0 * dv; }
 };
 
 template<int dim> void setPositions(FieldStore<dim>& store, const std::vector<Vector<dim>>& points)

@@ -94,7 +94,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);
@@ -124,6 +124,8 @@ template<int dim> struct Scene
             if (integratedDensity)
                 store.component("rho", 0)[i] = coefficients.restDensity[std::size_t(k)] * (1 + 0.03 * any(random));
         }
+        if (store.has(VelocityChange{}))
+            for (int d = 0; d < dim; ++d) std::copy_n(store.component("U", d), n, store.component("dU", d));
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
         images.build(store, n);
         lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);

@@ -207,6 +207,33 @@ template<int dim> void viscosities(const Terms& first)
     acceleration<dim>(with(first, {"singlePhaseViscosity"}), plainForm(single));
     acceleration<dim>(with(first, {"harmonicViscosity"}), plainForm(harmonic));
 }
+
+/// The response to the velocities themselves, taken for a change, is their acceleration; the rate is that of v_i alone.
+template<int dim> void viscousResponses(const Terms& first)
+{
+    onEveryGeometry<dim>(
+        [&](Geometry g)
+        {
+            Scene<dim> s(g, coefficients<dim>(3), with(with(summed, first), {"harmonicViscosity", "harmonicViscousResponse", "harmonicViscousRate"}));
+            Plain<dim> plain(s);
+            expectEqual(s, ViscousResponse{}, [&](std::size_t i) { return s.at(Acceleration{}, i); }, 1e-12);
+            expectEqual(s, ViscousRate{},
+                        [&](std::size_t i)
+                        {
+                            double rate = 0;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto x, double r, double, auto gradW)
+                                      {
+                                          if (j != i) rate -= 2 * plain.mu(i) * plain.mu(j) / (plain.mu(i) + plain.mu(j)) *
+                                                              (sqr(plain.V[i]) + sqr(plain.V[j])) * dot(gradW, x) / (r * r);
+                                      });
+                            return rate / plain.m(i);
+                        },
+                        1e-11);
+        });
+}
+TEST(PlainLoop, ViscousResponsesIn2D) { viscousResponses<2>(rawGradient); }
+TEST(PlainLoop, ViscousResponsesWithNormalisedGradientIn3D) { viscousResponses<3>(normalisedGradient); }
 TEST(PlainLoop, ViscositiesIn2D) { viscosities<2>(rawGradient); }
 TEST(PlainLoop, ViscositiesWithNormalisedGradientIn2D) { viscosities<2>(normalisedGradient); }
 TEST(PlainLoop, ViscositiesIn3D) { viscosities<3>(rawGradient); }

@@ -46,6 +46,8 @@ Files with(Files files, const std::string& integrator)
 TEST(Restart, OfPredictorCorrectorWithSecondOrderWalls) { restartEqualsTheWhole(channelCase()); }
 TEST(Restart, OfLeapfrogWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "leapfrog")); }
 TEST(Restart, OfSymplecticEulerWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "symplecticEuler")); }
+TEST(Restart, OfSemiImplicitWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "semiImplicit")); }
+TEST(Restart, OfTwoPhasesWithSemiImplicit) { restartEqualsTheWhole(with(dropCase(), "semiImplicit")); }
 TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase()); }
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }

@@ -148,6 +148,23 @@ bool selects(const Settings& settings, const std::string& term)
     return std::count(settings.terms.begin(), settings.terms.end(), term) > 0;
 }
 
+TEST(Settings, SemiImplicitTakesItsEntries)
+{
+    const auto with = [](const std::string& entries) { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "semiImplicit" + entries); };
+    const auto settings = reading(with("; theta 0.5; tolerance 1e-9; maxIter 7")).settings;
+    EXPECT_EQ(settings.integrator, Integrator::semiImplicit);
+    EXPECT_EQ(settings.implicitSolve.theta, 0.5);
+    EXPECT_EQ(settings.implicitSolve.tolerance, 1e-9);
+    EXPECT_EQ(settings.implicitSolve.maxIter, 7);
+    EXPECT_TRUE(selects(settings, "singlePhaseViscousRate"));
+    EXPECT_FALSE(selects(reading(channelCase()).settings, "singlePhaseViscousRate"));
+    expectError(with("; theta 0.4"), "is 1/2 (Crank-Nicolson) to 1 (Euler)");
+    auto inviscid = with("");
+    auto& phases = inviscid["constant/phaseProperties"];
+    phases.replace(phases.find("mu"), phases.find(';', phases.find("mu")) - phases.find("mu") + 1, "");
+    expectError(inviscid, "semiImplicit solves for viscosity, and there is none");
+}
+
 // Each form of the contact angle selects its own terms; `scheme paper;` takes the paper's, unless the case says otherwise, has no contact angle,
 // or has no interface stress that the solid could be a phase of.
 TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)

@@ -1,9 +1,11 @@
 /// The step itself: its order in time, and what it keeps.
+#include "DivergedError.hpp"
 #include "Simulation.hpp"
 #include "smallCases.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <numeric>
 
 namespace sph::test
 {
@@ -101,13 +103,69 @@ double observedOrder(const std::string& integrator)
 TEST(Step, PredictorCorrectorIsOfSecondOrder) { EXPECT_NEAR(observedOrder("predictorCorrector"), 2, 0.2); }
 TEST(Step, LeapfrogIsOfSecondOrder) { EXPECT_NEAR(observedOrder("leapfrog"), 2, 0.2); }
 TEST(Step, SymplecticEulerIsOfFirstOrderInViscosity) { EXPECT_NEAR(observedOrder("symplecticEuler"), 1, 0.2); }
+TEST(Step, SemiImplicitIsOfFirstOrderInViscosity) { EXPECT_NEAR(observedOrder("semiImplicit; tolerance 1e-12"), 1, 0.2); }
+TEST(Step, SemiImplicitWithHalfOfEitherEndIsOfSecondOrder) { EXPECT_NEAR(observedOrder("semiImplicit; theta 0.5; tolerance 1e-12"), 2, 0.2); }
+
+/// What a step leaves of the vortex in a liquid of mu = 1e12 Pa s, v_1 = factor v_0 + rest: the factor, and |rest|/|v_0|. Steps are so short
+/// that no particle moves and no pressure acts.
+std::pair<double, double> left(const std::string& integrator, double deltaT)
+{
+    auto files = vortexCase(integrator);
+    auto& phase = files["constant/phaseProperties"];
+    phase.replace(phase.find("mu 20"), 5, "mu 1e12");
+    const auto settings = settingsOf(files);
+    const auto g = periodicSquare();
+    const auto simulation = makeSimulation(settings, g, vortex(false), {});
+    const auto velocity = [&]
+    {
+        std::vector<double> v;
+        for (std::size_t c = 0; c < 2; ++c)
+            for (std::size_t i = 0; i < simulation->size(); ++i) v.push_back(simulation->field("U").component[c][i]);
+        return v;
+    };
+    const auto before = velocity();
+    simulation->step(0, deltaT);
+    const auto after = velocity();
+    const double factor = std::inner_product(before.begin(), before.end(), after.begin(), 0.0) /
+                          std::inner_product(before.begin(), before.end(), before.begin(), 0.0);
+    auto expected = before;
+    for (double& v : expected) v *= factor;
+    return {factor, distance(after, expected) / distance(before, std::vector<double>(before.size()))};
+}
+
+// On a lattice the vortex is an eigenvector of the viscous sum, L v = -lambda v. An explicit step gives lambda; one of 1000/lambda then
+// leaves 1/(1 + lambda dt) by Euler, (1 - lambda dt/2)/(1 + lambda dt/2) by Crank and Nicolson.
+TEST(Step, SemiImplicitSolvesTheViscousEquation)
+{
+    const double first = 1e-14, lambda = (1 - left("symplecticEuler", first).first) / first, deltaT = 1000 / lambda;
+    EXPECT_NEAR(lambda / (1e9 * 8 * std::numbers::pi * std::numbers::pi), 1, 0.02); // nu 2 k^2
+    const auto [euler, eulersRest] = left("semiImplicit; tolerance 1e-10", deltaT);
+    EXPECT_NEAR(euler * (1 + 1000), 1, 1e-6);
+    EXPECT_LT(eulersRest, 1e-9);
+    const auto [crankNicolson, rest] = left("semiImplicit; theta 0.5; tolerance 1e-10", deltaT);
+    EXPECT_NEAR(crankNicolson, (1 - 500.0) / (1 + 500.0), 1e-6);
+    EXPECT_LT(rest, 1e-9);
+}
+
+TEST(Step, SemiImplicitSaysThatItHasNotConverged)
+{
+    try
+    {
+        left("semiImplicit; theta 0.5; maxIter 1; tolerance 1e-30", 1e-8);
+        FAIL() << "one iteration to 1e-30";
+    }
+    catch (const DivergedError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find("the implicit viscosity has not converged in 1 iterations"), std::string::npos) << e.what();
+    }
+}
 
 // Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
 // momentum stays at the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the
 // particles sorted.
 TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 {
-    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler"})
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2"})
     {
         SCOPED_TRACE(integrator);
         auto files = vortexCase(integrator);

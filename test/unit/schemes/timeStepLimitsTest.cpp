@@ -59,6 +59,27 @@ TEST(StepLimit, ByTheViscosityOfAPairOverTheLighterDensity)
     s.coefficients.viscosity = {30, 10}; // pair: 2 x 30 x 10/40 = 15, over 1; air alone: 10 over 1; water alone: 0.03
     expectLimit(s, 0.125 * 0.25 / 15, "viscosity");
 }
+TEST(StepLimit, IsNotByImplicitViscosity)
+{
+    auto s = twoPhases();
+    s.integrator = Integrator::semiImplicit;
+    s.coefficients.viscosity = {30, 10};
+    s.implicitSolve.theta = 0.5;
+    expectLimit(s, 0.4 * 0.5 / 20, "sound");
+}
+TEST(StepLimit, BySoundThatImplicitViscosityDamps)
+{
+    auto s = quiet();
+    s.integrator = Integrator::semiImplicit;
+    s.coefficients.viscosity = {5000}; // nu 5 m^2/s, c 2 m/s
+    expectLimit(s, 0.25 * 5 / 4, "damped sound", 0.1);
+    expectLimit(s, 0.4 * 0.5 / 3, "damped sound", 3); // by a particle's way
+    s.implicitSolve.theta = 0.5;
+    expectLimit(s, 0.4 * 0.5 / 2, "sound");
+    s.implicitSolve.theta = 1;
+    s.coefficients.viscosity = {100}; // nu/c^2 short
+    expectLimit(s, 0.4 * 0.5 / 2, "sound");
+}
 TEST(StepLimit, BySurfaceTension)
 {
     auto s = twoPhases();

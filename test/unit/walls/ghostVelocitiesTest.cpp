@@ -35,6 +35,22 @@ struct MovingWall
     static Reflection<2> at(double d) { return {d, 1, {0, 1}, 0, {0.3, 0, 0}}; }
 };
 
+// change() is what operator() does to a difference of velocities, whatever the wall does and however curved it is.
+TEST(GhostVelocity, ChangeIsTheLinearPart)
+{
+    MovingWall w;
+    SecondOrderVelocity<2> second(w.geometry, w.store, w.coefficients);
+    second.bind();
+    const ReflectedVelocity<2> reflected(w.geometry);
+    const SlippingVelocity<2> slipping(w.geometry);
+    auto at = w.at(0.07);
+    at.weight = 0.6;
+    const Vector<2> v{0.7, -0.2}, dv{0.03, 0.05};
+    for (const GhostVelocity<2>* rule : {static_cast<const GhostVelocity<2>*>(&second), static_cast<const GhostVelocity<2>*>(&reflected),
+                                         static_cast<const GhostVelocity<2>*>(&slipping)})
+        EXPECT_LT(mag((*rule)(v + dv, 0, at, true) - (*rule)(v, 0, at, true) - rule->change(dv, at)), 1e-15);
+}
+
 // v_g = 2 v_w - v: Couette flow v = v_w + s y is continued exactly.
 TEST(GhostVelocity, ReflectedContinuesShear)
 {

@@ -1,0 +1,138 @@
+#include "ImplicitViscosity.hpp"
+#include "DivergedError.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+std::string response(const Settings& settings) { return settings.multiphase() ? "harmonicViscousResponse" : "singlePhaseViscousResponse"; }
+
+std::set<std::string> given(const Settings& settings, bool normalised)
+{
+    std::set<std::string> fields{Position::info.name, Mass::info.name, Volume::info.name, VelocityChange::info.name};
+    if (settings.multiphase()) fields.insert(DynamicViscosity::info.name);
+    if (normalised) fields.insert(GradientScale::info.name);
+    return fields;
+}
+std::set<std::string> withCurrentImages(const Settings& settings, bool normalised)
+{
+    auto fields = given(settings, normalised);
+    fields.erase(VelocityChange::info.name);
+    return fields;
+}
+
+struct Sums
+{
+    double rz = 0, rr = 0, vv = 0;   ///< r.z, r.r and v_1.v_1, weighed by mass
+    Sums& operator+=(const Sums& b) { rz += b.rz; rr += b.rr; vv += b.vv; return *this; }
+};
+
+/// f(i) over all particles, by blocks of which each thread takes some: the same bits on any number of threads.
+template<class F> Sums sumOver(std::size_t n, const F& f)
+{
+    const std::size_t block = 4096, blocks = (n + block - 1)/block;
+    std::vector<Sums> parts(blocks);
+    #pragma omp parallel for schedule(static)
+    for (std::size_t b = 0; b < blocks; ++b)
+        for (std::size_t i = b*block; i < std::min(n, (b + 1)*block); ++i) parts[b] += f(i);
+    Sums total;
+    for (const auto& part : parts) total += part;
+    return total;
+}
+}
+
+template<int dim>
+ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalogue<dim>& catalogue, FieldStore<dim>& store)
+    : settings_(settings.implicitSolve),
+      plan_(catalogue, {response(settings)}, given(settings, store.has(GradientScale{})), withCurrentImages(settings, store.has(GradientScale{})))
+{
+    plan_.allocate(store);
+}
+
+template<int dim>
+void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
+                                   double deltaT)
+{
+    const std::size_t n = store.owned();
+    const double *m = store.component("m", 0), *lambda = store.component(ViscousRate::info.name, 0);
+    const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{}),
+               Lp = store.pointers(ViscousResponse{});
+    const double implicit = settings_.theta*deltaT;
+    std::array<double*, dim> dv, r;
+    for (int c = 0; c < dim; ++c)
+    {
+        change_[c].resize(n);
+        residual_[c].resize(n);
+        dv[c] = change_[c].data();
+        r[c] = residual_[c].data();
+    }
+    const auto sums = [&](std::size_t i)
+    {
+        double r2 = 0, v2 = 0;
+        for (int c = 0; c < dim; ++c)
+        {
+            r2 += sqr(r[c][i]);
+            v2 += sqr(v[c][i] + dv[c][i]);
+        }
+        return Sums{m[i]*r2/(1 + implicit*lambda[i]), m[i]*r2, m[i]*v2};
+    };
+    Sums now = sumOver(n, [&](std::size_t i)
+    {
+        for (int c = 0; c < dim; ++c)
+        {
+            dv[c][i] = 0;
+            r[c][i] = deltaT*a[c][i];
+            p[c][i] = r[c][i]/(1 + implicit*lambda[i]);
+        }
+        return sums(i);
+    });
+    for (iterations_ = 0; now.rr > sqr(settings_.tolerance)*now.vv; ++iterations_)
+    {
+        if (iterations_ == settings_.maxIter)
+            throw DivergedError(fmt::format("the implicit viscosity has not converged in {} iterations: the residual is {:.3g} of the velocity, the "
+                                            "tolerance {:.3g}. Choose a smaller step, or a larger `maxIter` or `tolerance` in `integration`",
+                                            iterations_, std::sqrt(now.rr/now.vv), settings_.tolerance));
+        plan_.evaluate(store, images, lists, kernel, Plan<dim>::Candidates::kept);
+        const double pAp = sumOver(n, [&](std::size_t i)
+        {
+            double sum = 0;
+            for (int c = 0; c < dim; ++c) sum += p[c][i]*(p[c][i] - implicit*Lp[c][i]);
+            return Sums{m[i]*sum};
+        }).rz;
+        const double alpha = now.rz/pAp;
+        const Sums next = sumOver(n, [&](std::size_t i)
+        {
+            for (int c = 0; c < dim; ++c)
+            {
+                dv[c][i] += alpha*p[c][i];
+                r[c][i] -= alpha*(p[c][i] - implicit*Lp[c][i]);
+            }
+            return sums(i);
+        });
+        const double beta = next.rz/now.rz;
+        now = next;
+        #pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < n; ++i)
+            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i]/(1 + implicit*lambda[i]) + beta*p[c][i];
+    }
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < dim; ++c) a[c][i] = (dv[c][i] + r[c][i])/deltaT;
+}
+
+template<int dim> std::size_t ImplicitViscosity<dim>::bytes() const
+{
+    std::size_t n = plan_.bytes();
+    for (const auto* arrays : {&change_, &residual_})
+        for (const auto& array : *arrays) n += array.capacity()*sizeof(double);
+    return n;
+}
+
+template class ImplicitViscosity<2>;
+template class ImplicitViscosity<3>;
+
+}

@@ -1,0 +1,46 @@
+/// Viscosity at the end of a step instead of at its start: stable however stiff it is.
+///
+///   v_1 = v_0 + dt (a(v_0) + theta L (v_1 - v_0))        a(v_0) all accelerations, L v = dv/dt by viscosity
+///
+/// theta 1 is Euler's implicit step: of first order, and it damps what it does not resolve. theta 1/2 is that of Crank and Nicolson: of
+/// second order, and it lets what it does not resolve ring.
+///
+/// (1 - theta dt L) dv = dt a is solved by conjugate gradients in the inner product sum_i m_i u_i.v_i, in which L is symmetric (walls that
+/// are curved make it so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i with lambda_i the
+/// viscous rate. Nothing is stored of the matrix: L is a plan of one term over the pairs that the evaluation has kept. What remains of the
+/// residual r is added to dv: then v_1 = v_0 + dt (a + theta L dv) for the dv before, a sum over pairs of forces that cancel, and momentum is
+/// conserved to round-off whatever the tolerance.
+#pragma once
+#include "FieldStore.hpp"
+#include "Plan.hpp"
+#include "Settings.hpp"
+
+namespace sph
+{
+
+template<int dim> class ImplicitViscosity
+{
+public:
+    ImplicitViscosity(const Settings&, const Catalogue<dim>&, FieldStore<dim>&);
+
+    /// After each change of the arrays or the coefficients.
+    void bind(FieldStore<dim>& store, const Coefficients& coefficients) { plan_.bind(store, coefficients); }
+    std::set<std::string> readAtNeighbours() const { return plan_.readAtNeighbours(); }
+
+    /// Replaces dU/dt = a(v_0) by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
+    /// the norm sqrt(sum_i m_i r_i^2); throws DivergedError after `maxIter` iterations.
+    void solve(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT);
+
+    /// Of the last solve.
+    int iterations() const { return iterations_; }
+    std::size_t bytes() const;
+    const Plan<dim>& plan() const { return plan_; }
+
+private:
+    ImplicitSolve settings_;
+    Plan<dim> plan_;
+    std::array<Array, dim> change_, residual_;   ///< dv and r of the owned particles
+    int iterations_ = 0;
+};
+
+}
