@@ -19,7 +19,8 @@ struct Continuity
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return i.rho*j.V*dot(i.v - j.v, ij.gradW); }
 };
 
-/// V_i = m_i/rho_i [m^3], where the density is integrated
+/// V_i = m_i/rho_i [m^3], where the density is integrated. Inside a fluid the volume by number density is the better weight of sums: with it the
+/// viscous decay of Taylor-Green's vortices is a quarter as far off (`volume numberDensity;`); at a free surface it is not.
 struct IntegratedVolume
 {
     static constexpr auto name = "integratedVolume";

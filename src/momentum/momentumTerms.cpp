@@ -8,7 +8,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> momentumTerms()
 {
-    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, AddPressure,
+    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure, AddPressure,
                      SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse, SinglePhaseRate, HarmonicRate, Gravity, BodyForce>();
 }
 

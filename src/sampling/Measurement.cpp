@@ -2,6 +2,7 @@
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
 #include "LaplaceJump.hpp"
+#include "VortexDecay.hpp"
 #include <algorithm>
 
 namespace sph
@@ -27,6 +28,7 @@ const std::vector<Entry>& catalogue()
         {"laplaceJump", measure<LaplaceJump>},
         {"contactAngle", measure<ContactAngle>},
         {"dragFactor", measure<DragFactor>},
+        {"vortexDecay", measure<VortexDecay>},
     };
     return measures;
 }

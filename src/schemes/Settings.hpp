@@ -50,6 +50,7 @@ struct Settings
     bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
     bool wallPotential = false;                ///< contact angles by WallPotential; else by terms of the plan
     double shifting = 0;                       ///< C of particle shifting; 0: none
+    bool shiftsByLargestSpeed = false;         ///< else by the particle's own
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
     std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
 

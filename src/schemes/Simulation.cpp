@@ -45,7 +45,7 @@ public:
         else kick(particles_, deltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
-        if (settings_.shifting > 0) shift(particles_, settings_, deltaT);
+        if (settings_.shifting > 0) shift(particles_, settings_, summary_.maxSpeed, deltaT);
         particles_.images().ghostVelocity().filter();
         summary_ = summarise(particles_, settings_);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);

@@ -24,7 +24,7 @@ StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceler
     const double soundStep = s.sound*h/(sound + maxSpeed);
     double leastViscosity = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k) leastViscosity = std::min(leastViscosity, c.viscosity[k]/c.restDensity[k]);
-    const double damped = std::min(s.dampedSound*leastViscosity/sqr(sound), s.sound*h/maxSpeed);
+    const double damped = std::min(s.dampedSound*leastViscosity/sqr(sound), 0.5*s.sound*h/maxSpeed);
     if (implicit && settings.implicitSolve.theta == 1 && damped > soundStep) consider(damped, "damped sound");
     else consider(soundStep, "sound");
     if (settings.stiffnessLimit)

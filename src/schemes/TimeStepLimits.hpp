@@ -1,7 +1,7 @@
 /// How large a step may be.
 ///
 ///   sound      s h/(c + |v|)                              s = 0.4
-///   damped sound  s nu/c^2, at most 0.4 h/|v|             s = 0.25, where it is longer: an Euler step of implicit viscosity damps the waves
+///   damped sound  s nu/c^2, at most 0.2 h/|v|             s = 0.25, where it is longer: an Euler step of implicit viscosity damps the waves
 ///                                                         that it does not resolve; stable to 2, within 1 % to 0.5 (NUMERICS); nu the least
 ///   stiffness  s h/c_eff,  c_eff = sqrt(max(rho c^2)/min(rho))   s = 1.2, for the Hu-Adams pressure between phases: it pushes the
 ///                                                         light particle with the heavy side's stiffness (NUMERICS)

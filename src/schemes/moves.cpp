@@ -57,11 +57,11 @@ template<int dim> void damp(ParticleSystem<dim>& p, double factor)
         for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
 }
 
-template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, double deltaT)
+template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, double maxSpeed, double deltaT)
 {
     auto& store = p.store();
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{}), s = store.pointers(ShiftDirection{});
-    const double spacing = settings.resolution.spacing, C = settings.shifting, most = 0.1*spacing;
+    const double spacing = settings.resolution.spacing, by = settings.shifting*deltaT*spacing, most = 0.1*spacing;
     const std::size_t n = p.size();
     double furthest = 0;
     #pragma omp parallel for schedule(static) reduction(max: furthest)
@@ -71,10 +71,10 @@ template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, d
         fetch(v_i, [&](int c) { return v[c][i]; });
         fetch(s_i, [&](int c) { return s[c][i]; });
         fetch(x_i, [&](int c) { return x[c][i]; });
-        auto by = C*mag(v_i)*deltaT*sqr(spacing)*s_i;
-        if (const double d = mag(by); d > most) by = most/d*by;
-        furthest = std::max(furthest, mag(by));
-        sph::store(x_i + by, [&](int c, double q) { x[c][i] = q; });
+        auto dx = by*(settings.shiftsByLargestSpeed ? maxSpeed : mag(v_i))*s_i;
+        if (const double d = mag(dx); d > most) dx = most/d*dx;
+        furthest = std::max(furthest, mag(dx));
+        sph::store(x_i + dx, [&](int c, double q) { x[c][i] = q; });
     }
     p.moved(furthest);
 }
@@ -89,7 +89,7 @@ template void correct(ParticleSystem<2>&, double);
 template void correct(ParticleSystem<3>&, double);
 template void damp(ParticleSystem<2>&, double);
 template void damp(ParticleSystem<3>&, double);
-template void shift(ParticleSystem<2>&, const Settings&, double);
-template void shift(ParticleSystem<3>&, const Settings&, double);
+template void shift(ParticleSystem<2>&, const Settings&, double, double);
+template void shift(ParticleSystem<3>&, const Settings&, double, double);
 
 }

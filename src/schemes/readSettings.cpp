@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
+    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -27,20 +27,23 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const bool second = !paper && walls && viscous && !settings.multiphase();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
+    const bool integrated = choice.density == "continuity";
+    choice.volume = dict.choose("volume", Words{"numberDensity", "continuity"}, choice.density);
+    if (!integrated && choice.volume == "continuity") dict.error("volume", "goes with `density continuity;`: no density is integrated");
     // Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
     // the density-weighted pressure and the wall potential. More phases have the stress form alone, and so have the walls' stresses.
     const bool stress = paper || c.phases.size() > 2 || dict.isWord("contactAngle", "paper") || dict.isWord("contactAngle", "wallStress");
     const auto tensionDefault = !tension ? "none" : stress ? "interfaceStress" : "curvature";
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
-    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, byCurvature ? "densityWeighted" : "huAdams");
+    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan", "difference"}, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
-                                       paper || choice.density == "continuity" ? "none" : "secondMoment");
+                                       paper || choice.volume == "continuity" ? "none" : "secondMoment");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -58,8 +61,8 @@ Words termsOf(const Choices& choice, const Settings& settings)
     const bool multiphase = settings.multiphase();
     Words terms;
     const auto add = [&](const std::string& name) { terms.push_back(name); };
-    if (choice.density == "continuity") { add("integratedVolume"); add("continuity"); }
-    else { add("numberDensity"); add("summedDensity"); }
+    add(choice.volume == "continuity" ? "integratedVolume" : "numberDensity");
+    add(choice.density == "continuity" ? "continuity" : "summedDensity");
     add(multiphase ? "taitOfPhase" : "tait");
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
@@ -137,6 +140,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     readIntegration(dict, settings);
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
+    settings.shiftsByLargestSpeed = dict.choose("shiftingSpeed", Words{"own", "largest"}, "own") == "largest";
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
     const auto choice = choose(dict, settings, !geometry.patches.empty());
     settings.integratedDensity = choice.density == "continuity";
@@ -148,7 +152,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     if (c.diffusion > 0 && settings.multiphase())
         for (double rho : c.restDensity)
             if (rho != c.restDensity[0]) { dict.error("densityDiffusion", "phases of different rest density cannot diffuse into one another"); break; }
-    settings.normaliseDensity = !settings.integratedDensity && choice.normalisation == "secondMoment";
+    settings.normaliseDensity = choice.volume == "numberDensity" && choice.normalisation == "secondMoment";
     settings.stiffnessLimit = settings.multiphase() && choice.pressure != "densityWeighted";
     settings.wallVelocity = choice.wall == "secondOrder" ? WallVelocity::secondOrder
                           : choice.wall == "freeSlip"    ? WallVelocity::freeSlip

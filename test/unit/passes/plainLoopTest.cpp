@@ -183,6 +183,8 @@ template<int dim> void pressures(const Terms& first)
                       { return -(q.p[i] * sqr(q.V[i]) + q.p[j] * sqr(q.V[j])) * gradW; });
     acceleration<dim>(with(first, {"monaghanPressure"}), [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
                       { return -q.V[i] * q.V[j] * (q.p[i] + q.p[j]) * gradW; });
+    acceleration<dim>(with(first, {"differencePressure"}), [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
+                      { return -q.V[i] * q.V[j] * (q.p[j] - q.p[i]) * gradW; });
     acceleration<dim>(with(first, {"densityWeightedPressure"}),
                       [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
                       {

@@ -218,3 +218,23 @@ TEST(DragFactor, mistakesNameFileAndLine)
               "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
               "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
 }
+
+// Taylor-Green's flow at a quarter of a second, with as much again of a flow of another shape, which is not part of the amplitude.
+TEST(VortexDecay, isThatOfTheFlowsPartOfTheRightShape)
+{
+    Particles particles(2, {0, 0, 0}, {2, 2, 0}, 0.05);
+    const double nu = 0.03, k = pi, rate = 2 * nu * k * k, A = std::exp(-rate * 0.25);
+    particles.setU(
+        [&](Vector<3> x)
+        {
+            return Vector<3>{0.7 * A * (-std::cos(k * x.x) * std::sin(k * x.y) + std::sin(2 * k * x.y)),
+                             0.7 * A * (std::sin(k * x.x) * std::cos(k * x.y) - std::sin(2 * k * x.x)), 0};
+        });
+    particles.time = 0.25;
+    const auto decay = measure(particles, "vortexDecay", "speed 0.7; period 2; nu 0.03;");
+    EXPECT_NEAR(decay.reference, rate, 1e-14);
+    EXPECT_NEAR(decay.value, rate, 1e-12);
+    EXPECT_EQ(decay.particles, particles.size());
+    particles.time = 0;
+    EXPECT_TRUE(std::isnan(measure(particles, "vortexDecay", "speed 0.7; period 2; nu 0.03;").value));
+}

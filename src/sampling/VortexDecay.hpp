@@ -1,0 +1,25 @@
+#pragma once
+#include "Measurement.hpp"
+#include "TaylorGreen.hpp"
+
+namespace sph
+{
+
+/// Rate at which Taylor & Green's vortices decay, against 2 nu k^2 = 8 pi^2 nu/L^2 [1/s]:
+///
+///   rate = -ln A/t,    A = sum V_i u_i.e_i/sum V_i e_i.e_i,    e the exact velocity at t = 0
+///
+/// A is the amplitude of the flow's own part that has the right shape: what particles jitter besides does not enter. At t = 0 there is no
+/// rate yet.
+class VortexDecay
+{
+    TaylorGreen start_;
+    double rate_;
+
+public:
+    /// speed period nu; origin (0 0 0).
+    VortexDecay(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Measurement operator()(const ParticleView&) const;
+};
+
+}
