@@ -112,6 +112,8 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
     f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);
     f.force = dict.getPositive("forceFactor", units::none, f.force);
+    const double all = dict.getPositive("stepFactor", units::none, 1);
+    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force}) *factor *= all;
 }
 }
 

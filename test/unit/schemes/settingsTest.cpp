@@ -165,6 +165,14 @@ TEST(Settings, SemiImplicitTakesItsEntries)
     expectError(inviscid, "semiImplicit solves for viscosity, and there is none");
 }
 
+TEST(Settings, StepFactorScalesAllFactors)
+{
+    const auto settings = reading(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", "predictorCorrector; soundFactor 0.2; stepFactor 3;")).settings;
+    EXPECT_NEAR(settings.factors.sound, 0.6, 1e-15);
+    EXPECT_NEAR(settings.factors.viscous, 3 * StepFactors{}.viscous, 1e-15);
+    EXPECT_NEAR(settings.factors.capillary, 3 * StepFactors{}.capillary, 1e-15);
+}
+
 // Each form of the contact angle selects its own terms; `scheme paper;` takes the paper's, unless the case says otherwise, has no contact angle,
 // or has no interface stress that the solid could be a phase of.
 TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
