@@ -25,8 +25,8 @@ constexpr double mostCompression = 4;
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
-/// Speed over sound speed beyond which the log warns: the density then varies by its square, a tenth.
-constexpr double mostMach = 0.3;
+/// Speed over sound speed, and density over rest density, beyond which the log warns: the density varies by the square of the first.
+constexpr double mostMach = 0.3, suspectCompression = 1.1;
 
 std::string hostName()
 {
@@ -126,19 +126,24 @@ void Run::check(const StepLimit& limit) const
                                         simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
 }
 
-void Run::warnOfSpeed()
+void Run::warnOfCompression()
 {
     const auto& summary = simulation_->summary();
-    warned_.resize(summary.maxSpeedOf.size());
+    const auto& c = settings_.coefficients;
+    warned_.resize(c.phases.size());
     for (std::size_t k = 0; k < warned_.size(); ++k)
     {
-        const auto& c = settings_.coefficients;
-        const double mach = summary.maxSpeedOf[k]/c.soundSpeed[k];
-        if (warned_[k] || mach < mostMach) continue;
+        if (warned_[k] || summary.count[k] == 0) continue;
+        const double mach = summary.maxSpeedOf[k]/c.soundSpeed[k], compression = summary.maxDensity[k]/c.restDensity[k];
+        std::string what;
+        if (mach > mostMach) what = fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
+        else if (compression > suspectCompression)
+            what = fmt::format("has a density of {:.4g} kg/m^3, {:.3g} times that at rest, with a sound speed of {:.3g} m/s", summary.maxDensity[k], compression,
+                               c.soundSpeed[k]);
+        else continue;
         warned_[k] = true;
-        log_ << fmt::format("--> Warning: at time {} {} moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s: errors of compressibility are of the "
-                            "order of the square of that. For 1 %, choose a sound speed of ten times the largest velocity\n",
-                            time_.name(), c.phases[k], summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
+        log_ << fmt::format("--> Warning: at time {} {} {}: weak compressibility is lost. A sound speed of ten times the largest of flow speed, "
+                            "sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %\n", time_.name(), c.phases[k], what);
     }
 }
 
@@ -216,7 +221,7 @@ void Run::solve()
     {
         const StepLimit limit = simulation_->stepLimit();
         check(limit);
-        warnOfSpeed();
+        warnOfCompression();
         const double deltaT = time_.nextDeltaT(limit.deltaT);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
