@@ -85,8 +85,12 @@ template<int dim> double mag(Vector<dim> a) { return std::sqrt(dot(a, a)); }
 constexpr SymmTensor<2> outer(Vector<2> a) { return {a.x*a.x, a.x*a.y, a.y*a.y}; }
 constexpr SymmTensor<3> outer(Vector<3> a) { return {a.x*a.x, a.x*a.y, a.x*a.z, a.y*a.y, a.y*a.z, a.z*a.z}; }
 
-/// a b + b a
-template<int dim> constexpr SymmTensor<dim> twiceSymm(Vector<dim> a, Vector<dim> b) { return outer(a + b) - outer(a) - outer(b); }
+/// a b + b a, by components: a and b may have any units, so that outer(a + b) - outer(a) - outer(b) would lose the smaller of them.
+constexpr SymmTensor<2> twiceSymm(Vector<2> a, Vector<2> b) { return {2*a.x*b.x, a.x*b.y + a.y*b.x, 2*a.y*b.y}; }
+constexpr SymmTensor<3> twiceSymm(Vector<3> a, Vector<3> b)
+{
+    return {2*a.x*b.x, a.x*b.y + a.y*b.x, a.x*b.z + a.z*b.x, 2*a.y*b.y, a.y*b.z + a.z*b.y, 2*a.z*b.z};
+}
 
 /// a : b, and what the inverse is made of. The inverse of a singular tensor is not finite.
 constexpr double doubleDot(SymmTensor<2> a, SymmTensor<2> b) { return a.xx*b.xx + 2*a.xy*b.xy + a.yy*b.yy; }

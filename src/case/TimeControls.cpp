@@ -23,6 +23,8 @@ const Words compressionWords{"off", "uncompressed", "no", "false", "none"};
 constexpr double roundOff = std::numeric_limits<double>::epsilon();
 /// Two times nearer than this part of a write interval are the same.
 constexpr double sameTime = 1e-9;
+/// Nobody means more, and shorter intervals would be lost in the rounding of time.
+constexpr double mostWrites = 1e9;
 
 int chosen(const Dictionary& d, const std::string& key, const Words& valid, const std::string& fallback)
 {
@@ -92,6 +94,10 @@ TimeControls TimeControls::read(const Dictionary& d)
     const int control = chosen(d, "writeControl", writeWords, "none");
     c.writeControl = writeWords[std::size_t(control)] == "adjustableRunTime" ? WriteControl::adjustable : WriteControl(control);
     c.writeInterval = readInterval(d, c.writeControl);
+    const bool byTime = c.writeControl == WriteControl::runTime || c.writeControl == WriteControl::adjustable;
+    if (byTime && std::isfinite(c.endTime) && std::abs(c.endTime) > mostWrites * c.writeInterval)
+        d.error("writeInterval", fmt::format("writeInterval {} s would make {:.2g} time folders until endTime {}", c.writeInterval,
+                                             std::abs(c.endTime) / c.writeInterval, c.endTime));
     c.purgeWrite = d.get<int>("purgeWrite", 0);
     if (c.purgeWrite < 0) d.error("purgeWrite", fmt::format("purgeWrite must not be negative, found {}", c.purgeWrite));
     c.writeOptions = readOptions(d);

@@ -17,6 +17,9 @@ std::string text(const Geometry& g, const Vector<3>& x)
     return g.dimension == 3 ? fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z) : fmt::format("({:.6g} {:.6g})", x.x, x.y);
 }
 
+/// Of a wall's speed, what its direction in the dictionary may be off the wall by rounding.
+constexpr double slidingTolerance = 1e-6;
+
 class Check
 {
     const Geometry& g_;
@@ -123,6 +126,32 @@ class Check
                                    fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
                                                "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
                                                g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
+        }
+    }
+
+    /// Walls stay where they are while the fluid moves: their velocity may only be along themselves.
+    void motion()
+    {
+        for (int p = 0; p < int(g_.patches.size()); ++p)
+        {
+            const int w = g_.patches[p].wall;
+            if (g_.walls[w].velocity == Vector<3>{} && g_.walls[w].omega == Vector<3>{}) continue;
+            Vector<3> worst;
+            double fastest = 0, into = 0;
+            for (const auto& x : samples(p).points)
+            {
+                const auto v = g_.wallVelocity(w, x);
+                fastest = std::max(fastest, mag(v));
+                const double normal = std::abs(dot(v, g_.patches[p].shape->foot(x).normal));
+                if (normal <= into) continue;
+                into = normal;
+                worst = x;
+            }
+            if (into > slidingTolerance * fastest)
+                diagnostics_.error(g_.walls[w].where,
+                                   fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
+                                               "only along them, as of a belt or a shaft, is possible",
+                                               g_.walls[w].name, into, text(g_, worst)));
         }
     }
 
@@ -282,6 +311,7 @@ public:
         volume();
         curvature();
         thickness();
+        motion();
         pairs();
         return report_;
     }

@@ -4,7 +4,7 @@
 /// wall. Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
 /// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
-/// warning between the walls of a container.
+/// warning between the walls of a container. A wall may slide along itself and nowhere else.
 #pragma once
 #include "Geometry.hpp"
 #include <string>

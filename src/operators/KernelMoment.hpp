@@ -8,9 +8,11 @@
 /// linear momentum is conserved exactly. Measured (tutorials/verification): without it plane Poiseuille keeps 4 %, a hydrostatic column
 /// 2.3 %, the Laplace jump of the stress form -3 % however fine the resolution.
 ///
-/// M [1/m^d], d dimensions, W' = dW/dr.
+/// M [1/m^d], d dimensions, W' = dW/dr. N is 0.9 at a free surface, and 0 for a particle alone: with less than half the neighbours of a bulk
+/// there is nothing to normalise, and 1/N would make spray fly apart, so that N stays above `least`.
 #pragma once
 #include "fieldTags.hpp"
+#include <cmath>
 
 namespace sph
 {
@@ -30,7 +32,8 @@ struct GradientNormalisation
     using Provides = GradientScale;
     using ReadsOwn = Fields<KernelMoment, Volume>;
 
-    auto operator()(const auto& i) const { return i.M*i.V; }
+    static constexpr double least = 0.5;
+    auto operator()(const auto& i) const { return std::fmax(least, i.M*i.V); }
 };
 
 }

@@ -15,7 +15,7 @@ struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0, kineticEnergy = 0;
     Vector<3> momentum;
-    std::vector<double> mass, minDensity, maxDensity;   ///< of each phase
+    std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
     std::vector<std::size_t> count;
     bool finite = true;
 };

@@ -1,4 +1,5 @@
 #include "summarise.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,14 +24,15 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
         s.count.assign(phases, 0);
         s.minDensity.assign(phases, infinity);
         s.maxDensity.assign(phases, -infinity);
-        double v2 = 0, a2 = 0;
+        s.maxSpeedOf.assign(phases, 0);
+        double a2 = 0;
         for (std::size_t i = b*block; i < std::min(n, (b + 1)*block); ++i)
         {
             Vector<dim> v_i, a_i;
             fetch(v_i, [&](int c) { return v[c][i]; });
             fetch(a_i, [&](int c) { return a[c][i]; });
             const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-            v2 = std::max(v2, dot(v_i, v_i));
+            s.maxSpeedOf[k] = std::max(s.maxSpeedOf[k], mag(v_i));
             a2 = std::max(a2, dot(a_i, a_i));
             s.kineticEnergy += 0.5*m[i]*dot(v_i, v_i);
             s.momentum += m[i]*in3D(v_i);
@@ -39,7 +41,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             s.minDensity[k] = std::min(s.minDensity[k], rho[i]);
             s.maxDensity[k] = std::max(s.maxDensity[k], rho[i]);
         }
-        s.maxSpeed = std::sqrt(v2);
+        s.maxSpeed = *std::max_element(s.maxSpeedOf.begin(), s.maxSpeedOf.end());
         s.maxAcceleration = std::sqrt(a2);
         parts[b] = s;
     }
@@ -48,6 +50,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
     total.count.assign(phases, 0);
     total.minDensity.assign(phases, infinity);
     total.maxDensity.assign(phases, -infinity);
+    total.maxSpeedOf.assign(phases, 0);
     for (const auto& s : parts)
     {
         total.maxSpeed = std::max(total.maxSpeed, s.maxSpeed);
@@ -60,6 +63,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             total.count[k] += s.count[k];
             total.minDensity[k] = std::min(total.minDensity[k], s.minDensity[k]);
             total.maxDensity[k] = std::max(total.maxDensity[k], s.maxDensity[k]);
+            total.maxSpeedOf[k] = std::max(total.maxSpeedOf[k], s.maxSpeedOf[k]);
         }
     }
     total.finite = std::isfinite(total.kineticEnergy) && std::isfinite(total.maxAcceleration);

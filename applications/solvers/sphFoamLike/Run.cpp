@@ -2,6 +2,7 @@
 #include "DivergedError.hpp"
 #include "Walls.hpp"
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -20,6 +21,12 @@ void requestStop(int) { stopRequested = 1; }
 /// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
 /// packing within two.
 constexpr double mostCompression = 4;
+
+/// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
+constexpr double shortestStep = 1e-12;
+
+/// Speed over sound speed, and density over rest density, beyond which the log warns: the density varies by the square of the first.
+constexpr double mostMach = 0.3, suspectCompression = 1.1;
 
 std::string hostName()
 {
@@ -111,11 +118,33 @@ void Run::check(const StepLimit& limit) const
                                             "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
                                             settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
                                             summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
-    const double span = std::min(time_.endTime(), 1e30) - time_.startTime();
-    if (time_.adjustTimeStep() && limit.deltaT < 1e-12*span)
+    // Without an end, as with `stopAt nextWrite;`, RunTime itself refuses a step that no longer advances time.
+    const double span = std::isfinite(time_.endTime()) ? time_.endTime() - time_.startTime() : 0;
+    if (time_.adjustTimeStep() && limit.deltaT < shortestStep*span)
         throw DivergedError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
                                         "acceleration {:.3g} m/s^2)", limit.deltaT, time_.name(), limit.by,
                                         simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+}
+
+void Run::warnOfCompression()
+{
+    const auto& summary = simulation_->summary();
+    const auto& c = settings_.coefficients;
+    warned_.resize(c.phases.size());
+    for (std::size_t k = 0; k < warned_.size(); ++k)
+    {
+        if (warned_[k] || summary.count[k] == 0) continue;
+        const double mach = summary.maxSpeedOf[k]/c.soundSpeed[k], compression = summary.maxDensity[k]/c.restDensity[k];
+        std::string what;
+        if (mach > mostMach) what = fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
+        else if (compression > suspectCompression)
+            what = fmt::format("has a density of {:.4g} kg/m^3, {:.3g} times that at rest, with a sound speed of {:.3g} m/s", summary.maxDensity[k], compression,
+                               c.soundSpeed[k]);
+        else continue;
+        warned_[k] = true;
+        log_ << fmt::format("--> Warning: at time {} {} {}: weak compressibility is lost. A sound speed of ten times the largest of flow speed, "
+                            "sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %\n", time_.name(), c.phases[k], what);
+    }
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const
@@ -194,6 +223,7 @@ void Run::solve()
     {
         const StepLimit limit = simulation_->stepLimit();
         check(limit);
+        warnOfCompression();
         const double deltaT = time_.nextDeltaT(limit.deltaT);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);

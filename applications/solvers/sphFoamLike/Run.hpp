@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <vector>
 
 namespace sph
 {
@@ -33,11 +34,14 @@ private:
     Settings settings_;
     std::unique_ptr<FunctionObjects> functions_;
     std::unique_ptr<AnySimulation> simulation_;
+    std::vector<bool> warned_; ///< of each phase's compression
 
     static Geometry loadGeometry(const Case&);
     void reportPlan() const;
     void reportStep(const StepLimit&, double deltaT) const;
     void check(const StepLimit&) const;
+    /// Once a phase.
+    void warnOfCompression();
     void write();
     void sample(bool writeTime, bool end);
     ParticleView view() const;
