@@ -41,6 +41,10 @@ struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
+struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};                            template<int dim> struct At { double lambda; }; };
+struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };
+struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration", "1/m", Image::mirrored}; template<int dim> struct At { Vector<dim> gradN; }; };
+struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
 struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };

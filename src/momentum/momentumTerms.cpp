@@ -1,4 +1,5 @@
 #include "momentumTerms.hpp"
+#include "ArtificialViscosity.hpp"
 #include "BodyForce.hpp"
 #include "Pressure.hpp"
 #include "Viscosity.hpp"
@@ -8,8 +9,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> momentumTerms()
 {
-    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, AddPressure,
-                     SinglePhaseViscosity, HarmonicViscosity, Gravity, BodyForce>();
+    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, TensileControlledPressure, AddPressure,
+                     SinglePhaseViscosity, HarmonicViscosity, ArtificialViscosity, Gravity, BodyForce>();
 }
 
 template Catalogue<2> momentumTerms<2>();

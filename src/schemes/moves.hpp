@@ -15,7 +15,7 @@ template<int dim> void predict(ParticleSystem<dim>&, double deltaT);
 template<int dim> void correct(ParticleSystem<dim>&, double deltaT);
 /// v *= factor
 template<int dim> void damp(ParticleSystem<dim>&, double factor);
-/// Particle shifting, dx_i = C |v_i| dt Delta_x^2 shift_i, at most a tenth of a spacing.
+/// Particle shifting, dx_i = C |v_i| dt Delta_x shift_i, at most a tenth of a spacing.
 template<int dim> void shift(ParticleSystem<dim>&, const Settings&, double deltaT);
 
 }

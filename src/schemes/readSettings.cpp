@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
+    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -33,7 +33,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const auto tensionDefault = !tension ? "none" : stress ? "interfaceStress" : "curvature";
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
-    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, byCurvature ? "densityWeighted" : "huAdams");
+    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan", "tensileControlled"}, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
@@ -41,6 +41,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.density == "continuity" ? "none" : "secondMoment");
+    choice.surfaceShifting = dict.choose("shiftingAtSurface", Words{"any", "tangential"}, "any");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -71,9 +72,10 @@ Words termsOf(const Choices& choice, const Settings& settings)
         add(choice.pressure == "densityWeighted" ? "densityWeightedStressDivergence" : "stressDivergence");
     if (choice.tension == "curvature") add("curvatureForce");
     const auto& c = settings.coefficients;
+    if (c.artificialViscosity > 0) add("artificialViscosity");
     if (mag(c.g) > 0) add("gravity");
     if (mag(c.bodyForce) > 0) add("bodyForce");
-    if (settings.shifting > 0) add("particleShifting");
+    if (settings.shifting > 0) add(choice.surfaceShifting == "tangential" ? "surfaceShifting" : "particleShifting");
     if (c.diffusion > 0) add("densityDiffusion");
     return terms;
 }
@@ -123,6 +125,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     readIntegration(dict, settings);
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
+    c.artificialViscosity = dict.getNonNegative("artificialViscosity", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
     const auto choice = choose(dict, settings, !geometry.patches.empty());
     settings.integratedDensity = choice.density == "continuity";
