@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting;
+    std::string density, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -41,6 +41,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.density == "continuity" ? "none" : "secondMoment");
+    choice.diffusion = dict.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
     choice.surfaceShifting = dict.choose("shiftingAtSurface", Words{"any", "tangential"}, "any");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
@@ -76,7 +77,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (mag(c.g) > 0) add("gravity");
     if (mag(c.bodyForce) > 0) add("bodyForce");
     if (settings.shifting > 0) add(choice.surfaceShifting == "tangential" ? "surfaceShifting" : "particleShifting");
-    if (c.diffusion > 0) add("densityDiffusion");
+    if (c.diffusion > 0) add(choice.diffusion == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
     return terms;
 }
 
