@@ -16,7 +16,7 @@ Measurement measure(const Particles& particles, const std::string& name, const s
 {
     auto diagnostics = std::make_shared<Diagnostics>();
     const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
-    const auto m = readMeasure(name, d, particles.geometry, particles.phases);
+    const auto m = readMeasure(name, d, particles.geometry, particles.phases, ".");
     d.reportUnused();
     EXPECT_EQ(errorsOf(*diagnostics), "");
     return m(particles.view());
@@ -213,7 +213,7 @@ TEST(DragFactor, mistakesNameFileAndLine)
     auto diagnostics = std::make_shared<Diagnostics>();
     readMeasure("dragFactor",
                 Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
-                particles.geometry, particles.phases);
+                particles.geometry, particles.phases, ".");
     EXPECT_EQ(errorsOf(*diagnostics),
               "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
               "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
