@@ -118,7 +118,16 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
     if (store_.has(DynamicViscosity{}))
         for (std::size_t i = 0; i < owned_; ++i) store_.component("mu", 0)[i] = coefficients_.viscosity[phaseOf(i)];
     if (settings_.integratedDensity && !copy(Density{}, "rho"))
-        for (std::size_t i = 0; i < owned_; ++i) store_.component("rho", 0)[i] = coefficients_.restDensity[phaseOf(i)];
+        for (std::size_t i = 0; i < owned_; ++i)
+        {
+            const int k = phaseOf(i);
+            const double p = cloud.fields.contains("p") ? cloud.fields.at("p").component[0][i] - coefficients_.backgroundPressure : 0;
+            const double ratio = 1 + p/coefficients_.stiffness[k]; // Tait, the other way round
+            if (ratio <= 0)
+                throw CaseError(fmt::format("particle {} at {} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", i,
+                                            at({cloud.x[i], cloud.y[i], cloud.z[i]}), p, phases[k]));
+            store_.component("rho", 0)[i] = coefficients_.restDensity[k]*std::pow(ratio, 1/coefficients_.exponent[k]);
+        }
     if (store_.has(WallAcceleration{})) copy(WallAcceleration{}, WallAcceleration::info.name);
     if (!copy(Mass{}, "m"))
         for (std::size_t i = 0; i < owned_; ++i)
