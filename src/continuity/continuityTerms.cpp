@@ -9,7 +9,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> continuityTerms()
 {
-    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, RenormalisedDensityGradient, RenormalisedDiffusion>();
+    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, RenormalisedDensityGradient,
+                     RenormalisedDiffusion>();
 }
 
 template Catalogue<2> continuityTerms<2>();

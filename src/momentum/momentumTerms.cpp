@@ -9,8 +9,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> momentumTerms()
 {
-    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, TensileControlledPressure, AddPressure,
-                     SinglePhaseViscosity, HarmonicViscosity, ArtificialViscosity, Gravity, BodyForce>();
+    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, TensileControlledPressure,
+                     AddPressure, SinglePhaseViscosity, HarmonicViscosity, ArtificialViscosity, Gravity, BodyForce>();
 }
 
 template Catalogue<2> momentumTerms<2>();

@@ -1,5 +1,5 @@
-/// The pressure at the start, by an expression: a fluid that is released at p = 0 and not at the pressure that it will have rings at the speed
-/// of sound.
+/// The pressure at the start, by an expression: a fluid that is released at p = 0 and not at the pressure that it will have rings at
+/// the speed of sound.
 #pragma once
 #include "Dictionary.hpp"
 #include <functional>

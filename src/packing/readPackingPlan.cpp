@@ -122,7 +122,8 @@ PackingPlan readPackingPlan(const Case& c)
     {
         plan.pressure = readPressure(dict);
         if (!schemes.isWord("density", "continuity"))
-            dict.error("pressure", "a pressure at the start goes with `density continuity;` in system/sphSchemes: else the positions decide it");
+            dict.error("pressure", "a pressure at the start goes with `density continuity;` in system/sphSchemes: "
+                                   "else the positions decide it");
     }
     if (dict.found("relax")) plan.relaxation = readRelaxation(dict.subDict("relax"));
     dict.reportUnused();

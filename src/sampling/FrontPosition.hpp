@@ -15,7 +15,8 @@ namespace sph
 ///     direction (1 0 0);  origin (0 0 0);
 ///     table { file "reference/front.csv";  columns { time T; value Z; }  units { time 0.054; value 0.057; }  select { .. } }
 ///
-/// The table is that of CsvReference, with a time in the place of the coordinate, and interpolated in it; outside its times nothing is compared.
+/// The table is that of CsvReference, with a time in the place of the coordinate, and interpolated in it; outside its times nothing is
+/// compared.
 class FrontPosition
 {
     std::size_t phase_;

@@ -10,7 +10,8 @@ namespace sph
 
 struct Measurement
 {
-    double value = 0, reference = 0; ///< value is NaN where it cannot be measured, and `note` says why; reference where there is none now
+    double value = 0;                ///< NaN where it cannot be measured; `note` then says why
+    double reference = 0;            ///< NaN where there is none at this time
     std::size_t particles = 0;       ///< that the value rests on
     std::string note;
 };

@@ -38,7 +38,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
-    choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
+    choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.density == "continuity" ? "none" : "secondMoment");
     choice.diffusion = dict.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
@@ -143,7 +143,8 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.wallVelocity = choice.wall == "secondOrder" ? WallVelocity::secondOrder
                           : choice.wall == "freeSlip"    ? WallVelocity::freeSlip
                                                          : WallVelocity::reflected;
-    settings.hydrostaticGhosts = choice.wallPressure == "hydrostatic" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    settings.hydrostaticGhosts = choice.wallPressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    settings.detachingGhosts = settings.hydrostaticGhosts && choice.wallPressure == "detaching";
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
     if (choice.tension == "none") c.wallTension.clear();
