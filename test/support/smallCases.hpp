@@ -66,8 +66,8 @@ inline Files columnCase()
 {
     auto files = channelCase();
     files["system/sphSchemes"] =
-        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nwallVelocity freeSlip;\ndensity continuity; densityDiffusion 0.1; "
-        "densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; shiftingAtSurface "
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nwallVelocity freeSlip; wallPressure detaching;\ndensity continuity; densityDiffusion "
+        "0.1; densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; shiftingAtSurface "
         "tangential;\nintegration { scheme leapfrog; }\n";
     files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
                                  "inside; } }\n";

@@ -2,6 +2,7 @@
 #include "Settings.hpp"
 #include "Plane.hpp"
 #include "smallCases.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -87,6 +88,8 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     EXPECT_TRUE(selects(grainCase(), "particleShifting"));
     EXPECT_TRUE(selects(grainCase(), "densityDiffusion"));
     EXPECT_EQ(reading(columnCase()).settings.coefficients.artificialViscosity, 0.02);
+    EXPECT_TRUE(reading(columnCase()).settings.detachingGhosts);
+    EXPECT_FALSE(reading(channelCase()).settings.detachingGhosts);
     expectError(edited(columnCase(), "system/sphSchemes", "tangential", "tangent"), "Did you mean \"tangential\"?");
     expectError(edited(columnCase(), "system/sphSchemes", "Viscosity 0.02", "Viscosity -1"), "system/sphSchemes:4: ");
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
