@@ -111,6 +111,19 @@ constexpr double determinant(SymmTensor<3> a)
     return a.xx*b.xx + a.xy*b.xy + a.xz*b.xz;
 }
 
+/// The least of the real eigenvalues; in three dimensions by the trigonometric form (Smith 1961).
+inline double leastEigenvalue(SymmTensor<2> a) { return 0.5*(a.xx + a.yy) - std::sqrt(0.25*sqr(a.xx - a.yy) + sqr(a.xy)); }
+inline double leastEigenvalue(SymmTensor<3> a)
+{
+    const double mean = trace(a)/3;
+    const SymmTensor<3> b = a - mean*SymmTensor<3>{1, 0, 0, 1, 0, 1};
+    const double p = std::sqrt(doubleDot(b, b)/6);
+    if (p <= 1e-12*std::abs(mean)) return mean - p;
+    const double r = std::fmax(-1.0, std::fmin(1.0, determinant(b)/(2*p*p*p)));
+    constexpr double turn = 2.0943951023931953; // 2 pi/3
+    return mean + 2*p*std::cos(std::acos(r)/3 + turn);
+}
+
 /// (a b + b a)/2
 template<int dim> constexpr SymmTensor<dim> symm(Vector<dim> a, Vector<dim> b) { return 0.5*twiceSymm(a, b); }
 

@@ -2,13 +2,15 @@
 #include "Continuity.hpp"
 #include "DensityDiffusion.hpp"
 #include "NumberDensity.hpp"
+#include "RenormalisedDiffusion.hpp"
 
 namespace sph
 {
 
 template<int dim> Catalogue<dim> continuityTerms()
 {
-    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion>();
+    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, RenormalisedDensityGradient,
+                     RenormalisedDiffusion>();
 }
 
 template Catalogue<2> continuityTerms<2>();

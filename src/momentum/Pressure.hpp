@@ -76,6 +76,28 @@ struct DifferencePressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1/i.m*i.V*j.V*(j.p - i.p)*ij.gradW; }
 };
 
+/// Monaghan's form with the tensile instability control of Sun et al. (2018), eq. (9): under tension inside the fluid the sum changes sign,
+///
+///   dv_i/dt = -1/m_i sum_j V_i V_j F_ij gradW_ij,    F_ij = p_j - p_i where p_i < 0 and lambda_i > 0.93, else p_i + p_j
+///
+/// A pair under p_i + p_j < 0 attracts and clumps; p_j - p_i is the same gradient and has no such force. Within two rows of a free surface
+/// (lambda of FreeSurface.hpp) p_i + p_j stays: p = 0 at the surface is its natural boundary condition. Does not conserve momentum
+/// where it is at work. Verified by test/unit/passes (plain loop) and tutorials/verification/rotatingSquarePatch.
+struct TensileControlledPressure
+{
+    static constexpr auto name = "tensileControlledPressure";
+    using Adds = Acceleration;
+    using Reads = Fields<Pressure, Volume>;
+    using ReadsOwn = Fields<Mass, LeastEigenvalue>;
+    static constexpr double inside = 0.93;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        const double sign = i.p < 0 && i.lambda > inside ? -1.0 : 1.0;
+        return -1/i.m*i.V*j.V*(j.p + sign*i.p)*ij.gradW;
+    }
+};
+
 /// The separate pressure acceleration as part of the whole.
 struct AddPressure
 {

@@ -1,4 +1,5 @@
 #include "momentumTerms.hpp"
+#include "ArtificialViscosity.hpp"
 #include "BodyForce.hpp"
 #include "Pressure.hpp"
 #include "Viscosity.hpp"
@@ -8,8 +9,9 @@ namespace sph
 
 template<int dim> Catalogue<dim> momentumTerms()
 {
-    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure, AddPressure,
-                     SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse, SinglePhaseRate, HarmonicRate, Gravity, BodyForce>();
+    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure,
+                     TensileControlledPressure, AddPressure, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse,
+                     SinglePhaseRate, HarmonicRate, ArtificialViscosity, Gravity, BodyForce>();
 }
 
 template Catalogue<2> momentumTerms<2>();

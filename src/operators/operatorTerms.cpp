@@ -1,4 +1,5 @@
 #include "operatorTerms.hpp"
+#include "FreeSurface.hpp"
 #include "KernelMoment.hpp"
 #include "ParticleShifting.hpp"
 #include "StressDivergence.hpp"
@@ -6,7 +7,11 @@
 namespace sph
 {
 
-template<int dim> Catalogue<dim> operatorTerms() { return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, ConcentrationGradient>(); }
+template<int dim> Catalogue<dim> operatorTerms()
+{
+    return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, ConcentrationGradient,
+                     SeparateConcentrationGradient, SurfaceShifting, SurfaceDetection, OutwardNormal>();
+}
 
 template Catalogue<2> operatorTerms<2>();
 template Catalogue<3> operatorTerms<3>();

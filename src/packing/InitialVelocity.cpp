@@ -1,5 +1,5 @@
 #include "InitialVelocity.hpp"
-#include "Expression.hpp"
+#include "positionExpression.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -30,14 +30,7 @@ VelocityField byExpression(const Dictionary& dict)
     const auto text = dict.get<std::string>("U");
     const auto valueAt = [text](const Vector<3>& x)
     {
-        const auto value = evaluate(text,
-                                    [&](const std::string& name) -> ExpressionValue
-                                    {
-                                        if (name == "x") return {x.x};
-                                        if (name == "y") return {x.y};
-                                        if (name == "z") return {x.z};
-                                        throw ExpressionError("$" + name + " is unknown here. Known: $x, $y, $z");
-                                    });
+        const auto value = evaluateAt(text, x);
         if (!value.vector) throw ExpressionError("the expression gives a number, not a velocity: vector(.., .., ..)");
         return *value.vector;
     };

@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "FluidSpace.hpp"
+#include "InitialPressure.hpp"
 #include "InitialVelocity.hpp"
 #include "Lattice.hpp"
 #include "Regions.hpp"
@@ -41,6 +42,7 @@ struct PackingPlan
     std::vector<FillRule> fill;
     std::optional<Saturation> saturation;
     std::optional<VelocityField> velocity;
+    std::optional<PressureField> pressure;
     bool allowEmpty = false;
     Location spacingAt, latticeAt;
 
@@ -85,7 +87,8 @@ Packing pack(const PackingPlan&);
 /// What the user is told.
 std::string report(const PackingPlan&, const Packing&);
 
-/// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`.
+/// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. Without rho where the
+/// pressure at the start is given: the solver finds it by the state equation.
 void writePacking(const Case&, const std::string& time, const PackingPlan&, const Packing&, const WriteOptions&);
 
 }

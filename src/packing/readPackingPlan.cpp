@@ -118,6 +118,13 @@ PackingPlan readPackingPlan(const Case& c)
         plan.saturation =
             readSaturation(dict.subDict("saturation"), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
     if (dict.found("velocity")) plan.velocity = readVelocity(dict.subDict("velocity"));
+    if (dict.found("pressure"))
+    {
+        plan.pressure = readPressure(dict);
+        if (!schemes.isWord("density", "continuity"))
+            dict.error("pressure", "a pressure at the start goes with `density continuity;` in system/sphSchemes: "
+                                   "else the positions decide it");
+    }
     if (dict.found("relax")) plan.relaxation = readRelaxation(dict.subDict("relax"));
     dict.reportUnused();
     geometry.reportUnused();

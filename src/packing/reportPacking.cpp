@@ -101,13 +101,15 @@ void writePacking(const Case& c, const std::string& time, const PackingPlan& pla
     const bool isFlat = plan.geometry.dimension == 2;
     const auto& x = packing.points;
     const auto& U = packing.velocity;
-    const std::vector<double> p(x.size(), 0.0);
+    std::vector<double> p(x.size(), 0.0);
+    if (plan.pressure)
+        for (std::size_t i = 0; i < x.size(); ++i) p[i] = (*plan.pressure)(x[i]);
     const FieldView positions{"positions", FieldClass::vector, {x.x.data(), x.y.data(), isFlat ? nullptr : x.z.data()}};
-    const std::vector<FieldView> fields{{"U", FieldClass::vector, {U.x.data(), U.y.data(), isFlat ? nullptr : U.z.data()}},
-                                        {"rho", FieldClass::scalar, {packing.rho.data()}},
-                                        {"p", FieldClass::scalar, {p.data()}},
-                                        {"m", FieldClass::scalar, {packing.mass.data()}},
-                                        {"phase", FieldClass::label, {packing.phase.data()}}};
+    std::vector<FieldView> fields{{"U", FieldClass::vector, {U.x.data(), U.y.data(), isFlat ? nullptr : U.z.data()}},
+                                  {"p", FieldClass::scalar, {p.data()}},
+                                  {"m", FieldClass::scalar, {packing.mass.data()}},
+                                  {"phase", FieldClass::label, {packing.phase.data()}}};
+    if (!plan.pressure) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
     writeCloud(folder, "sph", x.size(), positions, fields, options);
 
     const auto &low = plan.geometry.low, &high = plan.geometry.high;

@@ -30,6 +30,7 @@ struct Coefficients
 
     double densityScale = 1;                 ///< makes the mean of sigma V_0 exact (NUMERICS: normalise)
     double diffusion = 0;                    ///< delta of the density diffusion
+    double artificialViscosity = 0;          ///< alpha
 };
 
 }

@@ -86,6 +86,24 @@ template<class F> Vector<3> sum(Vector<3>, int n, const F& f)
     return {a, b, c};
 }
 
+template<class F> SymmTensor<2> sum(SymmTensor<2>, int n, const F& f)
+{
+    double xx = 0, xy = 0, yy = 0;
+    #pragma omp simd reduction(+: xx, xy, yy)
+    for (int t = 0; t < n; ++t) { const SymmTensor<2> q = f(t); xx += q.xx; xy += q.xy; yy += q.yy; }
+    return {xx, xy, yy};
+}
+template<class F> SymmTensor<3> sum(SymmTensor<3>, int n, const F& f)
+{
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    #pragma omp simd reduction(+: xx, xy, xz, yy, yz, zz)
+    for (int t = 0; t < n; ++t)
+    {
+        const SymmTensor<3> q = f(t);
+        xx += q.xx; xy += q.xy; xz += q.xz; yy += q.yy; yz += q.yz; zz += q.zz;
+    }
+    return {xx, xy, xz, yy, yz, zz};
+}
 template<class F> TensorPair<2> sum(TensorPair<2>, int n, const F& f)
 {
     double axx = 0, axy = 0, ayy = 0, bxx = 0, bxy = 0, byy = 0;

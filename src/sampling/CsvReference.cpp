@@ -39,9 +39,13 @@ double interpolate(const std::vector<double>& x, const std::vector<double>& y, d
 
 }
 
-CsvReference::CsvReference(const Dictionary& d, const std::filesystem::path& caseFolder)
-    : origin_(d.get("origin", Vector<3>{})), mirror_(d.get("mirror", false))
+CsvReference::CsvReference(const Dictionary& d, const std::filesystem::path& caseFolder, Over over) : over_(over)
 {
+    if (over == Over::space)
+    {
+        origin_ = d.get("origin", Vector<3>{});
+        mirror_ = d.get("mirror", false);
+    }
     const std::vector<std::string> forms{"linear", "cubic"};
     cubic_ = d.choose("interpolation", forms, "linear") == "cubic";
     read(d, caseFolder);
@@ -51,18 +55,21 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
 {
     const auto fileName = d.get<std::string>("file");
     const auto columns = d.subDict("columns");
-    const auto coordinateName = columns.get<std::string>("coordinate"), valueName = columns.get<std::string>("value");
-    const auto timeName = columns.get("time", "");
+    const bool inSpace = over_ == Over::space;
+    const std::string coordinateKey = inSpace ? "coordinate" : "time";
+    const auto coordinateName = columns.get<std::string>(coordinateKey), valueName = columns.get<std::string>("value");
+    const auto timeName = inSpace ? columns.get("time", "") : "";
     steady_ = timeName.empty();
-    axis_ = readDirection(d, "axis",
-                          coordinateName == "x"   ? Vector<3>{1, 0, 0}
-                          : coordinateName == "z" ? Vector<3>{0, 0, 1}
-                                                  : Vector<3>{0, 1, 0});
-    if (!d.found("axis") && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
+    if (inSpace)
+        axis_ = readDirection(d, "axis",
+                              coordinateName == "x"   ? Vector<3>{1, 0, 0}
+                              : coordinateName == "z" ? Vector<3>{0, 0, 1}
+                                                      : Vector<3>{0, 1, 0});
+    if (inSpace && !d.found("axis") && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
         d.error("axis", fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
 
     const auto units = d.subDictOrEmpty("units");
-    const double coordinateUnit = units.get("coordinate", 1.0), timeUnit = units.get("time", 1.0),
+    const double coordinateUnit = units.get(coordinateKey, 1.0), timeUnit = inSpace ? units.get("time", 1.0) : 1,
                  valueUnit = units.get("value", 1.0);
     const auto select = d.subDictOrEmpty("select");
     std::map<std::string, std::string> wanted;
@@ -80,7 +87,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             asked.error(key, fmt::format("{} has no column \"{}\". {}", fileName, name, suggestion(name, "columns", header)));
         return std::size_t(found - header.begin());
     };
-    const auto c = column(columns, "coordinate", coordinateName), v = column(columns, "value", valueName);
+    const auto c = column(columns, coordinateKey, coordinateName), v = column(columns, "value", valueName);
     const auto t = steady_ ? 0 : column(columns, "time", timeName);
     std::map<std::size_t, std::string> filter;
     for (const auto& [key, word] : wanted) filter[column(select, key, key)] = word;
@@ -131,6 +138,7 @@ std::optional<double> CsvReference::at(double coordinate, double t) const
     {
         const auto& x = profile.coordinate;
         if (x.size() < 2) return {};
+        if (over_ == Over::time && (coordinate < x.front() || coordinate > x.back())) return {};
         if (coordinate < 2 * x[0] - x[1] || coordinate > 2 * x.back() - x[x.size() - 2]) return {};
         // Beyond the ends a straight line: a cubic may overshoot there.
         const bool outside = coordinate < x.front() || coordinate > x.back();

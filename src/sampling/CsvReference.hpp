@@ -20,8 +20,18 @@ namespace sph
 ///
 /// Points up to one interval beyond the ends of the table are extrapolated (tables of cell centres end half a cell from the
 /// wall); farther away, and outside the table's times, there is no reference.
+///
+/// A table of a number over time alone has `columns { time t; value v; }` and neither axis nor coordinate.
 class CsvReference
 {
+public:
+    enum class Over
+    {
+        space,
+        time
+    };
+
+private:
     struct Profile
     {
         std::vector<double> coordinate, value;
@@ -30,11 +40,14 @@ class CsvReference
     std::vector<double> times_;
     Vector<3> axis_, origin_;
     bool mirror_ = false, cubic_ = false, steady_ = true;
+    Over over_;
 
     void read(const Dictionary&, const std::filesystem::path& caseFolder);
 
 public:
-    CsvReference(const Dictionary&, const std::filesystem::path& caseFolder);
+    CsvReference(const Dictionary&, const std::filesystem::path& caseFolder, Over = Over::space);
+
+    /// Over time: the first argument is the time [s], and nothing is extrapolated.
 
     std::optional<double> at(double coordinate, double t) const;
     std::optional<double> operator()(const Vector<3>& x, double t) const;

@@ -4,6 +4,7 @@
 #include "Measurement.hpp"
 #include "knownWord.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sph
@@ -12,11 +13,12 @@ namespace sph
 namespace
 {
 
-ErrorRow compareMeasure(const std::string& name, const Measurement& m, bool relative)
+std::optional<ErrorRow> compareMeasure(const std::string& name, const Measurement& m, bool relative)
 {
+    if (std::isnan(m.reference)) return {};
     const double difference = std::abs(m.value - m.reference),
                  error = relative ? relativeTo(std::abs(m.reference), difference) : difference;
-    return {name, {error, error, error}, m.particles, m.value, m.reference, m.note};
+    return ErrorRow{name, {error, error, error}, m.particles, m.value, m.reference, m.note};
 }
 
 }
@@ -59,7 +61,8 @@ void Errors::readComparison(const Dictionary& d)
     const auto name = *chosen;
     if (std::ranges::find(measures, name) != measures.end())
     {
-        const auto measure = readMeasure(name, reference, context_.geometry, context_.phases);
+        const auto measure = readMeasure(name, reference, context_.geometry, context_.phases,
+                                         context_.output.caseFolder(context_.name));
         const bool relative = readsRelative(d);
         comparisons_.push_back([=](const ParticleView& view) { return compareMeasure(name, measure(view), relative); });
         return;

@@ -2,6 +2,8 @@
 #include "Couette.hpp"
 #include "Hydrostatic.hpp"
 #include "PlanePoiseuille.hpp"
+#include "Ritter.hpp"
+#include "RotatingSquarePatch.hpp"
 #include "TaylorGreen.hpp"
 #include "TwoLayerPoiseuille.hpp"
 #include "words.hpp"
@@ -38,6 +40,9 @@ const std::vector<Formula>& catalogue()
         {"taylorGreen", "U", velocity<TaylorGreen>},
         {"taylorGreen", "p", pressure<TaylorGreen>},
         {"hydrostatic", "p", pressure<Hydrostatic>},
+        {"ritter", "U", velocity<Ritter>},
+        {"ritter", "p", pressure<Ritter>},
+        {"rotatingSquarePatch", "p", pressure<RotatingSquarePatch>},
     };
     return formulas;
 }

@@ -1,9 +1,11 @@
 #include "Measurement.hpp"
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
+#include "FrontPosition.hpp"
 #include "LaplaceJump.hpp"
 #include "VortexDecay.hpp"
 #include <algorithm>
+#include <concepts>
 
 namespace sph
 {
@@ -14,12 +16,16 @@ namespace
 struct Entry
 {
     std::string name;
-    Measure (*read)(const Dictionary&, const Geometry&, const std::vector<std::string>&);
+    Measure (*read)(const Dictionary&, const Geometry&, const std::vector<std::string>&, const std::filesystem::path&);
 };
 
-template<class M> Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+template<class M>
+Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases, const std::filesystem::path& folder)
 {
-    return M(d, geometry, phases);
+    if constexpr (std::constructible_from<M, const Dictionary&, const std::vector<std::string>&, const std::filesystem::path&>)
+        return M(d, phases, folder);
+    else
+        return M(d, geometry, phases);
 }
 
 const std::vector<Entry>& catalogue()
@@ -29,6 +35,7 @@ const std::vector<Entry>& catalogue()
         {"contactAngle", measure<ContactAngle>},
         {"dragFactor", measure<DragFactor>},
         {"vortexDecay", measure<VortexDecay>},
+        {"frontPosition", measure<FrontPosition>},
     };
     return measures;
 }
@@ -43,10 +50,10 @@ std::vector<std::string> measureNames()
 }
 
 Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry,
-                    const std::vector<std::string>& phases)
+                    const std::vector<std::string>& phases, const std::filesystem::path& caseFolder)
 {
     for (const auto& m : catalogue())
-        if (m.name == name) return m.read(d, geometry, phases);
+        if (m.name == name) return m.read(d, geometry, phases, caseFolder);
     return {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "Dictionary.hpp"
 #include "ParticleView.hpp"
+#include <filesystem>
 #include <functional>
 
 namespace sph
@@ -9,7 +10,8 @@ namespace sph
 
 struct Measurement
 {
-    double value = 0, reference = 0; ///< value is NaN where it cannot be measured; `note` then says why
+    double value = 0;                ///< NaN where it cannot be measured; `note` then says why
+    double reference = 0;            ///< NaN where there is none at this time
     std::size_t particles = 0;       ///< that the value rests on
     std::string note;
 };
@@ -18,8 +20,9 @@ using Measure = std::function<Measurement(const ParticleView&)>;
 
 std::vector<std::string> measureNames();
 
-/// Reads the parameters of measure `name`, one of measureNames(); `phases` are those that `phase` may name.
-Measure readMeasure(const std::string& name, const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+/// Reads the parameters of measure `name`, one of measureNames(); `phases` are those that `phase` may name, tables lie in the case's folder.
+Measure readMeasure(const std::string& name, const Dictionary&, const Geometry&, const std::vector<std::string>& phases,
+                    const std::filesystem::path& caseFolder);
 
 /// The index of the phase that an entry names; the first one where there is no such entry.
 std::size_t readPhase(const Dictionary&, const std::string& key, const std::vector<std::string>& phases);

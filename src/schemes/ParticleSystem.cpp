@@ -76,7 +76,8 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     else if (settings.wallVelocity == WallVelocity::freeSlip) images_.setGhostVelocity(std::make_unique<SlippingVelocity<dim>>(geometry));
     else images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
 
-    if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
+    if (settings.detachingGhosts) images_.setGhostPressure(std::make_unique<DetachingPressure<dim>>(store_, coefficients_));
+    else if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
 
     if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
@@ -121,7 +122,17 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
     if (store_.has(DynamicViscosity{}))
         for (std::size_t i = 0; i < owned_; ++i) store_.component("mu", 0)[i] = coefficients_.viscosity[phaseOf(i)];
     if (settings_.integratedDensity && !copy(Density{}, "rho"))
-        for (std::size_t i = 0; i < owned_; ++i) store_.component("rho", 0)[i] = coefficients_.restDensity[phaseOf(i)];
+        for (std::size_t i = 0; i < owned_; ++i)
+        {
+            const int k = phaseOf(i);
+            const auto given = cloud.fields.find("p");
+            const double p = given != cloud.fields.end() ? given->second.component[0][i] - coefficients_.backgroundPressure : 0;
+            const double ratio = 1 + p/coefficients_.stiffness[k]; // Tait, the other way round
+            if (ratio <= 0)
+                throw CaseError(fmt::format("particle {} at {} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}",
+                                            i, at({cloud.x[i], cloud.y[i], cloud.z[i]}), p, phases[k]));
+            store_.component("rho", 0)[i] = coefficients_.restDensity[k]*std::pow(ratio, 1/coefficients_.exponent[k]);
+        }
     if (store_.has(WallAcceleration{})) copy(WallAcceleration{}, WallAcceleration::info.name);
     if (!copy(Mass{}, "m"))
         for (std::size_t i = 0; i < owned_; ++i)

@@ -43,6 +43,7 @@ struct Settings
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
     bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'
+    bool detachingGhosts = false;              ///< ... but never by suction
     ImplicitSolve implicitSolve;
     StepFactors factors;
     bool integratedDensity = false;            ///< density by the continuity equation

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation;
+    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -36,14 +36,17 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const auto tensionDefault = !tension ? "none" : stress ? "interfaceStress" : "curvature";
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
-    choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan", "difference"}, byCurvature ? "densityWeighted" : "huAdams");
+    const Words pressures{"huAdams", "densityWeighted", "monaghan", "difference", "tensileControlled"};
+    choice.pressure = dict.choose("pressureGradient", pressures, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
-    choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "mirrored"}, paper ? "mirrored" : "hydrostatic");
+    choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.volume == "continuity" ? "none" : "secondMoment");
+    choice.diffusion = dict.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
+    choice.surfaceShifting = dict.choose("shiftingAtSurface", Words{"any", "tangential"}, "any");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -77,10 +80,11 @@ Words termsOf(const Choices& choice, const Settings& settings)
         add(choice.pressure == "densityWeighted" ? "densityWeightedStressDivergence" : "stressDivergence");
     if (choice.tension == "curvature") add("curvatureForce");
     const auto& c = settings.coefficients;
+    if (c.artificialViscosity > 0) add("artificialViscosity");
     if (mag(c.g) > 0) add("gravity");
     if (mag(c.bodyForce) > 0) add("bodyForce");
-    if (settings.shifting > 0) add("particleShifting");
-    if (c.diffusion > 0) add("densityDiffusion");
+    if (settings.shifting > 0) add(choice.surfaceShifting == "tangential" ? "surfaceShifting" : "particleShifting");
+    if (c.diffusion > 0) add(choice.diffusion == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
     return terms;
 }
 
@@ -143,6 +147,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
     settings.shiftsByLargestSpeed = dict.choose("shiftingSpeed", Words{"own", "largest"}, "own") == "largest";
+    c.artificialViscosity = dict.getNonNegative("artificialViscosity", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
     const auto choice = choose(dict, settings, !geometry.patches.empty());
     settings.integratedDensity = choice.density == "continuity";
@@ -159,7 +164,8 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.wallVelocity = choice.wall == "secondOrder" ? WallVelocity::secondOrder
                           : choice.wall == "freeSlip"    ? WallVelocity::freeSlip
                                                          : WallVelocity::reflected;
-    settings.hydrostaticGhosts = choice.wallPressure == "hydrostatic" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    settings.hydrostaticGhosts = choice.wallPressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    settings.detachingGhosts = settings.hydrostaticGhosts && choice.wallPressure == "detaching";
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
     if (choice.tension == "none") c.wallTension.clear();

@@ -157,7 +157,7 @@ const std::vector<std::string>& resultStatuses()
 
 const std::vector<std::string>& errorNorms()
 {
-    static const std::vector<std::string> norms{"L1", "L2", "Linf", "mean"};
+    static const std::vector<std::string> norms{"L1", "L2", "Linf", "mean", "rms"};
     return norms;
 }
 

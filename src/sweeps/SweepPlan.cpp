@@ -104,11 +104,11 @@ std::vector<ErrorChoice> readErrors(const Dictionary& d)
         choice.field = e.get<std::string>("field");
         choice.norm = e.choose("norm", errorNorms(), "L2");
         if (e.found("time")) choice.time = e.getNonNegative("time", units::s, 0);
-        if (choice.norm == "mean")
+        if (choice.norm == "mean" || choice.norm == "rms")
         {
             choice.averageFrom = e.getNonNegative("averageFrom", units::s, 0);
             if (!e.found("averageFrom"))
-                e.error("norm", "norm mean compares means over time: say from when on, as `averageFrom 1.2;`");
+                e.error("norm", fmt::format("norm {} is one over time: say from when on, as `averageFrom 1.2;`", choice.norm));
             if (choice.time && *choice.averageFrom > *choice.time)
                 e.error("averageFrom", fmt::format("averageFrom {} is after time {}", *choice.averageFrom, *choice.time));
         }

@@ -19,6 +19,7 @@
 ///     (
 ///         { function errors; field U.x; norm L2; time 0.1; }     // default: function errors, norm L2, time: the end
 ///         { field laplaceJump; norm mean; averageFrom 1.2; }      // |mean value/mean reference - 1| from 1.2 s to the time: what rings
+///         { field frontPosition; norm rms; averageFrom 0; }       // sqrt(mean (value - reference)^2/mean reference^2): what moves
 ///     );
 ///     peers           ("reference/interFoam.csv"); // other codes' rows, drawn beside; default: none
 ///     plots           yes;
@@ -48,7 +49,7 @@ struct ErrorChoice
 {
     std::string function, field, norm;
     std::optional<double> time;        ///< [s]; the end where there is none
-    std::optional<double> averageFrom; ///< [s], of norm mean
+    std::optional<double> averageFrom; ///< [s], of norms mean and rms
     Location whereFunction, whereField, whereTime;
 };
 

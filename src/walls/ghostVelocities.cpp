@@ -63,6 +63,13 @@ template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::siz
     return p - 2*r.distance*dot(r.normal, rho_[source]*g_ + f_);
 }
 
+template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
+{
+    return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r), std::fmin(p, 0.0));
+}
+
+template class DetachingPressure<2>;
+template class DetachingPressure<3>;
 template class HydrostaticPressure<2>;
 template class HydrostaticPressure<3>;
 template class ReflectedVelocity<2>;

@@ -53,6 +53,7 @@ private:
 /// 3 to 5 % off, in alternating rows from the walls inwards.
 template<int dim> class HydrostaticPressure : public GhostPressure<dim>
 {
+protected:
     FieldStore<dim>& store_;
     Vector<dim> g_, f_;
     const double* rho_ = nullptr;
@@ -61,6 +62,18 @@ public:
     HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)) {}
     double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
+};
+
+/// The same without suction, for a liquid with a free surface, which may leave the wall:
+///
+///   p_g = max(p - 2 d rho n.(g + f/rho), min(p, 0))
+///
+/// Under a lid the hydrostatic continuation of a drop's p = 0 is a tension, by which it hangs there for good.
+template<int dim> class DetachingPressure final : public HydrostaticPressure<dim>
+{
+public:
+    using HydrostaticPressure<dim>::HydrostaticPressure;
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
 };
 
 /// v_g = v mirrored, relative to the wall: the fluid slides freely.

@@ -61,6 +61,23 @@ inline Files grainCase()
     return files;
 }
 
+/// A column that falls in a closed box, with all that a free surface has.
+inline Files columnCase()
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nwallVelocity freeSlip; wallPressure detaching;\ndensity continuity; densityDiffusion "
+        "0.1; densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; shiftingAtSurface "
+        "tangential;\nintegration { scheme leapfrog; }\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
+                                 "inside; } }\n";
+    files["system/packParticlesDict"] = "lattice cubic; fill ( { region box; min (0 0 0); max (0.5 0.6 0); phase water; } );\npressure "
+                                        "\"6000*(0.6 - $y)\";\n";
+    files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; soundSpeed 40; }\n";
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);\n";
+    return files;
+}
+
 /// Spheres on a bcc lattice in three dimensions.
 inline Files bedCase()
 {

@@ -190,6 +190,27 @@ TEST(Packing, setsVelocitiesByFormulaAndByExpression)
         EXPECT_NEAR(channel.velocity.x[i], 12*channel.points.y[i]/0.1*(1 - channel.points.y[i]/0.1), 1e-12);
 }
 
+// A pressure at the start is written in the place of a density, which the solver makes of it; with a density that the positions decide it is a
+// mistake.
+TEST(Packing, writesThePressureOfTheStart)
+{
+    CaseFolder c;
+    c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; }\n");
+    c.write("system/packParticlesDict", "pressure \"3*$y - $x\";\n");
+    EXPECT_THROW(c.pack(), CaseError);
+    c.write("system/sphSchemes", "resolution { spacing 0.01; }\ndensity continuity;\n");
+    const Case theCase(c.path());
+    const auto plan = readPackingPlan(theCase);
+    const auto packing = pack(plan);
+    writePacking(theCase, "0", plan, packing, {});
+    const auto cloud = readCloud(c.path(), "0", "sph", theCase.diagnostics());
+    EXPECT_FALSE(cloud.fields.contains("rho"));
+    const auto& p = cloud.fields.at("p").component[0];
+    for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(p[i], 3*cloud.y[i] - cloud.x[i], 1e-15);
+    c.write("system/packParticlesDict", "pressure \"vector(1, 2, 3)\";\n");
+    EXPECT_THROW(c.pack(), CaseError);
+}
+
 // What the solver gets: files that the case library reads back to the same numbers, with the mesh around them.
 TEST(Packing, writesACloudThatReadsBack)
 {

@@ -56,6 +56,7 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     c.bodyForce = {20, 5, -3};
     c.densityScale = 1.013;
     c.diffusion = 0.1;
+    c.artificialViscosity = 0.3;
     return c;
 }
 

@@ -4,7 +4,9 @@
 /// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
 #include "Scene.hpp"
+#include <array>
 #include <functional>
+#include <numbers>
 
 namespace sph::test
 {
@@ -197,6 +199,125 @@ TEST(PlainLoop, PressuresWithNormalisedGradientIn2D) { pressures<2>(normalisedGr
 TEST(PlainLoop, PressuresIn3D) { pressures<3>(rawGradient); }
 TEST(PlainLoop, PressuresWithNormalisedGradientIn3D) { pressures<3>(normalisedGradient); }
 
+/// p_j - p_i where p_i < 0 inside the fluid: the jitter brings lambda to either side of 0.93, and p has either sign.
+template<int dim> void tensileControl()
+{
+    acceleration<dim>({"tensileControlledPressure"},
+                      [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
+                      {
+                          const bool inverted = q.p[i] < 0 && q.s.at(LeastEigenvalue{}, i) > 0.93;
+                          return -q.V[i] * q.V[j] * (inverted ? q.p[j] - q.p[i] : q.p[i] + q.p[j]) * gradW;
+                      });
+}
+TEST(PlainLoop, TensileControlledPressureIn2D) { tensileControl<2>(); }
+TEST(PlainLoop, TensileControlledPressureIn3D) { tensileControl<3>(); }
+
+template<int dim> void artificialViscosity()
+{
+    acceleration<dim>({"artificialViscosity"},
+                      [](auto& q, std::size_t i, std::size_t j, auto gradW, double)
+                      {
+                          const auto& c = q.s.coefficients;
+                          const double h = 0.5 * c.support;
+                          const auto x = positionOf(q.s.store, i) - positionOf(q.s.store, j);
+                          return c.artificialViscosity * h * 40 * c.restDensity[0] * q.V[i] * q.V[j] * dot(q.v(i) - q.v(j), x) /
+                                 (dot(x, x) + 0.01 * h * h) * gradW; // 40 m/s: the largest sound speed
+                      });
+}
+TEST(PlainLoop, ArtificialViscosityIn2D) { artificialViscosity<2>(); }
+TEST(PlainLoop, ArtificialViscosityIn3D) { artificialViscosity<3>(); }
+
+/// It acts along the line of centres: linear and angular momentum stay, kinetic energy falls, a rigid rotation is not felt.
+TEST(ArtificialViscosity, conservesMomentaAndTakesEnergy)
+{
+    Scene<2> s(domain(2, {1, 1, 0}, {false, false, false}), coefficients<2>(1), {"numberDensity", "artificialViscosity"});
+    Vector<2> force;
+    double torque = 0, scale = 0, power = 0;
+    for (std::size_t i = 0; i < s.n; ++i)
+    {
+        const auto f = s.at(Mass{}, i) * s.at(Acceleration{}, i);
+        const auto x = positionOf(s.store, i);
+        force += f;
+        torque += x.x * f.y - x.y * f.x;
+        power += dot(f, s.at(Velocity{}, i));
+        scale += mag(f);
+    }
+    EXPECT_LE(mag(force), 1e-13 * scale);
+    EXPECT_LE(std::abs(torque), 1e-13 * scale);
+    EXPECT_LT(power, -0.1 * scale); // speeds are of order 1
+
+    const auto u = s.store.component("U", 0), v = s.store.component("U", 1);
+    for (std::size_t i = 0; i < s.n; ++i)
+    {
+        const auto x = positionOf(s.store, i);
+        u[i] = -x.y;
+        v[i] = x.x;
+    }
+    s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+    for (std::size_t i = 0; i < s.n; ++i) ASSERT_LE(mag(s.at(Acceleration{}, i)), 1e-11 * scale);
+}
+
+/// The least eigenvalue as the largest number that leaves B positive definite (Sylvester), by bisection.
+template<int dim> double leastOf(const SymmTensor<dim>& B)
+{
+    double low = -1, high = 2;
+    for (int k = 0; k < 60; ++k)
+    {
+        const double middle = 0.5 * (low + high);
+        const auto A = B - middle * identity(Vector<dim>{});
+        bool positive = A.xx > 0 && A.xx * A.yy - A.xy * A.xy > 0;
+        if constexpr (dim == 3) positive = positive && determinant(A) > 0;
+        (positive ? low : high) = middle;
+    }
+    return low;
+}
+
+/// Detection of a surface, the normal, and what both leave of the shifting, each from the fields of the one before.
+template<int dim> void freeSurface()
+{
+    std::array<int, 3> kinds{}; // inside, at the surface, isolated
+    onEveryGeometry<dim>(
+        [&](Geometry g)
+        {
+            g.periodic = {false, false, false}; // surfaces on all sides that have no wall
+            Scene<dim> s(std::move(g), coefficients<dim>(3), with(summed, {"surfaceShifting"}));
+            const Plain<dim> plain(s);
+            expectEqual(
+                s, LeastEigenvalue{},
+                [&](std::size_t i)
+                {
+                    SymmTensor<dim> B{};
+                    overPairs(s, i, [&](std::size_t j, auto x, double, double, auto gradW) { B += -0.5 * plain.V[j] * twiceSymm(x, gradW); });
+                    return leastOf(B);
+                },
+                1e-7); // the root of a cubic, where two eigenvalues are near one another
+            s.refresh(LeastEigenvalue{});
+            expectEqual(s, SurfaceNormal{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> n;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto, double, double, auto gradW)
+                                      { n += plain.V[j] * (s.at(LeastEigenvalue{}, i) - s.at(LeastEigenvalue{}, j)) * gradW; });
+                            return n;
+                        });
+            expectEqual(s, ShiftDirection{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> shift;
+                            overPairs(s, i, [&](std::size_t, auto, double, double, auto gradW) { shift += -2 * plain.V[i] * gradW; });
+                            const double lambda = s.at(LeastEigenvalue{}, i);
+                            const auto n = 1 / mag(s.at(SurfaceNormal{}, i)) * s.at(SurfaceNormal{}, i);
+                            ++kinds[lambda > 0.93 ? 0 : lambda > 0.4 ? 1 : 2];
+                            if (lambda > 0.93) return shift;
+                            return lambda > 0.4 ? shift - std::max(0.0, dot(shift, n)) * n : Vector<dim>{};
+                        });
+        });
+    for (const int n : kinds) EXPECT_GT(n, 0);
+}
+TEST(PlainLoop, FreeSurfaceIn2D) { freeSurface<2>(); }
+TEST(PlainLoop, FreeSurfaceIn3D) { freeSurface<3>(); }
+
 template<int dim> void viscosities(const Terms& first)
 {
     const auto plainForm = [](auto mean)
@@ -251,6 +372,16 @@ template<int dim> void bodyForces()
 TEST(PlainLoop, BodyForcesIn2D) { bodyForces<2>(); }
 TEST(PlainLoop, BodyForcesIn3D) { bodyForces<3>(); }
 
+/// Which wall each image lies behind, 1 + its number, by the walls' own distances; 0 on the fluid's side of all of them.
+template<int dim> std::vector<int> wallsBehind(Scene<dim>& s)
+{
+    std::vector<int> wall(s.images.nullParticle());
+    for (std::size_t j = 0; j < wall.size(); ++j)
+        for (const auto& patch : s.geometry.patches)
+            if (patch.shape->foot(in3D(positionOf(s.store, j))).distance < 0) wall[j] = 1 + patch.wall;
+    return wall;
+}
+
 template<int dim> void continuityEquation()
 {
     onEveryGeometry<dim>(
@@ -284,6 +415,74 @@ template<int dim> void continuityEquation()
 }
 TEST(PlainLoop, ContinuityWithDiffusionIn2D) { continuityEquation<2>(); }
 TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
+
+/// The renormalised gradient, over the fluid and its periodic images alone, and the diffusion of what it leaves.
+template<int dim> void renormalisedDiffusion()
+{
+    onEveryGeometry<dim>(
+        [](Geometry g)
+        {
+            auto c = coefficients<dim>(1);
+            Scene<dim> s(std::move(g), c, {"integratedVolume", "renormalisedDiffusion"}, true);
+            s.refresh(Density{});
+            s.refresh(Volume{});
+            const auto wall = wallsBehind(s);
+            const auto rho = [&](std::size_t j) { return s.at(Density{}, j); };
+            expectEqual(
+                s, DensityGradient{},
+                [&](std::size_t i)
+                {
+                    SymmTensor<dim> B{};
+                    Vector<dim> sum;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double, double, auto gradW)
+                              {
+                                  if (wall[j] > 0) return;
+                                  B += -0.5 * s.at(Volume{}, j) * twiceSymm(x, gradW);
+                                  sum += s.at(Volume{}, j) * (rho(j) - rho(i)) * gradW;
+                              });
+                    return 1 / determinant(B) * (adjugate(B) * sum);
+                },
+                1e-11);
+            s.refresh(DensityGradient{});
+            const double h = 0.5 * c.support;
+            expectEqual(
+                s, DensityRate{},
+                [&](std::size_t i)
+                {
+                    double rate = 0;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  if (wall[j] > 0) return;
+                                  const auto mean = 0.5 * (s.at(DensityGradient{}, i) + s.at(DensityGradient{}, j));
+                                  rate += c.diffusion * h * c.soundSpeed[0] * 2 * (rho(i) - rho(j) - dot(mean, x)) * dot(x, gradW) /
+                                          (r * r + 0.01 * h * h) * s.at(Volume{}, j);
+                              });
+                    return rate;
+                },
+                1e-11);
+        });
+}
+TEST(PlainLoop, RenormalisedDiffusionIn2D) { renormalisedDiffusion<2>(); }
+TEST(PlainLoop, RenormalisedDiffusionIn3D) { renormalisedDiffusion<3>(); }
+
+/// Nothing diffuses in a linear density, on a floor and below a free surface: to round-off of what the form without a gradient does.
+TEST(RenormalisedDiffusion, leavesALinearDensityAlone)
+{
+    Geometry g = domain(2, {1, 1, 0}, {true, false, false}); // no lid: the lattice ends in a free surface
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    const auto largestRate = [&](const char* term)
+    {
+        Scene<2> s(g, coefficients<2>(1), {"integratedVolume", term}, true);
+        for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1000 - 30 * positionOf(s.store, i).y;
+        s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+        double most = 0;
+        for (std::size_t i = 0; i < s.n; ++i) most = std::max(most, std::abs(s.at(DensityRate{}, i)));
+        return most;
+    };
+    EXPECT_LT(largestRate("renormalisedDiffusion"), 1e-11 * largestRate("densityDiffusion"));
+}
 
 /// gradC of particle i over the neighbours that count.
 template<int dim> Vector<dim> colourGradient(Scene<dim>& s, const Plain<dim>& plain, std::size_t i, auto counts)
@@ -374,16 +573,6 @@ TEST(PlainLoop, InterfaceStressWithNormalisedGradient) { interfaceStress<2>(3, f
 TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn2D) { interfaceStress<2>(3, true); }
 TEST(PlainLoop, DensityWeightedStressOfThreePhasesIn3D) { interfaceStress<3>(3, true); }
 TEST(PlainLoop, DensityWeightedStressWithNormalisedGradient) { interfaceStress<2>(3, true, normalisedGradient); }
-
-/// Which wall each image lies behind, 1 + its number, by the walls' own distances; 0 on the fluid's side of all of them.
-template<int dim> std::vector<int> wallsBehind(Scene<dim>& s)
-{
-    std::vector<int> wall(s.images.nullParticle());
-    for (std::size_t j = 0; j < wall.size(); ++j)
-        for (const auto& patch : s.geometry.patches)
-            if (patch.shape->foot(in3D(positionOf(s.store, j))).distance < 0) wall[j] = 1 + patch.wall;
-    return wall;
-}
 
 /// The stress that each ghost behind a plane carries is what its own sums over the fluid give: exact, by the mirror. Ghosts beyond the
 /// periodic faces lack neighbours of their own and are left aside.

@@ -3,6 +3,8 @@
 #include "Hydrostatic.hpp"
 #include "Particles.hpp"
 #include "PlanePoiseuille.hpp"
+#include "Ritter.hpp"
+#include "RotatingSquarePatch.hpp"
 #include "TaylorGreen.hpp"
 #include "TwoLayerPoiseuille.hpp"
 #include <gtest/gtest.h>
@@ -135,4 +137,61 @@ TEST(Formulas, mistakesNameFileAndLine)
               "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
               "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
               "2 errors");
+}
+
+TEST(Ritter, isTheDamBreakOfShallowWater)
+{
+    // c = sqrt(9.81) for a depth of 1 m; at the dam 4/9 of the depth at 2/3 c, whatever the time, so that 8/27 c flows there.
+    const Ritter flow(1, 9.81, 1000);
+    const double c = std::sqrt(9.81);
+    for (const double t : {0.1, 0.5, 7.0})
+    {
+        EXPECT_NEAR(flow.depth(0, t), 4.0 / 9, 1e-14);
+        EXPECT_NEAR(flow.speed(0, t), 2 * c / 3, 1e-14);
+        EXPECT_EQ(flow.depth(-1.001 * c * t, t), 1);
+        EXPECT_EQ(flow.speed(-1.001 * c * t, t), 0);
+        EXPECT_EQ(flow.depth(2.001 * c * t, t), 0);
+    }
+    // A row of an independently computed table at t = 0.5 s.
+    EXPECT_NEAR(flow.depth(-1.4094413787029243, 0.5), 0.9344444444444445, 1e-13);
+    EXPECT_NEAR(flow.speed(-1.4094413787029243, 0.5), 0.20880613017821106, 1e-13);
+    EXPECT_NEAR(flow.pressure({0, 0.1, 0}, 3), 9810 * (4.0 / 9 - 0.1), 1e-9);
+    EXPECT_EQ(flow.pressure({0, 0.5, 0}, 3), 0);
+    EXPECT_EQ(flow.depth(-0.1, 0), 1);
+    EXPECT_EQ(flow.depth(0.1, 0), 0);
+    EXPECT_EQ(flow.speed(0.1, 0), 0);
+}
+
+TEST(Ritter, keepsTheMassAndTheMomentumBalance)
+{
+    // Volume beyond the dam: 8/27 c t h_0, by the sum of 10^5 slices (to 1e-9). dh/dt + d(h u)/dx by differences of step 1e-4.
+    const Ritter flow(2, 9.81, 1000);
+    const double c = std::sqrt(9.81 * 2), t = 1.5;
+    double volume = 0;
+    const int n = 100000;
+    for (int k = 0; k < n; ++k) volume += flow.depth((k + 0.5) / n * 2 * c * t, t) * 2 * c * t / n;
+    EXPECT_NEAR(volume, 8.0 / 27 * c * t * 2, 1e-7);
+    const double d = 1e-4, x = 2.3;
+    const auto flux = [&](double at) { return flow.depth(at, t) * flow.speed(at, t); };
+    EXPECT_NEAR((flow.depth(x, t + d) - flow.depth(x, t - d)) / (2 * d) + (flux(x + d) - flux(x - d)) / (2 * d), 0, 1e-7);
+    const double convection = (flow.speed(x, t + d) - flow.speed(x, t - d)) / (2 * d) +
+                              flow.speed(x, t) * (flow.speed(x + d, t) - flow.speed(x - d, t)) / (2 * d);
+    EXPECT_NEAR(convection + 9.81 * (flow.depth(x + d, t) - flow.depth(x - d, t)) / (2 * d), 0, 1e-7);
+}
+
+TEST(RotatingSquarePatch, agreesWithTheTabulatedSeries)
+{
+    // A double series computed independently; the profile on the middle line and the centre, in rho omega^2 L^2.
+    const RotatingSquarePatch patch(2, 3, 1000);
+    const double unit = 1000 * 9 * 4;
+    const auto at = [&](double x, double y) { return patch.pressure({2 * (x - 0.5), 2 * (y - 0.5), 0}, 0) / unit; };
+    EXPECT_NEAR(at(0.5, 0.5), -0.147343, 1e-6);
+    EXPECT_NEAR(at(0.05, 0.5), -0.031335157148628, 1e-7);
+    EXPECT_NEAR(at(0.15, 0.5), -0.0806466514012649, 1e-7);
+    EXPECT_NEAR(at(0.5, 0.85), at(0.15, 0.5), 1e-7) << "the same along either side";
+    EXPECT_EQ(at(0, 0.5), 0);
+    EXPECT_EQ(at(1.2, 0.5), 0);
+    // laplacian p = 2 rho omega^2, by differences of step 1e-3 of the side.
+    const double h = 1e-3;
+    EXPECT_NEAR((at(0.3 + h, 0.6) + at(0.3 - h, 0.6) + at(0.3, 0.6 + h) + at(0.3, 0.6 - h) - 4 * at(0.3, 0.6)) / (h * h), 2, 1e-4);
 }

@@ -16,7 +16,7 @@ Measurement measure(const Particles& particles, const std::string& name, const s
 {
     auto diagnostics = std::make_shared<Diagnostics>();
     const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
-    const auto m = readMeasure(name, d, particles.geometry, particles.phases);
+    const auto m = readMeasure(name, d, particles.geometry, particles.phases, ".");
     d.reportUnused();
     EXPECT_EQ(errorsOf(*diagnostics), "");
     return m(particles.view());
@@ -213,7 +213,7 @@ TEST(DragFactor, mistakesNameFileAndLine)
     auto diagnostics = std::make_shared<Diagnostics>();
     readMeasure("dragFactor",
                 Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
-                particles.geometry, particles.phases);
+                particles.geometry, particles.phases, ".");
     EXPECT_EQ(errorsOf(*diagnostics),
               "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
               "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
@@ -237,4 +237,31 @@ TEST(VortexDecay, isThatOfTheFlowsPartOfTheRightShape)
     EXPECT_EQ(decay.particles, particles.size());
     particles.time = 0;
     EXPECT_TRUE(std::isnan(measure(particles, "vortexDecay", "speed 0.7; period 2; nu 0.03;").value));
+}
+
+TEST(FrontPosition, isHalfASpacingBeforeTheForemostParticleOfThePhase)
+{
+    TemporaryCase folder;
+    folder.write("front.csv", "set,T,Z\na,0,1\na,2,3\nb,0,7\nb,1,7\n");
+    Particles particles(2, {0, 0, 0}, {1, 0.5, 0}, 0.1);
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.x < 0.6 ? 0 : 1; });
+    const auto at = [&](double time, const std::string& parameters)
+    {
+        particles.time = time;
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto d = Dictionary::parse(parameters + "table { file \"front.csv\"; columns { time T; value Z; } select { set a; } units { time "
+                                                      "0.5; value 0.1; } }",
+                                         "system/controlDict", diagnostics);
+        const auto m = readMeasure("frontPosition", d, particles.geometry, particles.phases, folder.folder());
+        d.reportUnused();
+        EXPECT_EQ(errorsOf(*diagnostics), "");
+        return m(particles.view());
+    };
+    const auto m = at(0.5, "");
+    EXPECT_NEAR(m.value, 0.6, 1e-14); // the last of water at 0.55
+    EXPECT_NEAR(m.reference, 0.2, 1e-14); // T = 1, Z = 2
+    EXPECT_EQ(m.particles, 30u);
+    EXPECT_NEAR(at(0.5, "phase air; direction (0 -2 0); origin (0 1 0); ").value, 1, 1e-14); // the lowest at 0.05
+    EXPECT_TRUE(std::isnan(at(1.2, "").reference)) << "T = 2.4 is beyond the table";
 }

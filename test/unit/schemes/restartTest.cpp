@@ -53,6 +53,7 @@ TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), 
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityWithSymplecticEuler) { restartEqualsTheWhole(with(grainCase(), "symplecticEuler")); }
+TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 
 // Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.

@@ -2,6 +2,7 @@
 #include "Settings.hpp"
 #include "Plane.hpp"
 #include "smallCases.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -68,6 +69,30 @@ TEST(Settings, UnknownWordsAreSuggested)
     expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"),
                 "Did you mean \"numberDensity\"?");
     expectError(edited(channelCase(), schemes, "support 2.6", "support 26"), "system/sphSchemes:1: ");
+}
+
+// Words of a free surface, and the term that each selects; without them none of these terms is there.
+TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
+{
+    const auto selects = [](const Files& files, const std::string& term)
+    {
+        const auto terms = reading(files).settings.terms;
+        return std::find(terms.begin(), terms.end(), term) != terms.end();
+    };
+    EXPECT_EQ(reading(columnCase()).errors, "");
+    for (const char* term : {"tensileControlledPressure", "surfaceShifting", "artificialViscosity", "renormalisedDiffusion"})
+    {
+        EXPECT_TRUE(selects(columnCase(), term)) << term;
+        EXPECT_FALSE(selects(grainCase(), term)) << term;
+    }
+    EXPECT_TRUE(selects(grainCase(), "particleShifting"));
+    EXPECT_TRUE(selects(grainCase(), "densityDiffusion"));
+    EXPECT_EQ(reading(columnCase()).settings.coefficients.artificialViscosity, 0.02);
+    EXPECT_TRUE(reading(columnCase()).settings.detachingGhosts);
+    EXPECT_FALSE(reading(channelCase()).settings.detachingGhosts);
+    expectError(edited(columnCase(), "system/sphSchemes", "tangential", "tangent"), "Did you mean \"tangential\"?");
+    expectError(edited(columnCase(), "system/sphSchemes", "Viscosity 0.02", "Viscosity -1"), "system/sphSchemes:4: ");
+    expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
 }
 
 TEST(Settings, SurfaceTensionOfUnknownPhases)

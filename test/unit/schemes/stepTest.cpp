@@ -160,6 +160,30 @@ TEST(Step, SemiImplicitSaysThatItHasNotConverged)
     }
 }
 
+// A cloud with a pressure and without a density gets the density that the state equation gives that pressure at: to round-off of
+// (p/B)^(1/7). One that has a density keeps it.
+TEST(Start, AtAGivenPressure)
+{
+    auto files = vortexCase("leapfrog");
+    files["system/sphSchemes"] += "density continuity;\n";
+    const auto settings = settingsOf(files);
+    const auto g = periodicSquare();
+    auto cloud = vortex(false);
+    auto& p = cloud.fields["p"].component;
+    p.resize(1);
+    for (std::size_t i = 0; i < cloud.size(); ++i) p[0].push_back(2000 * std::sin(7 * cloud.x[i]) * cloud.y[i]);
+    const auto simulation = makeSimulation(settings, g, cloud, {});
+    const auto x = simulation->positions(), found = simulation->field("p");
+    for (std::size_t i = 0; i < simulation->size(); ++i)
+        ASSERT_NEAR(found.component[0][i], 2000 * std::sin(7 * x.component[0][i]) * x.component[1][i], 1e-8);
+
+    cloud.fields["rho"].component.assign(1, std::vector<double>(cloud.size(), 1000));
+    EXPECT_EQ(makeSimulation(settings, g, cloud, {})->field("p").component[0][7], 0);
+    cloud.fields.erase("rho");
+    cloud.fields["p"].component[0][3] = -1e9;
+    EXPECT_THROW(makeSimulation(settings, g, cloud, {}), CaseError) << "no density has this pressure";
+}
+
 // Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
 // momentum stays at the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the
 // particles sorted.

@@ -132,7 +132,8 @@ TEST(SweepPlan, NamesMistakes)
     EXPECT_NE(mistakesIn("resolutions (1 2);\nerrors ( { field U; } );\n").find("\"setResolution\" is missing"),
               std::string::npos);
     const std::string ladder = "resolutions (1);\nsetResolution { }\n";
-    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; } );\n").find("Dict:3: norm mean compares means over time"), std::string::npos);
+    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; } );\n").find("Dict:3: norm mean is one over time"), std::string::npos);
+    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm rms; } );\n").find("Dict:3: norm rms is one over time"), std::string::npos);
     EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; averageFrom 2; time 1; } );\n").find("averageFrom 2 is after time 1"),
               std::string::npos);
     EXPECT_NE(mistakesIn(ladder + "errors ( { field U; averageFrom 2; } );\n").find("entry \"averageFrom\" is not used here"),

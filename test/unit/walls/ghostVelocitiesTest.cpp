@@ -138,5 +138,28 @@ TEST(GhostPressure, ContinuesAColumnAtRest)
     }
 }
 
+
+// Under a floor that is a lid by the direction of gravity: a drop at p = 0 has a ghost at 0 and falls, where the hydrostatic continuation would
+// hold it; a liquid under pressure is continued as at rest, and so is one on a floor; a tension stays what it is.
+TEST(GhostPressure, DetachingNeverPulls)
+{
+    MovingWall w;
+    w.coefficients.bodyForce = {0, 2 * 9810, 0}; // upwards: the wall y = 0 is the ceiling of what falls up
+    w.store.allocate(Density{});
+    w.store.resize(1);
+    w.store.component("rho", 0)[0] = 1000;
+    DetachingPressure<2> lid(w.store, w.coefficients);
+    lid.bind();
+    const double fall = 2 * 0.1 * 9810;
+    EXPECT_EQ(lid(0, 0, w.at(0.1)), 0);
+    EXPECT_NEAR(lid(5000, 0, w.at(0.1)), 5000 - fall, 1e-10);
+    EXPECT_EQ(lid(100, 0, w.at(0.1)), 0);
+    EXPECT_EQ(lid(-300, 0, w.at(0.1)), -300);
+    w.coefficients.bodyForce = {};
+    DetachingPressure<2> floor(w.store, w.coefficients);
+    floor.bind();
+    EXPECT_NEAR(floor(0, 0, w.at(0.1)), fall, 1e-10);
+}
+
 }
 }

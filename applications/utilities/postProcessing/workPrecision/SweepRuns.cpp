@@ -98,7 +98,7 @@ std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice
     std::ifstream in(file);
     std::vector<std::string> names;
     std::optional<ErrorLine> found;
-    double values = 0, references = 0; // sums over time, for the norm mean
+    double values = 0, references = 0, squares = 0, referenceSquares = 0; // sums over time, for the norms mean and rms
     for (std::string line; std::getline(in, line);)
     {
         std::vector<std::string> cells;
@@ -119,9 +119,13 @@ std::optional<ErrorLine> readErrorLine(const fs::path& folder, const ErrorChoice
         const auto number = [&](const std::string& name) { return finiteNumber(cell(name)).value_or(ResultRow::unknown); };
         if (choice.averageFrom && *t >= *choice.averageFrom && (*t < time || sameTime(*t, time)))
         {
-            values += number("value");
-            references += number("reference");
-            found = ErrorLine{number("nParticles"), std::abs(values / references - 1), references == 0};
+            const double value = number("value"), reference = number("reference");
+            values += value;
+            references += reference;
+            squares += (value - reference) * (value - reference);
+            referenceSquares += reference * reference;
+            const double error = choice.norm == "rms" ? std::sqrt(squares / referenceSquares) : std::abs(values / references - 1);
+            found = ErrorLine{number("nParticles"), error, referenceSquares == 0};
         }
         if (choice.averageFrom || !sameTime(*t, time)) continue;
         found = ErrorLine{number("nParticles"), number(choice.norm), finiteNumber(cell("reference")) == 0};

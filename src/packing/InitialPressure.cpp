@@ -1,0 +1,28 @@
+#include "InitialPressure.hpp"
+#include "positionExpression.hpp"
+
+namespace sph
+{
+
+PressureField readPressure(const Dictionary& dict)
+{
+    const auto text = dict.get<std::string>("pressure");
+    const auto pressure = [text](const Vector<3>& x)
+    {
+        const auto value = evaluateAt(text, x);
+        if (value.vector) throw ExpressionError("the expression gives a vector, not a pressure");
+        return value.scalar;
+    };
+    try
+    {
+        pressure({});
+    }
+    catch (const ExpressionError& e)
+    {
+        dict.error("pressure", e.what());
+        return [](const Vector<3>&) { return 0.0; };
+    }
+    return pressure;
+}
+
+}

@@ -1,0 +1,22 @@
+/// An expression of the position: `$x`, `$y`, `$z` [m].
+#pragma once
+#include "Expression.hpp"
+#include "Vector.hpp"
+
+namespace sph
+{
+
+/// Throws ExpressionError where the text is no expression of these.
+inline ExpressionValue evaluateAt(const std::string& text, const Vector<3>& x)
+{
+    return evaluate(text,
+                    [&](const std::string& name) -> ExpressionValue
+                    {
+                        if (name == "x") return {x.x};
+                        if (name == "y") return {x.y};
+                        if (name == "z") return {x.z};
+                        throw ExpressionError("$" + name + " is unknown here. Known: $x, $y, $z");
+                    });
+}
+
+}
