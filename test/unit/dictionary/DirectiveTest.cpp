@@ -189,7 +189,8 @@ TEST(DictionaryDirectives, eval)
         j #eval{ atan2(1, 1)/pi()*4 }; k #eval{ max(1, 2) == 2 ? 10 : 20 }; l #eval{ 2*$U + vector(0, 0, 1) }; m #eval "1/3";
         n #eval{ $nu/1e-6 }; o #eval{ round(2.5) + log(e()) }; q #eval
         { 1 +
-          1 };)");
+          1 }; r #eval{ sqr(cosh(0.7)) - sqr(sinh(0.7)) + tanh(0.5)*(1 + e())/(e() - 1) };)");
+    EXPECT_DOUBLE_EQ(p.dict.get<double>("r"), 2);
     EXPECT_DOUBLE_EQ(p.dict.get<double>("a"), 1.002);
     EXPECT_DOUBLE_EQ(p.dict.get<double>("b"), std::numbers::sqrt2);
     EXPECT_EQ(p.dict.get<double>("c"), -4);
