@@ -189,7 +189,8 @@ TEST(DictionaryDirectives, eval)
         j #eval{ atan2(1, 1)/pi()*4 }; k #eval{ max(1, 2) == 2 ? 10 : 20 }; l #eval{ 2*$U + vector(0, 0, 1) }; m #eval "1/3";
         n #eval{ $nu/1e-6 }; o #eval{ round(2.5) + log(e()) }; q #eval
         { 1 +
-          1 };)");
+          1 }; r #eval{ sqr(cosh(0.7)) - sqr(sinh(0.7)) + tanh(0.5)*(1 + e())/(e() - 1) };)");
+    EXPECT_DOUBLE_EQ(p.dict.get<double>("r"), 2);
     EXPECT_DOUBLE_EQ(p.dict.get<double>("a"), 1.002);
     EXPECT_DOUBLE_EQ(p.dict.get<double>("b"), std::numbers::sqrt2);
     EXPECT_EQ(p.dict.get<double>("c"), -4);
@@ -224,8 +225,8 @@ TEST(DictionaryDirectives, evalMistakes)
         "constant/d:6: #eval \"sqrt(-1)\": the result is not a number\n"
         "constant/d:7: #eval \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: "
         "mag, vector, "
-        "abs, acos, asin, atan, atan2, cbrt, ceil, cos, degToRad, e, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, "
-        "sin, sqr, sqrt, tan.\n"
+        "abs, acos, asin, atan, atan2, cbrt, ceil, cos, cosh, degToRad, e, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, "
+        "sin, sinh, sqr, sqrt, tan, tanh.\n"
         "constant/d:8: #eval \"pow(2)\": pow() takes 2 arguments, found 1\n"
         "constant/d:9: #eval \"1 2\": unexpected \"2 \"\n8 errors");
 }
