@@ -71,7 +71,7 @@ template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, d
         fetch(v_i, [&](int c) { return v[c][i]; });
         fetch(s_i, [&](int c) { return s[c][i]; });
         fetch(x_i, [&](int c) { return x[c][i]; });
-        auto by = C*mag(v_i)*deltaT*sqr(spacing)*s_i;
+        auto by = C*mag(v_i)*deltaT*spacing*s_i;
         if (const double d = mag(by); d > most) by = most/d*by;
         furthest = std::max(furthest, mag(by));
         sph::store(x_i + by, [&](int c, double q) { x[c][i] = q; });
