@@ -129,7 +129,7 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : exacts.norms();
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
                     relative_ ? relativeTo(scale, errors.norms()) : errors.norms(),
-                    samples.size(),
+                    rows_.empty() ? samples.size() : view.n,
                     values.norms().L2,
                     scale.L2,
                     {}};

@@ -15,7 +15,7 @@ struct ErrorRow
 {
     std::string field;
     Norms error;
-    std::size_t particles = 0; ///< or rows
+    std::size_t particles = 0; ///< that the value rests on
     double value = 0, reference = 0;
     std::string note;
 };

@@ -165,7 +165,7 @@ TEST(Errors, canBeTakenAtTheRowsOfATable)
     EXPECT_NEAR(std::stod(row[2]), 0.7 / 3, 1e-12);
     EXPECT_NEAR(std::stod(row[3]), std::sqrt((0.04 + 0.25) / 3), 1e-12);
     EXPECT_NEAR(std::stod(row[4]), 0.5, 1e-12);
-    EXPECT_EQ(row[5], "3");
+    EXPECT_EQ(row[5], "100");
 
     // Where there is no particle there is no number: a hole is not passed over.
     Particles far(2, {0, 0, 0}, {1, 0.4, 0}, 0.1);
