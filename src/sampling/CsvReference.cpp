@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
+#include <set>
 
 namespace sph
 {
@@ -78,7 +79,14 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
 
     std::ifstream file(caseFolder / fileName);
     std::string line;
-    if (!file || !std::getline(file, line)) return d.error("file", fmt::format("cannot read {}", fileName));
+    int number = 0;
+    const auto nextLine = [&]
+    {
+        do ++number;
+        while (std::getline(file, line) && line.starts_with('#'));
+        return bool(file);
+    };
+    if (!file || !nextLine()) return d.error("file", fmt::format("cannot read {}", fileName));
     const auto header = csvCells(line);
     const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
     {
@@ -94,7 +102,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     if (std::max({c, v, t}) >= header.size() || filter.contains(header.size())) return;
 
     std::map<double, std::map<double, double>> table;
-    for (int number = 2; std::getline(file, line); ++number)
+    while (nextLine())
     {
         const auto cells = csvCells(line);
         if (cells.size() == 1 && cells[0].empty()) continue;
@@ -167,6 +175,15 @@ std::optional<double> CsvReference::operator()(const Vector<3>& x, double t) con
 {
     const double coordinate = dot(x - origin_, axis_);
     return at(mirror_ ? std::abs(coordinate) : coordinate, t);
+}
+
+std::vector<Vector<3>> CsvReference::rows() const
+{
+    std::set<double> coordinates;
+    for (const auto& profile : profiles_) coordinates.insert(profile.coordinate.begin(), profile.coordinate.end());
+    std::vector<Vector<3>> points;
+    for (const double c : coordinates) points.push_back(origin_ + c * axis_);
+    return points;
 }
 
 }

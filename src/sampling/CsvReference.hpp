@@ -10,7 +10,7 @@ namespace sph
 /// Dictionary:
 ///
 ///     type csv;
-///     file "reference/startup.csv";                           // relative to the case; first line: names of the columns
+///     file "reference/startup.csv";                           // relative to the case; first line: names of the columns; # notes
 ///     columns { coordinate y; time t; value v; }              // without `time` the reference is steady
 ///     select { set paper4.1; nu 1e-6; }                       // only rows with these words or numbers
 ///     units { coordinate 1e-3; time 1; value 1.25e-5; }       // SI value of 1 in each column, default 1
@@ -51,6 +51,9 @@ public:
 
     std::optional<double> at(double coordinate, double t) const;
     std::optional<double> operator()(const Vector<3>& x, double t) const;
+
+    /// Where the rows lie: origin + coordinate axis, each place once.
+    std::vector<Vector<3>> rows() const;
 };
 
 }

@@ -48,7 +48,8 @@ void Errors::readComparison(const Dictionary& d)
                                                {
                                                    const auto value = csv(x, t);
                                                    return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
-                                               }));
+                                               },
+                                               csv.rows()));
     }
     if (!type) leaveRest();
     if (type != "formula") return;

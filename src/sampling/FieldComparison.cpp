@@ -1,4 +1,5 @@
 #include "FieldComparison.hpp"
+#include "Interpolator.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
 #include "words.hpp"
@@ -14,7 +15,8 @@ bool readsRelative(const Dictionary& d)
     return d.choose("norm", norms, "relative") == "relative";
 }
 
-FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference)
+FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference,
+                                 const std::vector<Vector<3>>& rows)
     : field_(d.get<std::string>("field")),
       relative_(readsRelative(d)),
       removeMean_(d.get("removeMean", false)),
@@ -34,60 +36,84 @@ FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& con
         const auto region = d.subDict("region");
         region_ = Box{region.get<Vector<3>>("min"), region.get<Vector<3>>("max")};
     }
+    static const std::vector<std::string> points{"particles", "rows"};
+    if (d.choose("points", points, "particles") == "particles") return;
+    rows_ = rows;
+    if (rows.empty()) d.error("points", "only a reference of type csv has rows");
+    if (phase_) d.error("phase", "phase goes with `points particles;` alone: a row belongs to no phase");
+}
+
+/// The component that is compared; -1 for the whole vector or scalar.
+int FieldComparison::component(const SampledField& field) const
+{
+    if (component_.empty())
+    {
+        if (field.components() > 3)
+            throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
+        return -1;
+    }
+    const auto& names = componentNames(field.type());
+    const auto found = std::find(names.begin(), names.end(), component_);
+    if (found == names.end())
+        throw CaseError(where_, fmt::format("field {} has no component \"{}\". {}", field_, component_,
+                                            field.components() == 1 ? "It is a scalar" : "Known components: " + list(names)));
+    return int(found - names.begin());
+}
+
+bool FieldComparison::within(const Vector<3>& x, int dimension) const
+{
+    const auto between = [](double low, double value, double high) { return value >= low && value <= high; };
+    return !region_ || (between(region_->low.x, x.x, region_->high.x) && between(region_->low.y, x.y, region_->high.y) &&
+                        (dimension == 2 || between(region_->low.z, x.z, region_->high.z)));
+}
+
+std::vector<FieldComparison::Sample> FieldComparison::atParticles(const ParticleView& view, const SampledField& field, int only) const
+{
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        const auto x = position(view, i);
+        if ((phase_ && phaseOf(view, i) != *phase_) || !within(x, view.dimension)) continue;
+        const auto exact = reference_(x, view.time);
+        if (!exact) continue;
+        const auto value = only >= 0 ? Vector<3>{field(only, i), 0, 0} : Vector<3>{field(0, i), field(1, i), field(2, i)};
+        samples.push_back({view.volume[i], value, *exact});
+    }
+    return samples;
+}
+
+std::vector<FieldComparison::Sample> FieldComparison::atRows(const ParticleView& view, const SampledField& field, int only) const
+{
+    const Interpolator interpolator(view);
+    std::vector<Sample> samples;
+    for (const auto& x : rows_)
+    {
+        if (!within(x, view.dimension)) continue;
+        const auto exact = reference_(x, view.time);
+        if (!exact) continue;
+        const auto weights = interpolator.weights(x);
+        const auto value = only >= 0 ? Vector<3>{weights(field.array(only)), 0, 0}
+                                     : Vector<3>{weights(field.array(0)), weights(field.array(1)), weights(field.array(2))};
+        samples.push_back({1, value, *exact});
+    }
+    return samples;
 }
 
 std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) const
 {
     const SampledField field(view, field_, where_);
-    int only = -1;
-    if (!component_.empty())
-    {
-        const auto& names = componentNames(field.type());
-        const auto found = std::find(names.begin(), names.end(), component_);
-        if (found == names.end())
-            throw CaseError(where_, fmt::format("field {} has no component \"{}\". {}", field_, component_,
-                                                field.components() == 1 ? "It is a scalar" : "Known components: " + list(names)));
-        only = int(found - names.begin());
-    }
-    else if (field.components() > 3)
-        throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
+    const int only = component(field);
+    auto samples = rows_.empty() ? atParticles(view, field, only) : atRows(view, field, only);
+    if (samples.empty()) return {};
 
-    const auto selected = [&](std::size_t i)
-    {
-        if (phase_ && phaseOf(view, i) != *phase_) return false;
-        if (!region_) return true;
-        const auto x = position(view, i);
-        const auto within = [](double low, double value, double high) { return value >= low && value <= high; };
-        return within(region_->low.x, x.x, region_->high.x) && within(region_->low.y, x.y, region_->high.y) &&
-               (view.dimension == 2 || within(region_->low.z, x.z, region_->high.z));
-    };
-    struct Sample
-    {
-        double volume;
-        Vector<3> value, exact;
-    };
-    std::vector<Sample> samples;
     double volume = 0;
     Vector<3> meanValue, meanExact;
-    for (std::size_t i = 0; i < view.n; ++i)
+    for (const auto& s : samples)
     {
-        if (!selected(i)) continue;
-        const auto exact = reference_(position(view, i), view.time);
-        if (!exact) continue;
-        Sample s{view.volume[i], {}, *exact};
-        if (only >= 0)
-            s.value.x = field(only, i);
-        else if (field.components() == 1)
-            s.value.x = field(0, i);
-        else
-            s.value = {field(0, i), field(1, i), field(2, i)};
         volume += s.volume;
         meanValue += s.volume * s.value;
         meanExact += s.volume * s.exact;
-        samples.push_back(s);
     }
-    if (samples.empty()) return {};
-
     NormSum errors, values, exacts;
     for (auto& s : samples)
     {
@@ -103,7 +129,7 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : exacts.norms();
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
                     relative_ ? relativeTo(scale, errors.norms()) : errors.norms(),
-                    samples.size(),
+                    rows_.empty() ? samples.size() : view.n,
                     values.norms().L2,
                     scale.L2,
                     {}};

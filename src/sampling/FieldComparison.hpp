@@ -1,4 +1,4 @@
-/// A field against an exact solution or a table, in norms over the particles.
+/// A field against an exact solution or a table, in norms over the particles or over the rows of a table.
 #pragma once
 #include "FunctionContext.hpp"
 #include "Norms.hpp"
@@ -8,12 +8,14 @@
 namespace sph
 {
 
+class SampledField;
+
 /// A row of errors.dat.
 struct ErrorRow
 {
     std::string field;
     Norms error;
-    std::size_t particles = 0;
+    std::size_t particles = 0; ///< that the value rests on
     double value = 0, reference = 0;
     std::string note;
 };
@@ -26,8 +28,9 @@ using ReferenceField = std::function<std::optional<Vector<3>>(const Vector<3>& x
 ///     field U;  component x;            // no component: the magnitude of the difference of vectors
 ///     norm relative;                    // or absolute
 ///     scale 1.25e-5;                    // what relative norms are relative to; by default the same norm of the reference
+///     points particles;                 // or rows: the field interpolated at the rows of a csv reference, all of the same weight
 ///     phase water;                      // only its particles
-///     region { min (..); max (..); }    // only particles within
+///     region { min (..); max (..); }    // only points within
 ///     removeMean yes;                   // for a pressure that is given up to a constant
 class FieldComparison
 {
@@ -38,11 +41,24 @@ class FieldComparison
     std::optional<Box> region_;
     Location where_;
     ReferenceField reference_;
+    std::vector<Vector<3>> rows_; ///< empty: particles
+
+    struct Sample
+    {
+        double volume;
+        Vector<3> value, exact;
+    };
+    int component(const SampledField&) const;
+    bool within(const Vector<3>&, int dimension) const;
+    std::vector<Sample> atParticles(const ParticleView&, const SampledField&, int component) const;
+    std::vector<Sample> atRows(const ParticleView&, const SampledField&, int component) const;
 
 public:
-    FieldComparison(const Dictionary&, const FunctionContext&, ReferenceField);
+    /// `rows`: where the reference has its own values, which `points rows` asks for; empty of a formula.
+    FieldComparison(const Dictionary&, const FunctionContext&, ReferenceField, const std::vector<Vector<3>>& rows = {});
 
-    /// Nothing where no particle has a reference at this time. Throws CaseError if the view has no such field.
+    /// Nothing where no point has a reference at this time. Throws CaseError if the view has no such field. NaN where there is no
+    /// particle around a row.
     std::optional<ErrorRow> operator()(const ParticleView&) const;
 };
 

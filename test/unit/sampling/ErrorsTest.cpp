@@ -150,6 +150,43 @@ TEST(Errors, canBeRestrictedToAPhaseOrARegion)
     EXPECT_NEAR(std::stod(rows[1][7]), 1, 1e-15);
 }
 
+TEST(Errors, canBeTakenAtTheRowsOfATable)
+{
+    // u = 2 x + y on a lattice, interpolated exactly at x = 0.5, y = 0.2, 0.5 and 0.8 (rows off the particles): 1.2, 1.5, 1.8 against 1, 2, 1.8
+    // weigh the same, whatever the volumes.
+    ErrorsCase c;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+    particles.setU([](Vector<3> x) { return Vector<3>{2 * x.x + x.y, 0, 0}; });
+    c.folder.write("table.csv", "# two notes\n# above the names\ny,v\n0.2,1\n0.5,2\n0.8,1.8\n");
+    const std::string text =
+        "field U; component x; norm absolute; points rows;\nreference { type csv; file \"table.csv\"; columns { coordinate y; "
+        "value v; } origin (0.5 0 0); }";
+    const auto row = c.rowsOf(particles, text).at(0);
+    EXPECT_NEAR(std::stod(row[2]), 0.7 / 3, 1e-12);
+    EXPECT_NEAR(std::stod(row[3]), std::sqrt((0.04 + 0.25) / 3), 1e-12);
+    EXPECT_NEAR(std::stod(row[4]), 0.5, 1e-12);
+    EXPECT_EQ(row[5], "100");
+
+    // Where there is no particle there is no number: a hole is not passed over.
+    Particles far(2, {0, 0, 0}, {1, 0.4, 0}, 0.1);
+    ErrorsCase other;
+    other.folder.write("table.csv", "y,v\n0.2,1\n0.5,2\n0.8,1.8\n");
+    EXPECT_TRUE(std::isnan(std::stod(other.rowsOf(far, text).at(0)[3])));
+}
+
+TEST(Errors, onlyTablesHaveRows)
+{
+    ErrorsCase c;
+    auto particles = two();
+    particles.phases = {"water", "air"};
+    c.make(particles, "field U;\npoints rows;\nreference { type formula; name couette; nu 1; width 2; velocity (1 0 0); }\n");
+    EXPECT_EQ(c.mistakes, "system/controlDict:2: only a reference of type csv has rows");
+    ErrorsCase other;
+    other.folder.write("table.csv", "y,v\n0,1\n1,2\n");
+    other.make(particles, "field U; points rows;\nphase air;\n" + std::string(zeroToFour));
+    EXPECT_EQ(other.mistakes, "system/controlDict:2: phase goes with `points particles;` alone: a row belongs to no phase");
+}
+
 TEST(Errors, headerNamesTheColumns)
 {
     ErrorsCase c;

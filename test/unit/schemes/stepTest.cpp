@@ -216,4 +216,39 @@ TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 }
 
 }
+
+/// x of all particles, over the edge of the square, after 20 steps: `edge` [m] scales lengths, times and the viscosity, so that all
+/// numbers of the flow stay what they are.
+std::vector<double> travelled(double edge, double shifting)
+{
+    auto files = vortexCase("symplecticEuler");
+    const auto number = [](double q) { return std::to_string(q); };
+    files["system/sphSchemes"] = "resolution { spacing " + number(0.05 * edge) + "; support 2.6; kernel wendlandC4; }\nshifting " +
+                                 number(shifting) + ";\nintegration { scheme symplecticEuler; }\n";
+    files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu " + number(20 * edge) + "; soundSpeed 8; exponent 1; }\n";
+    auto g = periodicSquare();
+    g.high *= edge;
+    auto cloud = vortex(false);
+    for (auto* x : {&cloud.x, &cloud.y})
+        for (double& q : *x) q *= edge;
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    const auto settings = readSettings(c, g);
+    c.diagnostics().throwIfAny();
+    const auto simulation = makeSimulation(settings, g, cloud, {{"densityScale", 1.0}});
+    for (int k = 0; k < 20; ++k) simulation->step(0, 0.002 * edge);
+    std::vector<double> x;
+    for (std::size_t i = 0; i < simulation->size(); ++i) x.push_back(simulation->positions().component[0][i] / edge);
+    return x;
+}
+
+// Shifting is a length: C |v| dt Delta_x times a number of the particles' arrangement. All numbers are scaled by a power of two, so that
+// only round-off of the kernel's constants is left.
+TEST(Step, ShiftingScalesWithTheSpacing)
+{
+    const auto small = travelled(1, 2), large = travelled(16, 2), unshifted = travelled(1, 0);
+    EXPECT_GT(distance(small, unshifted), 1e-4);
+    EXPECT_LT(distance(small, large), 1e-12);
+}
+
 }
