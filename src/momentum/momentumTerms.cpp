@@ -9,7 +9,7 @@ namespace sph
 template<int dim> Catalogue<dim> momentumTerms()
 {
     return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, AddPressure,
-                     SinglePhaseViscosity, HarmonicViscosity, Gravity, BodyForce>();
+                     SinglePhaseViscosity, HarmonicViscosity, SinglePhaseClearyViscosity, ClearyViscosity, Gravity, BodyForce>();
 }
 
 template Catalogue<2> momentumTerms<2>();

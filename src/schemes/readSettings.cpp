@@ -34,7 +34,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
     choice.pressure = dict.choose("pressureGradient", Words{"huAdams", "densityWeighted", "monaghan"}, byCurvature ? "densityWeighted" : "huAdams");
-    choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
+    choice.viscosity = dict.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
@@ -62,6 +62,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (choice.viscosity == "cleary") add(multiphase ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
     if (angles && choice.contactAngle == "paper") { add("solidPhaseStress"); add("stressOfSolid"); }
