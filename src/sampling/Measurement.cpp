@@ -1,6 +1,9 @@
 #include "Measurement.hpp"
+#include "ColumnGrowth.hpp"
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
+#include "DropOscillation.hpp"
+#include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
 #include <algorithm>
 
@@ -27,6 +30,10 @@ const std::vector<Entry>& catalogue()
         {"laplaceJump", measure<LaplaceJump>},
         {"contactAngle", measure<ContactAngle>},
         {"dragFactor", measure<DragFactor>},
+        {"dropPeriod", measure<DropPeriod>},
+        {"dropDecay", measure<DropDecay>},
+        {"interfaceGrowth", measure<InterfaceGrowth>},
+        {"columnGrowth", measure<ColumnGrowth>},
     };
     return measures;
 }

@@ -178,7 +178,8 @@ TEST(Errors, unknownWordsAreExplained)
     c.make(two(), "field U;\nreference\n{\n    type formula;\n    name planePoisseuille;\n}\n");
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
-              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, laplaceJump, contactAngle, dragFactor.");
+              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, laplaceJump, contactAngle, dragFactor, "
+              "dropPeriod, dropDecay, interfaceGrowth, columnGrowth.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)
