@@ -43,7 +43,7 @@ DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
     const auto found = fitOscillation(history_.times, history_.amplitudes, rates.exact);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     rates.found = found.value_or(std::complex<double>(nan, nan));
-    if (!found) rates.measurement.note = "half a period is needed for a fit";
+    if (!found) rates.measurement.note = "the samples make no oscillation yet: half a period is needed for a fit";
     return rates;
 }
 

@@ -1,4 +1,5 @@
 #include "Measurement.hpp"
+#include "CapillaryRise.hpp"
 #include "ColumnGrowth.hpp"
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
@@ -34,6 +35,7 @@ const std::vector<Entry>& catalogue()
         {"dropDecay", measure<DropDecay>},
         {"interfaceGrowth", measure<InterfaceGrowth>},
         {"columnGrowth", measure<ColumnGrowth>},
+        {"capillaryRise", measure<CapillaryRise>},
     };
     return measures;
 }

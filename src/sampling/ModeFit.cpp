@@ -40,7 +40,7 @@ std::optional<std::complex<double>> fitOscillation(std::span<const double> t, st
         const std::complex<double> change(step(3), step(4));
         // No leap to another root.
         s += change * std::min(1.0, 0.3 * std::abs(s) / (std::abs(change) + 1e-300));
-        if (!std::isfinite(std::abs(s))) return {};
+        if (!(s.imag() > start.imag() / 3 && s.imag() < 3 * start.imag())) return {};
         if (std::abs(change) < 1e-10 * std::abs(s)) return s;
     }
     return {};

@@ -179,7 +179,7 @@ TEST(Errors, unknownWordsAreExplained)
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
               "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, laplaceJump, contactAngle, dragFactor, "
-              "dropPeriod, dropDecay, interfaceGrowth, columnGrowth.");
+              "dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)
