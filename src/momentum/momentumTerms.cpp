@@ -11,7 +11,8 @@ template<int dim> Catalogue<dim> momentumTerms()
 {
     return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure,
                      TensileControlledPressure, AddPressure, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse,
-                     SinglePhaseRate, HarmonicRate, ArtificialViscosity, Gravity, BodyForce>();
+                     SinglePhaseRate, HarmonicRate, SinglePhaseClearyViscosity, ClearyViscosity, ArtificialViscosity,
+                     Gravity, BodyForce>();
 }
 
 template Catalogue<2> momentumTerms<2>();

@@ -104,6 +104,20 @@ public:
             }
     }
 
+    /// Calls f(i, foot, wall) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the nearest
+    /// place of the patch and there is no image; all patches of one particle in a row and on one thread.
+    template<class F> void forEachWallNear(FieldStore<dim>& store, const F& f) const
+    {
+        const auto position = store.pointers(Position{});
+        #pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < owned_; ++i)
+        {
+            Vector<dim> x;
+            fetch(x, [&](int c) { return position[c][i]; });
+            for (const int p : wallsNear(x)) f(i, geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p].wall);
+        }
+    }
+
     /// Patches that may be within reach of a point.
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
 

@@ -11,8 +11,8 @@ namespace sph
 ///     // or     { type csv; file "reference/profile.csv"; columns { coordinate y; time t; value v; } }
 ///
 /// Several comparisons at once: `fields ( { field U; reference {..} } { field p; reference {..} } );`. Formulas are those of
-/// Formulas.hpp, for fields, and the measures of Measurement.hpp (laplaceJump, contactAngle, dragFactor, frontPosition), which need no
-/// field.
+/// Formulas.hpp, for fields, and the measures of Measurement.hpp (laplaceJump, contactAngle, dragFactor, dropPeriod ...), which need
+/// no field.
 ///
 /// postProcessing/<name>/<startTime>/errors.dat, a row per time and comparison; tab separated:
 ///

@@ -1,7 +1,11 @@
 #include "Measurement.hpp"
+#include "CapillaryRise.hpp"
+#include "ColumnGrowth.hpp"
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
+#include "DropOscillation.hpp"
 #include "FrontPosition.hpp"
+#include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
 #include "VortexDecay.hpp"
 #include <algorithm>
@@ -36,6 +40,11 @@ const std::vector<Entry>& catalogue()
         {"dragFactor", measure<DragFactor>},
         {"vortexDecay", measure<VortexDecay>},
         {"frontPosition", measure<FrontPosition>},
+        {"dropPeriod", measure<DropPeriod>},
+        {"dropDecay", measure<DropDecay>},
+        {"interfaceGrowth", measure<InterfaceGrowth>},
+        {"columnGrowth", measure<ColumnGrowth>},
+        {"capillaryRise", measure<CapillaryRise>},
     };
     return measures;
 }

@@ -16,6 +16,7 @@ struct Measurement
     std::string note;
 };
 
+/// A measure of a rate keeps what it has seen, and is asked in the order of time.
 using Measure = std::function<Measurement(const ParticleView&)>;
 
 std::vector<std::string> measureNames();

@@ -53,7 +53,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.multiphase())
     {
         store_.allocateState(Phase{});
-        if (plan_.has("harmonicViscosity")) store_.allocateState(DynamicViscosity{});
+        if (plan_.has("harmonicViscosity") || plan_.has("clearyViscosity")) store_.allocateState(DynamicViscosity{});
     }
     if (settings.integratedDensity)
     {

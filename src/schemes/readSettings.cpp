@@ -38,7 +38,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
     const Words pressures{"huAdams", "densityWeighted", "monaghan", "difference", "tensileControlled"};
     choice.pressure = dict.choose("pressureGradient", pressures, byCurvature ? "densityWeighted" : "huAdams");
-    choice.viscosity = dict.choose("viscosity", Words{"harmonic", "none"}, viscous ? "harmonic" : "none");
+    choice.viscosity = dict.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
@@ -55,6 +55,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
                                                "{}; take wallStress or wallPotential", choice.tension));
     if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
+    if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
+        dict.error("viscosity", "semiImplicit solves for viscosity harmonic alone");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }
@@ -70,6 +72,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (choice.viscosity == "cleary") add(multiphase ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (settings.integrator == Integrator::semiImplicit) add(multiphase ? "harmonicViscousRate" : "singlePhaseViscousRate");
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
@@ -107,6 +110,8 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
+    // Along the line of centres compression is resisted by 3 mu: nu (laplacian v + 2 grad div v).
+    if (schemes.isWord("viscosity", "cleary")) f.viscous /= 3;
     const auto damping = dict.subDictOrEmpty("damping");
     settings.dampingRate = damping.getNonNegative("rate", units::none/units::s, 0);
     settings.dampedUntil = damping.getNonNegative("until", units::s, 0);

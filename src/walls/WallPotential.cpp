@@ -18,10 +18,10 @@ template<int dim> void WallPotential<dim>::addAcceleration(const Images<dim>& im
 {
     const auto a = store.pointers(Acceleration{});
     const double* phase = store.component(Phase::info.name, 0);
-    images.forEachReflection([&](std::size_t i, const Reflection<dim>& r)
+    images.forEachWallNear(store, [&](std::size_t i, const Foot& foot, int wall)
     {
         const auto k = std::size_t(phase[i]);
-        const auto pull = -tension_[std::size_t(r.wall)*phases_ + k]/restDensity_[k]*slope(r.distance)*r.normal;
+        const auto pull = -tension_[std::size_t(wall)*phases_ + k]/restDensity_[k]*slope(foot.distance)*in<dim>(foot.normal);
         sph::store(pull, [&](int c, double q) { a[c][i] += q; });
     });
 }

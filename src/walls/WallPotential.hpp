@@ -4,7 +4,8 @@
 ///
 /// n [-] normal and d [m] distance of the wall, gamma_sk [N/m] its tension with the particle's phase k, rho_k [kg/m^3] that phase's rest
 /// density. Phi [1/m] integrates to 1 over the fluid's side, so a wall covered by phase k stores gamma_sk. It is flat at the wall and at H:
-/// no step in the force, and ghosts need no rule of their own.
+/// no step in the force, and ghosts need no rule of their own. d is that of the nearest place of each body, its edges included: the force of a
+/// box is the gradient of one potential, and a liquid around its corner is at rest.
 ///
 /// The force has an energy whatever the particles' arrangement: liquid bodies of a few spacings stay on the wall, where the stress
 /// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The interface must bend within H of the wall: the curvature form

@@ -325,10 +325,20 @@ template<int dim> void viscosities(const Terms& first)
         return [mean](auto& q, std::size_t i, std::size_t j, auto, double slope)
         { return mean(q, i, j) * (sqr(q.V[i]) + sqr(q.V[j])) * slope * (q.v(i) - q.v(j)); };
     };
+    const auto central = [](auto mean)
+    {
+        return [mean](auto& q, std::size_t i, std::size_t j, auto gradW, double slope)
+        {
+            return (dim + 2) * mean(q, i, j) * (sqr(q.V[i]) + sqr(q.V[j])) * slope * dot(gradW, q.v(i) - q.v(j)) /
+                   dot(gradW, gradW) * gradW;
+        };
+    };
     const auto harmonic = [](auto& q, std::size_t i, std::size_t j) { return 2 * q.mu(i) * q.mu(j) / (q.mu(i) + q.mu(j)); };
     const auto single = [](auto& q, std::size_t, std::size_t) { return q.s.coefficients.viscosity[0]; };
     acceleration<dim>(with(first, {"singlePhaseViscosity"}), plainForm(single));
     acceleration<dim>(with(first, {"harmonicViscosity"}), plainForm(harmonic));
+    acceleration<dim>(with(first, {"singlePhaseClearyViscosity"}), central(single));
+    acceleration<dim>(with(first, {"clearyViscosity"}), central(harmonic));
 }
 
 /// The response to the velocities themselves, taken for a change, is their acceleration; the rate is that of v_i alone.

@@ -151,6 +151,8 @@ TEST(Plan, ConservesLinearMomentumWithoutWalls)
                                                     {"densityWeightedPressure"},
                                                     {"singlePhaseViscosity"},
                                                     {"harmonicViscosity"},
+                                                    {"singlePhaseClearyViscosity"},
+                                                    {"clearyViscosity"},
                                                     {"interfaceStress", "stressDivergence"},
                                                     {"interfaceStress", "densityWeightedStressDivergence"}};
     for (const auto& forces : all)

@@ -216,7 +216,7 @@ TEST(Errors, unknownWordsAreExplained)
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
               "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, rotatingSquarePatch, laplaceJump, contactAngle, "
-                          "dragFactor, frontPosition.");
+              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)

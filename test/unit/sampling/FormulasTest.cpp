@@ -1,4 +1,5 @@
 #include "Formulas.hpp"
+#include "BosanquetRise.hpp"
 #include "Couette.hpp"
 #include "Hydrostatic.hpp"
 #include "Particles.hpp"
@@ -112,6 +113,27 @@ TEST(TwoLayerPoiseuille, agreesWithTheTabulatedSolutions)
     EXPECT_NEAR(byForce.wallStress(), 4.958251e-4, 1e-10);
     EXPECT_NEAR(byPressure.speed(5e-4 - 1e-15), byPressure.speed(5e-4), 1e-12);
     EXPECT_NEAR(byPressure.speed(1e-3), 0, 1e-18);
+}
+
+TEST(BosanquetRise, agreesWithTheTabulatedCurves)
+{
+    // Slits of 1 mm, 30 degrees, that touch the liquid: water, and a fluid of 0.04 N/m and 4 mPa s. Integrated with another method to 6 digits, times rounded as well.
+    const double cosine = std::cos(std::numbers::pi / 6);
+    const BosanquetRise water{0.0728, cosine, 1000, 1000, 1e-3, 9.81, 1e-3, 0, 0, 0}, other{0.04, cosine, 1000, 1000, 4e-3, 9.81, 1e-3, 0, 0, 0};
+    EXPECT_NEAR(water.height(0.00125893), 0.000443334, 2e-9);
+    EXPECT_NEAR(water.height(0.0199526), 0.00618791, 2e-8);
+    EXPECT_NEAR(water.height(0.316228), 0.0135832, 1e-7);
+    EXPECT_NEAR(other.height(0.0125893), 0.00277643, 2e-8);
+    EXPECT_NEAR(other.height(0.199526), 0.00703548, 1e-8);
+    EXPECT_NEAR(other.height(10), 0.0070623886, 1e-9);
+    EXPECT_NEAR(other.heightAtRest(), 0.0070623886, 1e-10);
+}
+
+TEST(BosanquetRise, endsAtTheHeightAtRestWithAReservoirThatSinks)
+{
+    const BosanquetRise rise{1, 0.5, 1, 0.99, 0.3, 0.4, 1, 1.25, 2, 0.25};
+    EXPECT_NEAR(rise.height(1000), 0.75 / (0.99 * 0.4), 1e-9);
+    EXPECT_EQ(rise.height(0), 0);
 }
 
 TEST(Formulas, areReadFromDictionaries)

@@ -265,3 +265,123 @@ TEST(FrontPosition, isHalfASpacingBeforeTheForemostParticleOfThePhase)
     EXPECT_NEAR(at(0.5, "phase air; direction (0 -2 0); origin (0 1 0); ").value, 1, 1e-14); // the lowest at 0.05
     EXPECT_TRUE(std::isnan(at(1.2, "").reference)) << "T = 2.4 is beyond the table";
 }
+
+TEST(DropOscillation, isFittedToTheSecondMoments)
+{
+    // A disc of radius 0.25 stretched by 1 + e along x and 1/(1 + e) along y: I_xx - I_yy = pi R^4/4 ((1 + e)^2 - (1 + e)^-2), a/R = e to first
+    // order. e swings with a rate of its own; the exact one is that of the particles' phases.
+    const double omega = 21, decay = 1.5;
+    Particles particles(2, {-0.5, -0.5, 0}, {0.5, 0.5, 0}, 0.02);
+    particles.phases = {"water", "air"};
+    particles.surfaceTension = 1000;
+    particles.setPhase([](Vector<3> x) { return mag(x) < 0.25 ? 0 : 1; });
+    const auto x = particles.x, y = particles.y;
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("radius 0.25;", "system/controlDict", diagnostics);
+    const auto period = readMeasure("dropPeriod", d, particles.geometry, particles.phases, {});
+    const auto rate = readMeasure("dropDecay", d, particles.geometry, particles.phases, {});
+    EXPECT_TRUE(std::isnan(period(particles.view()).value));
+    EXPECT_EQ(rate(particles.view()).note, "the samples make no oscillation yet: half a period is needed for a fit");
+    Measurement ofPeriod, ofDecay;
+    for (int k = 1; k < 100; ++k)
+    {
+        particles.time = 0.01 * k;
+        const double e = 1e-3 * std::exp(-decay * particles.time) * std::sin(omega * particles.time);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            particles.x[i] = x[i] * (1 + e);
+            particles.y[i] = y[i] / (1 + e);
+        }
+        ofPeriod = period(particles.view());
+        ofDecay = rate(particles.view());
+    }
+    // The moment is linear in e but for e^3.
+    EXPECT_NEAR(ofPeriod.value, 2 * pi / omega, 1e-5);
+    EXPECT_NEAR(ofDecay.value, decay, 1e-3);
+    // rho 1000 in 1, gamma 1000, nu 1e-6: Lamb's 2 pi/sqrt(6/(1.001 R^3)), and a decay that two boundary layers make.
+    EXPECT_NEAR(ofPeriod.reference, 2 * pi / std::sqrt(6 / (1.001 * 0.25 * 0.25 * 0.25)), 1e-4);
+    EXPECT_GT(ofDecay.reference, 0);
+}
+
+TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
+{
+    // Every particle is lifted by a cos(2 pi x), a = 1e-3 sinh(1.2 t): the sum over columns is exact but for round-off.
+    Particles particles(2, {-0.5, 0, 0}, {0.5, 1, 0}, 0.05);
+    particles.geometry.periodic[0] = true;
+    particles.phases = {"water", "air"};
+    particles.g = {0, -1, 0};
+    particles.setPhase([](Vector<3> x) { return x.y > 0.5 ? 0 : 1; });
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("depth 0.5; largest 0.1;", "system/controlDict", diagnostics);
+    const auto growth = readMeasure("interfaceGrowth", d, particles.geometry, particles.phases, {});
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    const auto x = particles.x;
+    Measurement m;
+    for (int k = 0; k < 100; ++k)
+    {
+        particles.time = 0.02 * k;
+        // Volume moves to the crests: x + d(x) with d' = -a/depth cos(k x) makes the columns under them heavier by a.
+        const double a = 1e-3 * std::sinh(1.2 * particles.time);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            particles.x[i] = x[i] - a / 0.5 / (2 * pi) * std::sin(2 * pi * x[i]);
+        m = growth(particles.view());
+    }
+    EXPECT_NEAR(m.value, 1.2, 1e-3);
+    // 1000 above 1, k = 2 pi, g = 1, nu of 1e-6 and 2e-5: near sqrt(A g k tanh(pi)).
+    EXPECT_NEAR(m.reference, std::sqrt(999.0 / 1001 * 2 * pi * std::tanh(pi)), 2e-2);
+}
+
+TEST(ColumnGrowth, isFittedToTheVolumeAlongTheColumn)
+{
+    Particles particles(3, {-0.3, -0.3, -0.5}, {0.3, 0.3, 0.5}, 0.05);
+    particles.geometry.periodic = {true, true, true};
+    particles.phases = {"water", "air"};
+    particles.surfaceTension = 1000;
+    particles.setPhase([](Vector<3> x) { return x.x * x.x + x.y * x.y < 0.01 ? 0 : 1; });
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("largest 0.1;", "system/controlDict", diagnostics);
+    const auto growth = readMeasure("columnGrowth", d, particles.geometry, particles.phases, {});
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    const auto z = particles.z;
+    Measurement m;
+    for (int k = 0; k < 60; ++k)
+    {
+        particles.time = 0.02 * k;
+        const double a = 1e-3 * std::cosh(3 * particles.time);
+        for (std::size_t i = 0; i < particles.size(); ++i) particles.z[i] = z[i] - a / pi * std::sin(2 * pi * z[i]);
+        m = growth(particles.view());
+    }
+    EXPECT_NEAR(m.value, 3, 1e-2);
+    // 12 of 144 particles a section: R = sqrt(12*0.0025/pi); Rayleigh's rate at k R.
+    const double R = std::sqrt(12 * 0.0025 / pi), kR = 2 * pi * R;
+    const double rayleigh = std::sqrt(1 / (R * R * R) * kR * (1 - kR * kR) * std::cyl_bessel_i(1, kR) / std::cyl_bessel_i(0, kR));
+    EXPECT_NEAR(m.reference, rayleigh, 5e-3 * rayleigh);
+}
+
+TEST(InterfaceGrowth, mistakesNameFileAndLine)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    auto diagnostics = std::make_shared<Diagnostics>();
+    readMeasure("interfaceGrowth", Dictionary::parse("name interfaceGrowth;\ndepth 1;\nwaves 0;\n", "system/controlDict", diagnostics),
+                particles.geometry, particles.phases, {});
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:1: an interface lies between two phases\n"
+                                      "system/controlDict:1: waves are measured along x: the domain must be periodic in x\n"
+                                      "system/controlDict:3: waves is a whole number, at least 1\n"
+                                      "3 errors");
+}
+
+TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
+{
+    // Liquid to 0.6 in the slit 0 < x < 0.2 and to 0.4 in the reservoir 0.4 < x < 1; what is between them does not count.
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.02);
+    particles.phases = {"water", "air"};
+    particles.surfaceTension = 1;
+    particles.g = {0, -1e-3, 0};
+    particles.setPhase([](Vector<3> x) { return x.y < (x.x < 0.2 ? 0.6 : x.x > 0.4 ? 0.4 : 0.9) ? 0 : 1; });
+    particles.time = 1e5;
+    const auto m = measure(particles, "capillaryRise",
+                           "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+    EXPECT_NEAR(m.value, 0.2, 1e-12);
+    // (2/w - 1/W) gamma cos(theta)/(Delta rho g); what swings has died by exp(-t 6 nu/w^2) = 3e-7.
+    EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
+}

@@ -1,0 +1,61 @@
+#include "CapillaryRise.hpp"
+#include "BosanquetRise.hpp"
+#include "SampledField.hpp"
+#include <cmath>
+#include <numbers>
+
+namespace sph
+{
+
+namespace
+{
+
+Box readBox(const Dictionary& d)
+{
+    const Box box{d.get<Vector<3>>("min"), d.get<Vector<3>>("max")};
+    if (!(box.high.x > box.low.x && box.high.y > box.low.y)) d.error("max", "max must be greater than min in x and y");
+    return box;
+}
+
+}
+
+CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+    : phase_(readPhase(d, "phase", phases)),
+      slit_(readBox(d.subDict("slit"))),
+      reservoir_(readBox(d.subDict("reservoir"))),
+      foot_(d.get("foot", units::m)),
+      start_(d.get("level", units::m)),
+      angle_(d.get("contactAngle", units::none))
+{
+    if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
+    if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
+    if (!(angle_ >= 0 && angle_ < 90)) d.error("contactAngle", "the liquid rises where its contact angle lies between 0 and 90 degrees");
+    if (start_ < foot_) d.error("level", "the slit must be immersed: level lies below foot");
+}
+
+Measurement CapillaryRise::operator()(const ParticleView& view) const
+{
+    Measurement result;
+    const double rho_0 = view.restDensity[phase_];
+    const auto level = [&](const Box& box)
+    {
+        double volume = 0;
+        for (std::size_t i = 0; i < view.n; ++i)
+            if (phaseOf(view, i) == phase_ && view.x[i] >= box.low.x && view.x[i] < box.high.x && view.y[i] >= box.low.y &&
+                view.y[i] < box.high.y)
+            {
+                volume += view.mass[i] / rho_0;
+                ++result.particles;
+            }
+        return box.low.y + volume / (box.high.x - box.low.x);
+    };
+    const double w = slit_.high.x - slit_.low.x, W = reservoir_.high.x - reservoir_.low.x;
+    const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = view.surfaceTension;
+    const BosanquetRise rise{gamma, cosTheta, rho_0, rho_0 - view.restDensity[1 - phase_], view.viscosity[phase_], -view.g.y,
+                             w, start_ - foot_, W, gamma * cosTheta / W};
+    result.value = level(slit_) - level(reservoir_);
+    result.reference = rise.height(view.time);
+    return result;
+}
+
+}

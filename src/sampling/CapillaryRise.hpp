@@ -1,0 +1,25 @@
+#pragma once
+#include "Geometry.hpp"
+#include "Measurement.hpp"
+
+namespace sph
+{
+
+/// Height of the liquid in a slit between two plates above that in a reservoir beside it, against Bosanquet's equation (BosanquetRise.hpp) at
+/// the time of the view; once at rest, Jurin's height. Each level is that of the phase's volume in a box, which has the box's full width below it:
+/// y_min + sum_i m_i/rho_0/width. A meniscus then needs no convention: what lies above the other level is what the walls hold.
+///
+/// The reservoir has one wall of the same contact angle and one of 90 degrees: it is pulled with gamma cos(theta)/W.
+class CapillaryRise
+{
+    std::size_t phase_;
+    Box slit_, reservoir_;
+    double foot_, start_, angle_; ///< [m] heights of the slit's lower end and of the levels at the start; [degrees]
+
+public:
+    /// phase (the first); slit { min; max; }; reservoir { min; max; }; foot; level; contactAngle. 2-D, gravity along -y.
+    CapillaryRise(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Measurement operator()(const ParticleView&) const;
+};
+
+}

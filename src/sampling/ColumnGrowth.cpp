@@ -1,0 +1,45 @@
+#include "ColumnGrowth.hpp"
+#include "ColumnMode.hpp"
+#include "ModeFit.hpp"
+#include "SampledField.hpp"
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace sph
+{
+
+ColumnGrowth::ColumnGrowth(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+    : phase_(readPhase(d, "phase", phases)), largest_(d.getPositive("largest", units::none, 0.2)), history_(d)
+{
+    if (phases.size() != 2) d.error("name", "a column stands in a second phase: the scene must have two");
+    if (geometry.dimension != 3 || !geometry.periodic[2])
+        d.error("name", "the column's waves are measured along z: the domain must be 3-D and periodic in z");
+}
+
+Measurement ColumnGrowth::operator()(const ParticleView& view)
+{
+    constexpr double pi = std::numbers::pi;
+    const double L = view.geometry->high.z - view.geometry->low.z, k = 2 * pi / L;
+    Measurement result;
+    double volume = 0, wave = 0;
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        if (phaseOf(view, i) != phase_) continue;
+        const double V = view.mass[i] / view.restDensity[phase_];
+        volume += V;
+        wave += V * std::cos(k * view.z[i]);
+        ++result.particles;
+    }
+    const double R = std::sqrt(volume / (pi * L)), amplitude = wave / volume;
+    const auto fluid = [&](std::size_t phase) { return ModeFluid{view.restDensity[phase], view.viscosity[phase]}; };
+    result.reference = columnMode(k, R, view.surfaceTension, fluid(phase_), fluid(1 - phase_)).real();
+
+    if (std::abs(amplitude) <= largest_) history_.add(view.time, amplitude);
+    const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));
+    result.value = found.value_or(std::numeric_limits<double>::quiet_NaN());
+    if (!found) result.note = "a time of one over the rate is needed for a fit";
+    return result;
+}
+
+}

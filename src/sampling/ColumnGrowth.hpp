@@ -1,0 +1,27 @@
+#pragma once
+#include "Measurement.hpp"
+#include "ModeHistory.hpp"
+
+namespace sph
+{
+
+/// Growth rate [1/s] of an axisymmetric wave on a liquid column along z, against the exact root of the linear problem of two viscous fluids
+/// (ColumnMode.hpp). The amplitude is that of the column's volume along it,
+///
+///   a/R = 1/(pi R^2 L) sum_i m_i/rho_0 cos(k z_i)
+///
+/// R [m] radius of a column of the phase's volume, L [m] length of the domain, k = 2 pi/L, with the neck or the bulge at z = 0. Each sample adds
+/// to the fit (ModeFit.hpp) of those since `from` for which |a|/R is at most `largest`.
+class ColumnGrowth
+{
+    std::size_t phase_;
+    double largest_;
+    ModeHistory history_;
+
+public:
+    /// phase (the first); from 0 [s]; largest 0.2. The domain is periodic in z.
+    ColumnGrowth(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Measurement operator()(const ParticleView&);
+};
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+#include "NormalMode.hpp"
+
+namespace sph
+{
+
+/// Rate s [1/s] of mode n of a two-dimensional drop of radius R [m] in an unbounded second fluid, r = R + eta cos(n theta) exp(s t): period
+/// 2 pi/Im s, decay rate -Re s. Exact in the linear limit, to which an oscillation from any start tends as its boundary layers form (Prosperetti
+/// 1980); stream functions r^n, I_n(r sqrt(s rho_1/mu_1)) inside, r^-n, K_n(r sqrt(s rho_2/mu_2)) outside, and K = gamma (n^2 - 1)/R^2.
+///
+/// Without viscosity s^2 = -n (n^2 - 1) gamma/((rho_1 + rho_2) R^3) (Lamb 1932, art. 273); in a thin gas and with little viscosity
+/// Re s = -2 n (n - 1) mu_1/(rho_1 R^2).
+Complex dropMode(int n, double R, double gamma, const ModeFluid& drop, const ModeFluid& around);
+
+}

@@ -1,0 +1,66 @@
+#include "DropOscillation.hpp"
+#include "Drop.hpp"
+#include "DropMode.hpp"
+#include "ModeFit.hpp"
+#include "SampledField.hpp"
+#include <limits>
+#include <numbers>
+
+namespace sph
+{
+
+namespace
+{
+constexpr double pi = std::numbers::pi;
+}
+
+DropOscillation::DropOscillation(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+    : phase_(readPhase(d, "phase", phases)), radius_(d.getNonNegative("radius", units::m, 0)), history_(d)
+{
+    if (geometry.dimension != 2) d.error("name", "the oscillation of a drop is measured in 2-D scenes alone");
+    if (phases.size() != 2) d.error("name", "a drop oscillates in a second phase: the scene must have two");
+}
+
+DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
+{
+    const Drop drop(view, phase_);
+    const double rho_0 = view.restDensity[phase_];
+    double moment = 0, volume = 0;
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        if (phaseOf(view, i) != phase_) continue;
+        const auto x = displacement(view, drop.centre, position(view, i));
+        volume += view.mass[i] / rho_0;
+        moment += view.mass[i] / rho_0 * (x.x * x.x - x.y * x.y);
+    }
+    const double R = radius_ > 0 ? radius_ : std::sqrt(volume / pi);
+    history_.add(view.time, moment / (pi * R * R * R));
+
+    Rates rates;
+    rates.measurement.particles = drop.particles;
+    rates.exact = dropMode(2, R, view.surfaceTension, {rho_0, view.viscosity[phase_]},
+                           {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
+    const auto found = fitOscillation(history_.times, history_.amplitudes, rates.exact);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    rates.found = found.value_or(std::complex<double>(nan, nan));
+    if (!found) rates.measurement.note = "the samples make no oscillation yet: half a period is needed for a fit";
+    return rates;
+}
+
+Measurement DropPeriod::operator()(const ParticleView& view)
+{
+    auto [found, exact, m] = drop(view);
+    m.value = 2 * pi / found.imag();
+    m.reference = 2 * pi / exact.imag();
+    return m;
+}
+
+Measurement DropDecay::operator()(const ParticleView& view)
+{
+    auto [found, exact, m] = drop(view);
+    m.value = -found.real();
+    m.reference = -exact.real();
+    return m;
+}
+
+}

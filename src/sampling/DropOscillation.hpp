@@ -1,0 +1,49 @@
+#pragma once
+#include "Measurement.hpp"
+#include "ModeHistory.hpp"
+#include <complex>
+
+namespace sph
+{
+
+/// A two-dimensional drop that oscillates in mode 2, r = R + a cos(2 theta), against the exact root of the linear problem of two viscous fluids
+/// (DropMode.hpp). The amplitude is that of the second moments of the drop about its centre,
+///
+///   a/R = (I_xx - I_yy)/(pi R^4),   I_xx = sum_i m_i/rho_0 x_i^2
+///
+/// which changes smoothly as particles move and needs no surface. Each sample adds to the fit (ModeFit.hpp) of those since `from`.
+class DropOscillation
+{
+    std::size_t phase_;
+    double radius_; ///< [m]; 0: from the volume of the drop's particles
+    ModeHistory history_;
+
+public:
+    struct Rates
+    {
+        std::complex<double> found, exact; ///< [1/s]; found is NaN as long as it cannot be fitted
+        Measurement measurement;           ///< without value and reference
+    };
+
+    /// phase (the first); radius (by default that of a drop of the phase's volume); from 0 [s].
+    DropOscillation(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    Rates operator()(const ParticleView&);
+};
+
+/// 2 pi/Im s [s]
+struct DropPeriod
+{
+    DropOscillation drop;
+    DropPeriod(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
+    Measurement operator()(const ParticleView&);
+};
+
+/// -Re s [1/s]
+struct DropDecay
+{
+    DropOscillation drop;
+    DropDecay(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
+    Measurement operator()(const ParticleView&);
+};
+
+}
