@@ -57,6 +57,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
     if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
         dict.error("viscosity", "semiImplicit solves for viscosity harmonic alone");
+    if (integrated && !settings.predicts())
+        dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }

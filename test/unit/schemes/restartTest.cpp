@@ -52,7 +52,6 @@ TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase())
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
-TEST(Restart, OfIntegratedDensityWithSymplecticEuler) { restartEqualsTheWhole(with(grainCase(), "symplecticEuler")); }
 TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 

@@ -204,6 +204,13 @@ TEST(Settings, SemiImplicitTakesItsEntries)
     expectError(inviscid, "semiImplicit solves for viscosity, and there is none");
 }
 
+TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
+{
+    for (const char* integrator : {"symplecticEuler", "semiImplicit"})
+        expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", std::string(integrator) + "; } density continuity; unused {"),
+                    "continuity needs velocities of the middle of a step");
+}
+
 TEST(Settings, StepFactorScalesAllFactors)
 {
     const auto settings = reading(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", "predictorCorrector; soundFactor 0.2; stepFactor 3;")).settings;
