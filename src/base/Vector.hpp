@@ -130,6 +130,8 @@ template<int dim> constexpr SymmTensor<dim> symm(Vector<dim> a, Vector<dim> b) {
 /// The unit tensor, and the number of dimensions, of the space that the argument lives in.
 constexpr SymmTensor<2> identity(Vector<2>) { return {1, 0, 1}; }
 constexpr SymmTensor<3> identity(Vector<3>) { return {1, 0, 0, 1, 0, 1}; }
+constexpr SymmTensor<2> identity(SymmTensor<2>) { return {1, 0, 1}; }
+constexpr SymmTensor<3> identity(SymmTensor<3>) { return {1, 0, 0, 1, 0, 1}; }
 template<int dim> constexpr int dimensions(Vector<dim>) { return dim; }
 
 /// The mirror image in a plane of unit normal n: R a with R = I - 2 n n, and R S R.

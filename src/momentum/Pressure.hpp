@@ -76,6 +76,19 @@ struct DifferencePressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1/i.m*i.V*j.V*(j.p - i.p)*ij.gradW; }
 };
 
+/// The same with the gradient corrected (GradientCorrection.hpp): exact for a pressure that is linear, however the particles lie.
+struct CorrectedDifferencePressure
+{
+    static constexpr auto name = "correctedDifferencePressure";
+    using Adds = Acceleration;
+    using Reads = Fields<Pressure, Volume>;
+    using ReadsOwn = Fields<Mass, CorrectionTensor>;
+    static constexpr bool ofRawGradient = true;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*(j.p - i.p)*ij.gradW; }
+    auto finish(const auto& i, const auto& sum) const { return -(i.V/i.m)*(i.L*sum); }
+};
+
 /// Monaghan's form with the tensile instability control of Sun et al. (2018), eq. (9): under tension inside the fluid the sum changes sign,
 ///
 ///   dv_i/dt = -1/m_i sum_j V_i V_j F_ij gradW_ij,    F_ij = p_j - p_i where p_i < 0 and lambda_i > 0.93, else p_i + p_j

@@ -9,7 +9,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> momentumTerms()
 {
-    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure,
+    return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure, CorrectedDifferencePressure,
                      TensileControlledPressure, AddPressure, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse,
                      SinglePhaseRate, HarmonicRate, SinglePhaseClearyViscosity, ClearyViscosity, ArtificialViscosity,
                      Gravity, BodyForce>();

@@ -1,5 +1,6 @@
 #include "operatorTerms.hpp"
 #include "FreeSurface.hpp"
+#include "GradientCorrection.hpp"
 #include "KernelMoment.hpp"
 #include "ParticleShifting.hpp"
 #include "StressDivergence.hpp"
@@ -9,7 +10,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> operatorTerms()
 {
-    return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, ConcentrationGradient,
+    return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection, ConcentrationGradient,
                      SeparateConcentrationGradient, SurfaceShifting, SurfaceDetection, OutwardNormal>();
 }
 

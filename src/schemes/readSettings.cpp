@@ -36,7 +36,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const auto tensionDefault = !tension ? "none" : stress ? "interfaceStress" : "curvature";
     choice.tension = dict.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"}, tensionDefault);
     const bool byCurvature = choice.tension == "curvature", byStress = choice.tension == "interfaceStress";
-    const Words pressures{"huAdams", "densityWeighted", "monaghan", "difference", "tensileControlled"};
+    const Words pressures{"huAdams", "densityWeighted", "monaghan", "difference", "correctedDifference", "tensileControlled"};
     choice.pressure = dict.choose("pressureGradient", pressures, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
