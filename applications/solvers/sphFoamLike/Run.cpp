@@ -21,12 +21,14 @@ void requestStop(int) { stopRequested = 1; }
 /// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
 /// packing within two.
 constexpr double mostCompression = 4;
+/// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
+constexpr double mostMach = 20;
 
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
 /// Speed over sound speed, and density over rest density, beyond which the log warns: the density varies by the square of the first.
-constexpr double mostMach = 0.3, suspectCompression = 1.1;
+constexpr double suspectMach = 0.3, suspectCompression = 1.1;
 
 std::string hostName()
 {
@@ -118,6 +120,12 @@ void Run::check(const StepLimit& limit) const
                                             "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
                                             settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
                                             summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
+    for (std::size_t k = 0; k < summary.mass.size(); ++k)
+        if (summary.maxSpeedOf[k] > mostMach*settings_.coefficients.soundSpeed[k])
+            throw DivergedError(fmt::format("{} has reached {:.4g} m/s at time {}, {:.3g} times its sound speed: no flow of a weakly compressible fluid. The "
+                                            "step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
+                                            settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(),
+                                            summary.maxSpeedOf[k]/settings_.coefficients.soundSpeed[k], limit.by));
     // Without an end, as with `stopAt nextWrite;`, RunTime itself refuses a step that no longer advances time.
     const double span = std::isfinite(time_.endTime()) ? time_.endTime() - time_.startTime() : 0;
     if (time_.adjustTimeStep() && limit.deltaT < shortestStep*span)
@@ -136,7 +144,7 @@ void Run::warnOfCompression()
         if (warned_[k] || summary.count[k] == 0) continue;
         const double mach = summary.maxSpeedOf[k]/c.soundSpeed[k], compression = summary.maxDensity[k]/c.restDensity[k];
         std::string what;
-        if (mach > mostMach) what = fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
+        if (mach > suspectMach) what = fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
         else if (compression > suspectCompression)
             what = fmt::format("has a density of {:.4g} kg/m^3, {:.3g} times that at rest, with a sound speed of {:.3g} m/s", summary.maxDensity[k], compression,
                                c.soundSpeed[k]);
