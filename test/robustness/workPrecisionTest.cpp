@@ -214,7 +214,7 @@ TEST(WorkPrecision, SurvivesRunsThatFail)
     const auto outcome = c.run("workPrecision", "", 1, 60);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     expectWords(outcome.out,
-                {"meshToGhost: exit code 1", "sphFoamLike: exit code 1: the solution has diverged: the density of water",
+                {"meshToGhost: exit code 1", "sphFoamLike: exit code 1: the solution has diverged: water has reached",
                  "sphFoamLike: stopped at the time limit", "1 of 4 runs ended well"});
     const auto rows = rowsOf(c);
     ASSERT_EQ(rows.size(), 4u);
