@@ -1,5 +1,6 @@
 #include "ImplicitViscosity.hpp"
 #include "DivergedError.hpp"
+#include "overBlocks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,17 +12,17 @@ namespace
 {
 std::string response(const Settings& settings) { return settings.multiphase() ? "harmonicViscousResponse" : "singlePhaseViscousResponse"; }
 
-std::set<std::string> given(const Settings& settings, bool normalised)
+/// What the response reads besides the change itself: the evaluation has left it there, images and all.
+std::set<std::string> evaluated(const Settings& settings, bool normalised)
 {
-    std::set<std::string> fields{Position::info.name, Mass::info.name, Volume::info.name, VelocityChange::info.name};
+    std::set<std::string> fields{Position::info.name, Mass::info.name, Volume::info.name};
     if (settings.multiphase()) fields.insert(DynamicViscosity::info.name);
     if (normalised) fields.insert(GradientScale::info.name);
     return fields;
 }
-std::set<std::string> withCurrentImages(const Settings& settings, bool normalised)
+std::set<std::string> with(std::set<std::string> fields, const FieldInfo& another)
 {
-    auto fields = given(settings, normalised);
-    fields.erase(VelocityChange::info.name);
+    fields.insert(another.name);
     return fields;
 }
 
@@ -31,16 +32,17 @@ struct Sums
     Sums& operator+=(const Sums& b) { rz += b.rz; rr += b.rr; vv += b.vv; return *this; }
 };
 
-/// f(i) over all particles, by blocks of which each thread takes some: the same bits on any number of threads.
+/// f(i) over all particles.
 template<class F> Sums sumOver(std::size_t n, const F& f)
 {
-    const std::size_t block = 4096, blocks = (n + block - 1)/block;
-    std::vector<Sums> parts(blocks);
-    #pragma omp parallel for schedule(static)
-    for (std::size_t b = 0; b < blocks; ++b)
-        for (std::size_t i = b*block; i < std::min(n, (b + 1)*block); ++i) parts[b] += f(i);
     Sums total;
-    for (const auto& part : parts) total += part;
+    for (const auto& part : overBlocks(n, [&](std::size_t begin, std::size_t end)
+                                       {
+                                           Sums sums;
+                                           for (std::size_t i = begin; i < end; ++i) sums += f(i);
+                                           return sums;
+                                       }))
+        total += part;
     return total;
 }
 }
@@ -48,7 +50,8 @@ template<class F> Sums sumOver(std::size_t n, const F& f)
 template<int dim>
 ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalogue<dim>& catalogue, FieldStore<dim>& store)
     : settings_(settings.implicitSolve),
-      plan_(catalogue, {response(settings)}, given(settings, store.has(GradientScale{})), withCurrentImages(settings, store.has(GradientScale{})))
+      plan_(catalogue, {response(settings)}, with(evaluated(settings, store.has(GradientScale{})), VelocityChange::info),
+            evaluated(settings, store.has(GradientScale{})))
 {
     plan_.allocate(store);
 }
