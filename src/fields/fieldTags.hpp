@@ -8,9 +8,9 @@ namespace sph
 {
 
 /// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule; velocityChange:
-/// what the velocity rule makes of a change; placed: what an image is rather than what its source has, written when images are moved and
-/// never refreshed.
-enum class Image { copied, mirrored, velocity, velocityChange, pressure, placed };
+/// what the velocity rule makes of a change; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
+/// image is rather than what its source has, written when images are moved and never refreshed.
+enum class Image { copied, mirrored, velocity, velocityChange, pressure, interface, placed };
 
 struct FieldInfo
 {
@@ -33,8 +33,10 @@ struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1
 struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored, "solidStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
 struct WallStress          { static constexpr FieldInfo info{"wallStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_w; }; };
 struct SolidStress         { static constexpr FieldInfo info{"solidStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_s; }; };
+struct WallNormal          { static constexpr FieldInfo info{"wallNormal", "1"};                        template<int dim> struct At { Vector<dim> n_w; }; };
+struct WallCosine          { static constexpr FieldInfo info{"wallCosine", "1"};                        template<int dim> struct At { double cosTheta; }; };
 struct SmoothedColour      { static constexpr FieldInfo info{"colour", "1"};                            template<int dim> struct At { double colour; }; };
-struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> gradC; }; };
+struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Image::interface};         template<int dim> struct At { Vector<dim> gradC; }; };
 struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };
 struct Curvature           { static constexpr FieldInfo info{"kappa", "1/m"};                           template<int dim> struct At { double kappa; }; };
 struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Image::mirrored};         template<int dim> struct At { Vector<dim> dvdt; }; };

@@ -30,6 +30,26 @@ struct SmoothedColourGradient
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*(j.colour - i.colour)*ij.gradW; }
 };
 
+/// The same, turned to the contact angle theta next to a wall (Brackbill et al. 1992: wall adhesion; Breinlinger et al. 2013 in SPH):
+///
+///   gradC_i = |gradC| (sin(theta) t - cos(theta) n_w),    t = (I - n_w n_w) gradC/|(I - n_w n_w) gradC|
+///
+/// n_w [-] normal of the wall (WallAdhesion.hpp), zero away from walls. An interface that stands at theta has no curvature at the wall; any
+/// other has the curvature between its own direction and this one, whose force carries the line of contact along.
+struct AdheringColourGradient : SmoothedColourGradient
+{
+    static constexpr auto name = "adheringColourGradient";
+    using ReadsOwn = Fields<WallNormal, WallCosine>;
+
+    auto finish(const auto& i, const auto& gradC) const
+    {
+        const double atWall = dot(i.n_w, i.n_w), tiny = 1e-300;
+        const auto along = gradC - dot(gradC, i.n_w)*i.n_w;
+        const double sine = std::sqrt(1 - sqr(i.cosTheta));
+        return (1 - atWall)*gradC + atWall*mag(gradC)*(sine/(mag(along) + tiny)*along - i.cosTheta*i.n_w);
+    }
+};
+
 /// kappa_i = div n = [sum_j V_j (n_j - n_i) gradW_ij] : [sum_j V_j (x_j - x_i) gradW_ij]^-1   over particles with a normal
 ///
 /// n = gradC/|gradC|; normals shorter than 0.01/H mean no interface. The inverse makes the divergence exact for linear n although

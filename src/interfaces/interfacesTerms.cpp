@@ -9,7 +9,7 @@ namespace sph
 template<int dim> Catalogue<dim> interfacesTerms()
 {
     return catalogue<dim, InterfaceStress, AddWallStress, SolidPhaseStress, StressOfSolid, ColourSmoothing, SmoothedColourGradient,
-                     InterfaceCurvature, CurvatureSmoothing, CurvatureForce>();
+                     AdheringColourGradient, InterfaceCurvature, CurvatureSmoothing, CurvatureForce>();
 }
 
 template Catalogue<2> interfacesTerms<2>();

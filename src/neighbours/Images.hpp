@@ -62,6 +62,8 @@ public:
     GhostVelocity<dim>& ghostVelocity() { return *ghostVelocity_; }
     /// Without a rule ghosts have the pressure of their sources.
     void setGhostPressure(std::unique_ptr<GhostPressure<dim>> rule) { ghostPressure_ = std::move(rule); }
+    /// From now on interfaces go straight on behind walls; else they are mirrored, and meet every wall at 90 degrees.
+    void continueInterfaces() { continuesInterfaces_ = true; }
     /// After each change of the arrays.
     void bindRules()
     {
@@ -142,6 +144,7 @@ private:
     double reach_, spacing_;
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
     std::unique_ptr<GhostPressure<dim>> ghostPressure_;
+    bool continuesInterfaces_ = false;
     std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
@@ -176,10 +179,12 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         {
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];
             [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
-            if constexpr (F::info.image != Image::mirrored) fetch(x, [&](int c) { return position[c][e.source]; });
-            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
+            constexpr bool turned = F::info.image == Image::mirrored || F::info.image == Image::interface;
+            const int reflections = F::info.image == Image::interface && images.continuesInterfaces_ ? 0 : mostReflections;
+            if constexpr (!turned) fetch(x, [&](int c) { return position[c][e.source]; });
+            for (int r = 0; r < reflections && e.patch[r] >= 0; ++r)
             {
-                if constexpr (F::info.image == Image::mirrored) q = mirrored(q, feet[r].normal);
+                if constexpr (turned) q = mirrored(q, feet[r].normal);
                 else
                 {
                     const auto foot = x - feet[r].distance*feet[r].normal;

@@ -2,21 +2,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace sph
 {
 
 double BosanquetRise::height(double t) const
 {
-    // In l^2 and the momentum P = rho l v nothing is singular at l = 0.
+    // In l^2 and the momentum P = rho l v (of both columns with a slip length) nothing is singular at l = 0.
     using State = std::array<double, 2>;
     const double sinks = reservoirWidth > 0 ? 1 + width / reservoirWidth : 1;
     const auto column = [](const State& q) { return std::sqrt(std::max(0.0, q[0])); };
+    const double ratio = reservoirWidth > 0 ? width / reservoirWidth : 0, ends = 4 * width / (3 * std::numbers::pi) * (1 + ratio * ratio);
     const auto rate = [&](const State& q)
     {
-        const double h = (column(q) - immersion) * sinks;
-        return State{2 * q[1] / rho,
-                     2 * gamma * cosTheta / width - pull - deltaRho * g * h - 12 * mu * q[1] / (rho * width * width)};
+        const double l = column(q), h = (l - immersion) * sinks;
+        double lv = q[1] / rho, longer = 1, cosine = cosTheta;
+        if (slipLength > 0)
+        {
+            const double reservoir = immersion - (l - immersion) * ratio;
+            lv *= l / (l + reservoir * ratio);
+            longer = (l + reservoir * ratio * ratio * ratio + ends) / l;
+            const double angle = std::acos(cosTheta), bent = angle * angle * angle + 9 * mu / gamma * lv / l * std::log(width / (2 * slipLength));
+            cosine = std::cos(std::cbrt(bent));
+        }
+        return State{2 * lv, 2 * gamma * cosine / width - pull - deltaRho * g * h - 12 * mu * lv * longer / (width * width)};
     };
     const auto sum = [](const State& a, double s, const State& b) { return State{a[0] + s * b[0], a[1] + s * b[1]}; };
 

@@ -25,12 +25,15 @@ CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, cons
       reservoir_(readBox(d.subDict("reservoir"))),
       foot_(d.get("foot", units::m)),
       start_(d.get("level", units::m)),
-      angle_(d.get("contactAngle", units::none))
+      angle_(d.get("contactAngle", units::none)),
+      slipLength_(d.getNonNegative("slipLength", units::m, 0))
 {
     if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
     if (!(angle_ >= 0 && angle_ < 90)) d.error("contactAngle", "the liquid rises where its contact angle lies between 0 and 90 degrees");
     if (start_ < foot_) d.error("level", "the slit must be immersed: level lies below foot");
+    if (slipLength_ > 0 && start_ == foot_) d.error("slipLength", "friction of the whole tank needs a slit that is immersed: level lies at foot");
+    if (slipLength_ > 0 && slipLength_ >= 0.5 * (slit_.high.x - slit_.low.x)) d.error("slipLength", "must be less than half the width of the slit");
 }
 
 Measurement CapillaryRise::operator()(const ParticleView& view) const
@@ -52,7 +55,7 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
     const double w = slit_.high.x - slit_.low.x, W = reservoir_.high.x - reservoir_.low.x;
     const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = view.surfaceTension;
     const BosanquetRise rise{gamma, cosTheta, rho_0, rho_0 - view.restDensity[1 - phase_], view.viscosity[phase_], -view.g.y,
-                             w, start_ - foot_, W, gamma * cosTheta / W};
+                             w, start_ - foot_, W, gamma * cosTheta / W, slipLength_};
     result.value = level(slit_) - level(reservoir_);
     result.reference = rise.height(view.time);
     return result;

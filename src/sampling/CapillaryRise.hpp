@@ -14,10 +14,10 @@ class CapillaryRise
 {
     std::size_t phase_;
     Box slit_, reservoir_;
-    double foot_, start_, angle_; ///< [m] heights of the slit's lower end and of the levels at the start; [degrees]
+    double foot_, start_, angle_, slipLength_; ///< [m] heights of the slit's lower end and of the levels at the start; [degrees]; [m]
 
 public:
-    /// phase (the first); slit { min; max; }; reservoir { min; max; }; foot; level; contactAngle. 2-D, gravity along -y.
+    /// phase (the first); slit { min; max; }; reservoir { min; max; }; foot; level; contactAngle; slipLength (0). 2-D, gravity along -y.
     CapillaryRise(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

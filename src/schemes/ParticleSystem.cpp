@@ -32,6 +32,7 @@ std::set<std::string> stateOf(const Settings& settings)
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
+    state.insert({WallNormal::info.name, WallCosine::info.name}); // by WallAdhesion, likewise
     state.insert(GhostWall::info.name);  // by the images
     return state;
 }
@@ -80,6 +81,11 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     else if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
 
     if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
+    if (plan_.has("adheringColourGradient"))
+    {
+        wallAdhesion_.emplace(geometry_, coefficients_.support);
+        images_.continueInterfaces();
+    }
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
     auto imaged = plan_.readAtNeighbours();
@@ -235,6 +241,7 @@ template<int dim> void ParticleSystem<dim>::evaluate()
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
     if (wallTension_) wallTension_->evaluate(images_, store_);
+    if (wallAdhesion_) wallAdhesion_->evaluate(images_, store_);
     if (implicit_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
     else plan_.evaluate(store_, images_, lists_, kernel_);
     if (wallPotential_) wallPotential_->addAcceleration(images_, store_);

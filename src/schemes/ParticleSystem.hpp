@@ -5,6 +5,7 @@
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
+#include "WallAdhesion.hpp"
 #include "WallPotential.hpp"
 #include "WallTension.hpp"
 #include <optional>
@@ -51,6 +52,7 @@ private:
     std::optional<ImplicitViscosity<dim>> implicit_;
     std::optional<WallTension<dim>> wallTension_;
     std::optional<WallPotential<dim>> wallPotential_;
+    std::optional<WallAdhesion<dim>> wallAdhesion_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0;
     long rebuilds_ = 0;

@@ -39,7 +39,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const Words pressures{"huAdams", "densityWeighted", "monaghan", "difference", "correctedDifference", "tensileControlled"};
     choice.pressure = dict.choose("pressureGradient", pressures, byCurvature ? "densityWeighted" : "huAdams");
     choice.viscosity = dict.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
-    choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "paper"},
+    choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "wallAdhesion", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, paper ? "mirrored" : "hydrostatic");
@@ -53,6 +53,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
         dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", choice.tension));
+    if (choice.contactAngle == "wallAdhesion" && byStress)
+        dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
     if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
     if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
@@ -83,7 +85,11 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (wetting) add("wallTension");
     if (choice.tension == "interfaceStress" || wetting)
         add(choice.pressure == "densityWeighted" ? "densityWeightedStressDivergence" : "stressDivergence");
-    if (choice.tension == "curvature") add("curvatureForce");
+    if (choice.tension == "curvature")
+    {
+        add("curvatureForce");
+        add(angles && choice.contactAngle == "wallAdhesion" ? "adheringColourGradient" : "smoothedColourGradient");
+    }
     const auto& c = settings.coefficients;
     if (c.artificialViscosity > 0) add("artificialViscosity");
     if (mag(c.g) > 0) add("gravity");

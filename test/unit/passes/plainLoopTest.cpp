@@ -733,7 +733,7 @@ template<int dim> void curvatureForm(const Terms& first)
     onEveryGeometry<dim>(
         [&](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(2), with(with(summed, first), {"curvatureForce"}));
+            Scene<dim> s(std::move(g), coefficients<dim>(2), with(with(summed, first), {"curvatureForce", "smoothedColourGradient"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             expectEqual(s, SmoothedColour{},

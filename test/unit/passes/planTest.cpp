@@ -45,11 +45,12 @@ TEST(Plan, AsksWhereSeveralCouldProvide)
     EXPECT_EQ(errorOf({"huAdamsPressure"}, {"m"}), "term \"huAdamsPressure\" reads \"p\": select one of tait, taitOfPhase");
 }
 
-// The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom.
+// The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom. Of the gradient of
+// colour there are two.
 TEST(Plan, AddsTheOneProviderAndSaysWhy)
 {
-    const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "numberDensity"}, {"positions", "U", "m", "phase"});
-    for (const char* term : {"colourSmoothing", "smoothedColourGradient", "interfaceCurvature", "curvatureSmoothing"})
+    const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "smoothedColourGradient", "numberDensity"}, {"positions", "U", "m", "phase"});
+    for (const char* term : {"colourSmoothing", "interfaceCurvature", "curvatureSmoothing"})
         EXPECT_TRUE(plan.has(term)) << term;
     FieldStore<2> store;
     plan.allocate(store);

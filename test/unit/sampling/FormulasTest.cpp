@@ -136,6 +136,15 @@ TEST(BosanquetRise, endsAtTheHeightAtRestWithAReservoirThatSinks)
     EXPECT_EQ(rise.height(0), 0);
 }
 
+TEST(BosanquetRise, withTheFrictionOfTankAndLineOfContact)
+{
+    // The same equations in l and v, by another integrator to 10 digits.
+    const BosanquetRise rise{1, 0.5, 1, 0.99, 0.1, 0.25253, 1, 1.25, 2, 0.25, 1.0 / 32};
+    EXPECT_NEAR(rise.height(4), 0.879124669, 1e-7);
+    EXPECT_NEAR(rise.height(12), 1.916994395, 1e-7);
+    EXPECT_NEAR(rise.height(40), 2.850653010, 1e-7);
+}
+
 TEST(Formulas, areReadFromDictionaries)
 {
     auto diagnostics = std::make_shared<Diagnostics>();

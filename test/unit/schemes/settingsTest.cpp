@@ -227,12 +227,14 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
     {
         EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
         EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
-        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : s.wallPotential ? "wallPotential" : "none";
+        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : s.wallPotential ? "wallPotential"
+             : selects(s, "adheringColourGradient") ? "wallAdhesion" : "none";
     };
     EXPECT_STREQ(form(wetting("")), "wallPotential");
     EXPECT_STREQ(form(wetting("surfaceTension interfaceStress;")), "wallStress");
     EXPECT_STREQ(form(wetting("contactAngle wallStress;")), "wallStress");
     EXPECT_STREQ(form(wetting("contactAngle wallPotential;")), "wallPotential");
+    EXPECT_STREQ(form(wetting("contactAngle wallAdhesion;")), "wallAdhesion");
     EXPECT_STREQ(form(wetting("contactAngle paper;")), "paper");
     EXPECT_STREQ(form(wetting("scheme paper;")), "paper");
     EXPECT_STREQ(form(wetting("scheme paper; contactAngle wallStress;")), "wallStress");

@@ -1,0 +1,30 @@
+/// Contact angle by the direction of the interface: which wall each particle is next to, for AdheringColourGradient
+/// (src/interfaces/CurvatureForce.hpp).
+///
+///   n_w = normal of the nearest wall where it is nearer than 5/6 H, else 0;    cos(theta) of that wall, 0 of one without a contact angle
+///
+/// The smoothed colour's gradient of a mirrored interface leans towards 90 degrees within about this distance. Measured at H = 3 spacings: 60 and
+/// 120 degrees come out as 64 and 117 with 2 spacings, 61 and 120 with 2.5, 63 and 122 with 3 (tutorials/verification/contactAngle).
+///
+/// No force is needed but that of the curvature, and no layer of high pressure: the line of contact moves with little more resistance than that
+/// of the viscous flow at it (tutorials/verification/capillaryRise), where WallPotential's layer holds it back. Bodies of a few spacings
+/// between two walls, whose interface no direction fits, are calmer with WallPotential (tutorials/heapLeaching/bccBed).
+#pragma once
+#include "Images.hpp"
+
+namespace sph
+{
+
+template<int dim> class WallAdhesion
+{
+    std::vector<double> cosTheta_;   ///< of each wall
+    double reach_;                   ///< [m]
+
+public:
+    /// `support`: H [m]
+    WallAdhesion(const Geometry&, double support);
+    /// n_w and cos(theta) of all owned particles from the images as last moved.
+    void evaluate(const Images<dim>&, FieldStore<dim>&) const;
+};
+
+}
