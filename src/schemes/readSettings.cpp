@@ -47,6 +47,13 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
                                        paper || choice.volume == "continuity" ? "none" : "secondMoment");
     choice.diffusion = dict.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
     choice.surfaceShifting = dict.choose("shiftingAtSurface", Words{"any", "tangential"}, "any");
+    const auto belongs = [&](const char* word, const char* to)
+    {
+        if (dict.found(word) && !dict.found(to)) dict.error(word, fmt::format("does nothing without {}; give that a value, or leave this out", to));
+    };
+    belongs("densityDiffusionForm", "densityDiffusion");
+    belongs("shiftingAtSurface", "shifting");
+    belongs("shiftingSpeed", "shifting");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -56,7 +63,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
     if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
-        dict.error("viscosity", "semiImplicit solves for viscosity harmonic alone");
+        dict.error("viscosity", "cleary goes with explicit integration: semiImplicit solves for viscosity harmonic alone; take that, or another scheme in integration");
     if (integrated && !settings.predicts())
         dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");

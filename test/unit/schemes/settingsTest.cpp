@@ -95,6 +95,23 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
 }
 
+// A word about what the case has not is a mistake; where it is there and 0, as in variants that switch it off, it is meant.
+TEST(Settings, FormsOfWhatIsNotThere)
+{
+    const std::string schemes = "system/sphSchemes";
+    for (const char* word : {"shiftingAtSurface tangential", "shiftingSpeed largest"})
+    {
+        expectError(edited(channelCase(), schemes, "wallVelocity", std::string(word) + ";\nwallVelocity"),
+                    "system/sphSchemes:2: does nothing without shifting");
+        EXPECT_EQ(reading(edited(channelCase(), schemes, "wallVelocity", "shifting 0; " + std::string(word) + "; wallVelocity")).errors, "");
+    }
+    expectError(edited(channelCase(), schemes, "wallVelocity", "densityDiffusionForm antuono; wallVelocity"),
+                "system/sphSchemes:2: does nothing without densityDiffusion");
+    auto implicit = edited(channelCase(), schemes, "predictorCorrector", "semiImplicit");
+    implicit[schemes] += "viscosity cleary;\n";
+    expectError(implicit, "system/sphSchemes:4: cleary goes with explicit integration");
+}
+
 TEST(Settings, SurfaceTensionOfUnknownPhases)
 {
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquit gas) 1"),
