@@ -42,6 +42,8 @@ struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
+struct TransportVelocity   { static constexpr FieldInfo info{"dUTransport", "m/s", Image::mirrored};     template<int dim> struct At { Vector<dim> w; }; };
+struct TransportAcceleration{ static constexpr FieldInfo info{"dUdtTransport", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_t; }; };
 struct CorrectionTensor    { static constexpr FieldInfo info{"L", "1", Image::mirrored};                template<int dim> struct At { SymmTensor<dim> L; }; };
 struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};                            template<int dim> struct At { double lambda; }; };
 struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };

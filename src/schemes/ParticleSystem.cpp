@@ -31,6 +31,7 @@ std::set<std::string> stateOf(const Settings& settings)
     std::set<std::string> state{Position::info.name, Velocity::info.name, Mass::info.name};
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
+    if (settings.coefficients.transportVelocity > 0) state.insert(TransportVelocity::info.name);
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
     state.insert(GhostWall::info.name);  // by the images
     return state;
@@ -60,6 +61,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
         store_.allocateState(Density{});
         store_.allocateState(StartDensity{});
     }
+    if (settings.coefficients.transportVelocity > 0) store_.allocateState(TransportVelocity{});
     if (settings.predicts()) store_.allocateState(StartVelocity{});
     if (settings.integrator == Integrator::semiImplicit) implicit_.emplace(settings, catalogue_, store_);
     if (settings.integrator == Integrator::leapfrog)
@@ -133,6 +135,7 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
                                             i, at({cloud.x[i], cloud.y[i], cloud.z[i]}), p, phases[k]));
             store_.component("rho", 0)[i] = coefficients_.restDensity[k]*std::pow(ratio, 1/coefficients_.exponent[k]);
         }
+    if (store_.has(TransportVelocity{})) copy(TransportVelocity{}, TransportVelocity::info.name);
     if (store_.has(WallAcceleration{})) copy(WallAcceleration{}, WallAcceleration::info.name);
     if (!copy(Mass{}, "m"))
         for (std::size_t i = 0; i < owned_; ++i)

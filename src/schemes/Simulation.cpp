@@ -36,6 +36,7 @@ public:
     {
         const bool predicts = settings_.predicts();
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
+        if (settings_.coefficients.transportVelocity > 0) transport(particles_, settings_, deltaT);
         drift(particles_, 0.5*deltaT);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
         if (predicts) predict(particles_, 0.5*deltaT);
@@ -86,6 +87,7 @@ public:
     {
         std::vector<std::string> names{"U", "rho", "p", "phase", "m"};
         if (particles_.store().has(WallAcceleration{})) names.push_back(WallAcceleration::info.name);
+        if (particles_.store().has(TransportVelocity{})) names.push_back(TransportVelocity::info.name);
         std::vector<FieldView> views;
         for (const auto& name : names) views.push_back(field(name));
         return views;

@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// x += dt v
+/// x += dt v, or dt (v + w) where there is a transport velocity
 template<int dim> void drift(ParticleSystem<dim>&, double deltaT);
 /// v += dt dv/dt; rho += dt drho/dt where it is integrated
 template<int dim> void kick(ParticleSystem<dim>&, double deltaT);
@@ -15,6 +15,8 @@ template<int dim> void predict(ParticleSystem<dim>&, double deltaT);
 template<int dim> void correct(ParticleSystem<dim>&, double deltaT);
 /// v *= factor
 template<int dim> void damp(ParticleSystem<dim>&, double factor);
+/// The transport velocity of a step, w = dt/2 a by the last evaluation (TransportVelocity.hpp): at most a tenth of a spacing in the step.
+template<int dim> void transport(ParticleSystem<dim>&, const Settings&, double deltaT);
 /// Particle shifting, dx_i = C |v| dt Delta_x shift_i, at most a tenth of a spacing; |v| of the particle, or the largest of all.
 template<int dim> void shift(ParticleSystem<dim>&, const Settings&, double maxSpeed, double deltaT);
 

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion;
+    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion, transportPressure;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -47,6 +47,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
                                        paper || choice.volume == "continuity" ? "none" : "secondMoment");
     choice.diffusion = dict.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
     choice.surfaceShifting = dict.choose("shiftingAtSurface", Words{"any", "tangential"}, "any");
+    choice.transportPressure = dict.choose("transportPressure", Words{"uniform", "local"}, "uniform");
     const auto belongs = [&](const char* word, const char* to)
     {
         if (dict.found(word) && !dict.found(to)) dict.error(word, fmt::format("does nothing without {}; give that a value, or leave this out", to));
@@ -54,6 +55,11 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     belongs("densityDiffusionForm", "densityDiffusion");
     belongs("shiftingAtSurface", "shifting");
     belongs("shiftingSpeed", "shifting");
+    belongs("transportPressure", "transportVelocity");
+    if (c.transportVelocity > 0 && settings.shifting > 0)
+        dict.error("transportVelocity", "keeps particles evenly spaced, and so does shifting: take one of them");
+    if (c.transportVelocity > 0 && settings.integrator == Integrator::semiImplicit)
+        dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles would be thrown apart");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -96,6 +102,11 @@ Words termsOf(const Choices& choice, const Settings& settings)
     if (mag(c.g) > 0) add("gravity");
     if (mag(c.bodyForce) > 0) add("bodyForce");
     if (settings.shifting > 0) add(choice.surfaceShifting == "tangential" ? "surfaceShifting" : "particleShifting");
+    if (c.transportVelocity > 0)
+    {
+        add(choice.transportPressure == "local" ? "localTransportVelocity" : "transportVelocity");
+        add("transportStress");
+    }
     if (c.diffusion > 0) add(choice.diffusion == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
     return terms;
 }
@@ -161,6 +172,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
     settings.shiftsByLargestSpeed = dict.choose("shiftingSpeed", Words{"own", "largest"}, "own") == "largest";
+    c.transportVelocity = dict.getNonNegative("transportVelocity", units::none, 0);
     c.artificialViscosity = dict.getNonNegative("artificialViscosity", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
     const auto choice = choose(dict, settings, !geometry.patches.empty());

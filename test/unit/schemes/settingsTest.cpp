@@ -112,6 +112,21 @@ TEST(Settings, FormsOfWhatIsNotThere)
     expectError(implicit, "system/sphSchemes:4: cleary goes with explicit integration");
 }
 
+TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto with = [&](const std::string& words) { return edited(channelCase(), schemes, "wallVelocity", words + "\nwallVelocity"); };
+    const auto uniform = reading(with("transportVelocity 0.5;")), local = reading(with("transportVelocity 1; transportPressure local;"));
+    EXPECT_EQ(uniform.errors + local.errors, "");
+    EXPECT_EQ(uniform.settings.coefficients.transportVelocity, 0.5);
+    const auto has = [](const Reading& r, const char* term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
+    EXPECT_EQ(has(uniform, "transportVelocity") + has(uniform, "transportStress") + has(local, "localTransportVelocity"), 3);
+    EXPECT_EQ(has(local, "transportVelocity") + has(reading(channelCase()), "transportStress"), 0);
+    expectError(with("transportVelocity 1; shifting 2;"), "system/sphSchemes:2: keeps particles evenly spaced, and so does shifting");
+    expectError(with("transportPressure local;"), "system/sphSchemes:2: does nothing without transportVelocity");
+    expectError(edited(with("transportVelocity 1;"), schemes, "predictorCorrector", "semiImplicit"), "goes with steps that sound limits");
+}
+
 TEST(Settings, SurfaceTensionOfUnknownPhases)
 {
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquit gas) 1"),
