@@ -38,6 +38,7 @@ struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Ima
 struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };
 struct Curvature           { static constexpr FieldInfo info{"kappa", "1/m"};                           template<int dim> struct At { double kappa; }; };
 struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Image::mirrored};         template<int dim> struct At { Vector<dim> dvdt; }; };
+struct SlowAcceleration    { static constexpr FieldInfo info{"dUdtSlow", "m/s^2", Image::mirrored};     template<int dim> struct At { Vector<dim> a_s; }; };
 struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_p; }; };
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };

@@ -48,13 +48,24 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
       kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
 {
     plan_.allocate(store_);
+    if (!settings.slowTerms.empty())
+    {
+        // What the other plan has evaluated at the same state is there, and so are its images.
+        auto given = stateOf(settings), current = plan_.readAtNeighbours();
+        for (const auto& [name, _] : store_.fields()) given.insert(name);
+        given.erase(Acceleration::info.name);
+        std::erase_if(current, [&](const auto& name) { return !given.contains(name); });
+        slow_.emplace(catalogue_, settings.slowTerms, given, current);
+        slow_->allocate(store_);
+        store_.allocate(SlowAcceleration{});
+    }
     store_.allocateState(Position{});
     store_.allocateState(Velocity{});
     store_.allocateState(Mass{});
     if (settings.multiphase())
     {
         store_.allocateState(Phase{});
-        if (plan_.has("harmonicViscosity") || plan_.has("clearyViscosity")) store_.allocateState(DynamicViscosity{});
+        if (plans("harmonicViscosity") || plans("clearyViscosity")) store_.allocateState(DynamicViscosity{});
     }
     if (settings.integratedDensity)
     {
@@ -81,10 +92,11 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.detachingGhosts) images_.setGhostPressure(std::make_unique<DetachingPressure<dim>>(store_, coefficients_));
     else if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
 
-    if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
+    if (plans("wallTension")) wallTension_.emplace(coefficients_, kernel_);
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
     auto imaged = plan_.readAtNeighbours();
+    if (slow_) imaged.merge(slow_->readAtNeighbours());
     if (implicit_) imaged.merge(implicit_->readAtNeighbours());
     store_.keepImagesOf(imaged);
     load(cloud);
@@ -94,6 +106,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     checkApart();
     evaluate();
     if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
+    evaluateSlow();
 }
 
 template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
@@ -212,6 +225,7 @@ template<int dim> void ParticleSystem<dim>::rebuild()
 template<int dim> void ParticleSystem<dim>::bindPlans()
 {
     plan_.bind(store_, coefficients_);
+    inPlaceOfAll([&] { if (slow_) slow_->bind(store_, coefficients_); });
     if (implicit_) implicit_->bind(store_, coefficients_);
 }
 
@@ -237,11 +251,20 @@ template<int dim> void ParticleSystem<dim>::evaluate()
 {
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
-    if (wallTension_) wallTension_->evaluate(images_, store_);
-    if (implicit_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
+    if (wallTension_ && !slow_) wallTension_->evaluate(images_, store_);
+    if (implicit_ || slow_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
     else plan_.evaluate(store_, images_, lists_, kernel_);
-    if (wallPotential_) wallPotential_->addAcceleration(images_, store_);
+    if (wallPotential_ && !slow_) wallPotential_->addAcceleration(images_, store_);
 }
+
+template<int dim> void ParticleSystem<dim>::evaluateSlow()
+{
+    if (!slow_) return;
+    if (wallTension_) wallTension_->evaluate(images_, store_);
+    slow_->evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::kept);
+    if (wallPotential_) inPlaceOfAll([&] { wallPotential_->addAcceleration(images_, store_); });
+}
+
 
 /// NUMERICS: scale the number density so that its mean is exact; the kernel sum over a packing is 0.7 to 1 % off by itself.
 template<int dim> void ParticleSystem<dim>::normaliseDensity()

@@ -42,6 +42,8 @@ template<int dim> void kick(ParticleSystem<dim>& p, double deltaT)
     if (integratesDensity(p)) advance(p, Density{}, Density{}, DensityRate{}, deltaT);
 }
 
+template<int dim> void kickSlowly(ParticleSystem<dim>& p, double deltaT) { advance(p, Velocity{}, Velocity{}, SlowAcceleration{}, deltaT); }
+
 template<int dim> void predict(ParticleSystem<dim>& p, double deltaT)
 {
     copy(p, StartVelocity{}, Velocity{});
@@ -107,6 +109,8 @@ template void drift(ParticleSystem<2>&, double);
 template void drift(ParticleSystem<3>&, double);
 template void kick(ParticleSystem<2>&, double);
 template void kick(ParticleSystem<3>&, double);
+template void kickSlowly(ParticleSystem<2>&, double);
+template void kickSlowly(ParticleSystem<3>&, double);
 template void predict(ParticleSystem<2>&, double);
 template void predict(ParticleSystem<3>&, double);
 template void correct(ParticleSystem<2>&, double);

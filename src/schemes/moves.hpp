@@ -9,6 +9,8 @@ namespace sph
 template<int dim> void drift(ParticleSystem<dim>&, double deltaT);
 /// v += dt dv/dt; rho += dt drho/dt where it is integrated
 template<int dim> void kick(ParticleSystem<dim>&, double deltaT);
+/// v += dt dv/dt by what acts once in a step of several parts
+template<int dim> void kickSlowly(ParticleSystem<dim>&, double deltaT);
 /// Keeps the start of the step, v_0 = v, then kicks.
 template<int dim> void predict(ParticleSystem<dim>&, double deltaT);
 /// v = v_0 + dt dv/dt

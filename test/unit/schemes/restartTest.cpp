@@ -52,6 +52,17 @@ TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase())
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
+TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
+{
+    for (const char* integrator : {"predictorCorrector; subSteps 3", "leapfrog; subSteps 3", "symplecticEuler; subSteps 5"})
+    {
+        SCOPED_TRACE(integrator);
+        restartEqualsTheWhole(with(dropCase(), integrator));
+    }
+    auto stress = with(dropCase(), "leapfrog; subSteps 3");
+    stress["system/sphSchemes"] += "surfaceTension interfaceStress;\n";
+    restartEqualsTheWhole(stress);
+}
 TEST(Restart, OfATransportVelocity)
 {
     for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler"})
