@@ -37,7 +37,7 @@ public:
     /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
     void step(double time, double deltaT) override
     {
-        const int parts = settings_.subSteps;
+        const int parts = partsOf(deltaT, settings_, stepLimits());
         for (int part = 0; part < parts; ++part) stepOfPart(time + part*deltaT/parts, deltaT/parts, 2*part + 1 == parts ? deltaT : 0);
     }
 

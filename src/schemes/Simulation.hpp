@@ -25,6 +25,7 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
+    bool ofPart = false;   ///< of what acts in each part of a step, with the most parts; else of what acts once
 };
 
 /// What an application sees of a simulation, whatever its dimension.

@@ -18,7 +18,7 @@ std::vector<StepLimit> stepLimits(const Settings& settings, double maxSpeed, dou
     {
         if (deltaT < std::numeric_limits<double>::infinity()) limits.push_back({deltaT, by});
     };
-    const auto ofPart = [&](double deltaT, const char* by) { ofStep(settings.subSteps*deltaT, by); };
+    const auto ofPart = [&](double deltaT, const char* by) { limits.push_back({settings.maxSubSteps*deltaT, by, true}); };
 
     const double sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const bool implicit = settings.integrator == Integrator::semiImplicit;
@@ -48,6 +48,15 @@ std::vector<StepLimit> stepLimits(const Settings& settings, double maxSpeed, dou
     if (maxAcceleration > 0) ofPart(s.force*std::sqrt(h/maxAcceleration), "force");
     if (maxSlowAcceleration > 0) ofStep(s.force*std::sqrt(h/maxSlowAcceleration), "slow force");
     return limits;
+}
+
+int partsOf(double deltaT, const Settings& settings, const std::vector<StepLimit>& limits)
+{
+    double parts = 1;
+    for (const auto& limit : limits)
+        if (limit.ofPart) parts = std::max(parts, deltaT/limit.deltaT*settings.maxSubSteps);
+    const double roundOff = 1e-9; // a step of the limit itself takes no part more
+    return std::min(settings.maxSubSteps, 2*int(std::ceil((std::min<double>(parts, settings.maxSubSteps) - 1)/2 - roundOff)) + 1);
 }
 
 StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceleration, double maxSlowAcceleration)

@@ -116,7 +116,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
 void partSlowTerms(const Dictionary& integration, Settings& settings)
 {
     if (settings.integrator == Integrator::semiImplicit)
-        integration.error("subSteps", "goes with explicit integration, whose viscosity damps the sound that surface tension at its own rate makes: semiImplicit was "
+        integration.error("maxSubSteps", "goes with explicit integration, whose viscosity damps the sound that surface tension at its own rate makes: semiImplicit was "
                                       "less exact by it and not faster");
     static const Words capillary{"curvatureForce", "interfaceStress", "solidPhaseStress", "stressOfSolid", "wallTension", "stressDivergence",
                                  "densityWeightedStressDivergence"};
@@ -124,8 +124,8 @@ void partSlowTerms(const Dictionary& integration, Settings& settings)
                                             { return std::find(capillary.begin(), capillary.end(), term) == capillary.end(); });
     settings.slowTerms.assign(slow, settings.terms.end());
     settings.terms.erase(slow, settings.terms.end());
-    if (settings.slowTerms.empty()) return integration.error("subSteps", "without surface tension nothing acts more slowly than sound");
-    settings.reasons.push_back(fmt::format("{} parts to a step: surface tension acts in the middle one alone, all else in each", settings.subSteps));
+    if (settings.slowTerms.empty()) return integration.error("maxSubSteps", "without surface tension nothing acts more slowly than sound");
+    settings.reasons.push_back(fmt::format("up to {} parts to a step: surface tension acts in the middle one alone, all else in each", settings.maxSubSteps));
 }
 
 void readIntegration(const Dictionary& schemes, Settings& settings)
@@ -144,9 +144,9 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
                                                solve.theta, solve.tolerance));
         solve.maxIter = int(dict.getPositive("maxIter", units::none, solve.maxIter));
     }
-    settings.subSteps = dict.get<int>("subSteps", 1);
-    if (settings.subSteps < 1 || settings.subSteps%2 == 0)
-        dict.error("subSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated too");
+    settings.maxSubSteps = dict.get<int>("maxSubSteps", 1);
+    if (settings.maxSubSteps < 1 || settings.maxSubSteps%2 == 0)
+        dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated too");
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
@@ -225,7 +225,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
         settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
     }
     settings.terms = termsOf(choice, settings);
-    if (settings.subSteps > 1) partSlowTerms(dict.subDictOrEmpty("integration"), settings);
+    if (settings.maxSubSteps > 1) partSlowTerms(dict.subDictOrEmpty("integration"), settings);
 
     double gamma = 0;
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);

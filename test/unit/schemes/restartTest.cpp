@@ -54,12 +54,12 @@ TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWho
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
 TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
 {
-    for (const char* integrator : {"predictorCorrector; subSteps 3", "leapfrog; subSteps 3", "symplecticEuler; subSteps 5"})
+    for (const char* integrator : {"predictorCorrector; maxSubSteps 3", "leapfrog; maxSubSteps 3", "symplecticEuler; maxSubSteps 5"})
     {
         SCOPED_TRACE(integrator);
         restartEqualsTheWhole(with(dropCase(), integrator));
     }
-    auto stress = with(dropCase(), "leapfrog; subSteps 3");
+    auto stress = with(dropCase(), "leapfrog; maxSubSteps 3");
     stress["system/sphSchemes"] += "surfaceTension interfaceStress;\n";
     restartEqualsTheWhole(stress);
 }

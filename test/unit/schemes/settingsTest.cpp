@@ -131,16 +131,16 @@ TEST(Settings, SurfaceTensionOnceInAStepOfParts)
 {
     const std::string schemes = "system/sphSchemes";
     const auto with = [&](const std::string& words) { return edited(dropCase(), schemes, "predictorCorrector", words); };
-    const auto settings = reading(with("leapfrog; subSteps 3")).settings;
-    EXPECT_EQ(settings.subSteps, 3);
+    const auto settings = reading(with("leapfrog; maxSubSteps 3")).settings;
+    EXPECT_EQ(settings.maxSubSteps, 3);
     EXPECT_EQ(settings.slowTerms, std::vector<std::string>{"curvatureForce"});
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "curvatureForce"), 0);
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "harmonicViscosity"), 1);
     EXPECT_TRUE(reading(dropCase()).settings.slowTerms.empty());
-    for (const char* words : {"leapfrog; subSteps 4", "leapfrog; subSteps 0", "leapfrog; subSteps -3"})
+    for (const char* words : {"leapfrog; maxSubSteps 4", "leapfrog; maxSubSteps 0", "leapfrog; maxSubSteps -3"})
         expectError(with(words), "system/sphSchemes:2: is an odd number");
-    expectError(with("semiImplicit; subSteps 3"), "system/sphSchemes:2: goes with explicit integration");
-    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapfrog; subSteps 3"), "without surface tension nothing acts more slowly than sound");
+    expectError(with("semiImplicit; maxSubSteps 3"), "system/sphSchemes:2: goes with explicit integration");
+    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapfrog; maxSubSteps 3"), "without surface tension nothing acts more slowly than sound");
 }
 
 TEST(Settings, SurfaceTensionOfUnknownPhases)

@@ -235,14 +235,14 @@ TEST(Step, InPartsIsAsExactAsItsParts)
     { return after(capillarySettings(integrator), numberedVortex(), steps, 0.02 / steps).fields["U"].component[0]; };
     const auto exact = velocity("symplecticEuler", 640);
     const double whole = distance(velocity("symplecticEuler", 20), exact);
-    EXPECT_LT(distance(velocity("symplecticEuler; subSteps 3", 20), exact), 0.2 * whole);
-    EXPECT_LT(distance(velocity("leapfrog; subSteps 5", 20), exact), 0.15 * whole);
+    EXPECT_LT(distance(velocity("symplecticEuler; maxSubSteps 3", 20), exact), 0.2 * whole);
+    EXPECT_LT(distance(velocity("leapfrog; maxSubSteps 5", 20), exact), 0.15 * whole);
 }
 
 // Forth, velocities turned round, and back: to the start within what round-off grows to.
 TEST(Step, InPartsIsReversible)
 {
-    const auto settings = capillarySettings("symplecticEuler; subSteps 5");
+    const auto settings = capillarySettings("symplecticEuler; maxSubSteps 5");
     const auto start = numberedVortex();
     auto turned = after(settings, start, 20, 0.005);
     EXPECT_GT(distance(turned.x, start.x), 0.01);
@@ -261,7 +261,7 @@ TEST(Step, WithoutPartsHasNoSlowAcceleration)
 {
     const auto g = periodicSquare();
     const auto whole = makeSimulation(capillarySettings("symplecticEuler"), g, numberedVortex(), {});
-    const auto parts = makeSimulation(capillarySettings("symplecticEuler; subSteps 3"), g, numberedVortex(), {});
+    const auto parts = makeSimulation(capillarySettings("symplecticEuler; maxSubSteps 3"), g, numberedVortex(), {});
     EXPECT_EQ(whole->field("dUdtSlow").component[0], nullptr);
     EXPECT_NE(parts->field("dUdtSlow").component[0], nullptr);
     EXPECT_EQ(whole->pairPasses(), 3);
@@ -325,7 +325,7 @@ TEST(Step, ATransportVelocityConservesMomentum)
 // particles sorted.
 TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 {
-    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2", "leapfrog; subSteps 3"})
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2", "leapfrog; maxSubSteps 3"})
     {
         SCOPED_TRACE(integrator);
         auto files = vortexCase(integrator);

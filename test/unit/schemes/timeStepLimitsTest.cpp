@@ -91,7 +91,7 @@ TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25 * std::sqrt(0.5 / 1e4), "fo
 TEST(StepLimit, OfAStepInParts)
 {
     auto s = twoPhases();
-    s.subSteps = 5;
+    s.maxSubSteps = 5;
     expectLimit(s, 5 * 0.4 * 0.5 / 20, "sound");
     expectLimit(s, 5 * 0.25 * std::sqrt(0.5 / 1e6), "force", 0, 1e6);
     s.coefficients.viscosity = {30, 10};
@@ -102,6 +102,9 @@ TEST(StepLimit, OfAStepInParts)
     EXPECT_EQ(limits.size(), 5u);
     EXPECT_EQ(limits.back().by, "slow force");
     EXPECT_DOUBLE_EQ(limits.back().deltaT, 0.25 * std::sqrt(0.5 / 1e8));
+    const double part = 0.125 * 0.25 / 15;
+    for (const auto& [deltaT, parts] : {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
+        EXPECT_EQ(partsOf(deltaT, s, limits), parts) << deltaT / part;
 }
 TEST(StepLimit, FollowsTheFactors)
 {
