@@ -150,6 +150,8 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
+    // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
+    if (settings.maxSubSteps > 1) f.capillary *= 0.5;
     // Along the line of centres compression is resisted by 3 mu: nu (laplacian v + 2 grad div v).
     if (schemes.isWord("viscosity", "cleary")) f.viscous /= 3;
     const auto damping = dict.subDictOrEmpty("damping");

@@ -133,6 +133,7 @@ TEST(Settings, SurfaceTensionOnceInAStepOfParts)
     const auto with = [&](const std::string& words) { return edited(dropCase(), schemes, "predictorCorrector", words); };
     const auto settings = reading(with("leapfrog; maxSubSteps 3")).settings;
     EXPECT_EQ(settings.maxSubSteps, 3);
+    EXPECT_DOUBLE_EQ(settings.factors.capillary, 0.5 * StepFactors{}.capillary);
     EXPECT_EQ(settings.slowTerms, std::vector<std::string>{"curvatureForce"});
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "curvatureForce"), 0);
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "harmonicViscosity"), 1);
