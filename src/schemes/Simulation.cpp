@@ -121,10 +121,7 @@ public:
 
     void printPlan(std::ostream& out) const override
     {
-        particles_.plan().print(out, particles_.store());
-        if (!particles_.slowPlan()) return;
-        out << "Plan of what acts once a step:\n";
-        particles_.slowPlan()->print(out, particles_.store());
+        particles_.plan().print(out, particles_.store(), particles_.slowPlan(), "once in a step of several parts");
     }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
