@@ -10,7 +10,8 @@
 ///
 /// Conserves linear momentum exactly. On evenly spaced particles of order 2; where they lie unevenly A sum gradW stays, as the pressure does of
 /// any sum of pressures. Unlike w . grad v it depends on the frame: a mean flow multiplies that rest.
-/// Verified by test/unit/passes (plain loop, momentum, order) and tutorials/verification/taylorGreen and lidDrivenCavity.
+/// Verified by test/unit/passes (plain loop, momentum, order) and tutorials/verification/taylorGreen, lidDrivenCavity and
+/// sphereArray.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"
@@ -37,7 +38,8 @@ struct UniformTransport
 };
 
 /// The same with a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free surface
-/// p = 0, and nothing drives particles out of it. Here with the kernel of all other sums; in the paper with half its support.
+/// p = 0, and nothing drives particles out of it; near one little moves them at all, and the arms of tutorials/verification/rotatingSquarePatch
+/// tear as without. Here with the kernel of all other sums; in the paper with half its support.
 struct LocalTransport : UniformTransport
 {
     static constexpr auto name = "localTransportVelocity";
