@@ -3,13 +3,13 @@
 ///   dx_i/dt = v_i + w_i,    w_i = dt/2 a_i,    a_i = -(p_b/m_i) sum_j (V_i^2 + V_j^2) gradW_ij,    p_b = C rho_i c^2
 ///
 /// v [m/s] is that of momentum and of all else. The uniform background pressure p_b [Pa] has no gradient: its sum a [m/s^2] is that of the
-/// particles' unevenness alone. C is 1 in the paper, c [m/s] the largest sound speed, dt [s] the step. What particles carry past one another by w
-/// is given back by the stress A = rho v w:
+/// particles' unevenness alone. C is 1 in the paper, c [m/s] the largest sound speed, dt [s] the step. What particles carry past one
+/// another by w is given back by the stress A = rho v w:
 ///
 ///   dv_i/dt += 1/(2 m_i) sum_j (V_i^2 + V_j^2) (A_i + A_j) . gradW_ij     ->  (1/rho) div(rho v w)
 ///
-/// Conserves linear momentum exactly. On evenly spaced particles of order 2; where they lie unevenly A sum gradW stays, as the pressure does of
-/// any sum of pressures. Unlike w . grad v it depends on the frame: a mean flow multiplies that rest.
+/// Conserves linear momentum exactly. On evenly spaced particles of order 2; where they lie unevenly A sum gradW stays, as the pressure
+/// does of any sum of pressures. Unlike w . grad v it depends on the frame: a mean flow multiplies that rest.
 /// Verified by test/unit/passes (plain loop, momentum, order) and tutorials/verification/taylorGreen, lidDrivenCavity and
 /// sphereArray.
 #pragma once
@@ -37,9 +37,9 @@ struct UniformTransport
     }
 };
 
-/// The same with a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free surface
-/// p = 0, and nothing drives particles out of it; near one little moves them at all, and the arms of tutorials/verification/rotatingSquarePatch
-/// tear as without. Here with the kernel of all other sums; in the paper with half its support.
+/// The same with a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free
+/// surface p = 0, and nothing drives particles out of it; near one little moves them at all, and the margins of
+/// tutorials/verification/rotatingSquarePatch tear as without. Here with the kernel of all other sums; in the paper with half its support.
 struct LocalTransport : UniformTransport
 {
     static constexpr auto name = "localTransportVelocity";

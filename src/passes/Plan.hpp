@@ -39,8 +39,8 @@ public:
     /// Of the packed records.
     std::size_t bytes() const { return records_.capacity()*sizeof(double); }
     bool has(const std::string& term) const;
-    /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; those of another plan that is evaluated
-    /// `when`, if there is one; fields; what was left out.
+    /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; those of another plan that is
+    /// evaluated `when`, if there is one; fields; what was left out.
     void print(std::ostream&, const FieldStore<dim>&, const Plan* another = nullptr, const char* when = "") const;
 
 private:

@@ -14,7 +14,8 @@ using Words = std::vector<std::string>;
 /// The words of a scheme, with the defaults that measurements favour; `scheme paper;` sets those of Barker et al. (2012) instead.
 struct Choices
 {
-    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion, transportPressure;
+    std::string density, volume, pressure, viscosity, tension, contactAngle, wall, wallPressure, normalisation, surfaceShifting, diffusion;
+    std::string transportPressure;
 };
 
 Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
@@ -50,7 +51,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     choice.transportPressure = dict.choose("transportPressure", Words{"uniform", "local"}, "uniform");
     const auto belongs = [&](const char* word, const char* to)
     {
-        if (dict.found(word) && !dict.found(to)) dict.error(word, fmt::format("does nothing without {}; give that a value, or leave this out", to));
+        if (dict.found(word) && !dict.found(to))
+            dict.error(word, fmt::format("does nothing without {}; give that a value, or leave this out", to));
     };
     belongs("densityDiffusionForm", "densityDiffusion");
     belongs("shiftingAtSurface", "shifting");
@@ -59,7 +61,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (c.transportVelocity > 0 && settings.shifting > 0)
         dict.error("transportVelocity", "keeps particles evenly spaced, and so does shifting: take one of them");
     if (c.transportVelocity > 0 && settings.integrator == Integrator::semiImplicit)
-        dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles would be thrown apart");
+        dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
     if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
@@ -69,7 +71,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
     if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
-        dict.error("viscosity", "cleary goes with explicit integration: semiImplicit solves for viscosity harmonic alone; take that, or another scheme in integration");
+        dict.error("viscosity", "cleary goes with explicit integration: semiImplicit solves for viscosity harmonic alone; take that, or another "
+                                "scheme in integration");
     if (integrated && !settings.predicts())
         dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
@@ -111,21 +114,22 @@ Words termsOf(const Choices& choice, const Settings& settings)
     return terms;
 }
 
-/// What acts once in a step of several parts becomes a list of its own: surface tension, whose curvature is four of the six sums over pairs of a
-/// two-phase step. Viscosity shares its sum with the pressure: nothing would be gained.
+/// What acts once in a step of several parts becomes a list of its own: surface tension, whose curvature is four of the six sums over pairs of
+/// a two-phase step. Viscosity shares its sum with the pressure: nothing would be gained.
 void partSlowTerms(const Dictionary& integration, Settings& settings)
 {
     if (settings.integrator == Integrator::semiImplicit)
-        integration.error("maxSubSteps", "goes with explicit integration, whose viscosity damps the sound that surface tension at its own rate makes: semiImplicit was "
-                                      "less exact by it and not faster");
-    static const Words capillary{"curvatureForce", "interfaceStress", "solidPhaseStress", "stressOfSolid", "wallTension", "stressDivergence",
-                                 "densityWeightedStressDivergence"};
+        integration.error("maxSubSteps", "goes with explicit integration: with semiImplicit a drop was less exact by it, and no faster "
+                                         "(src/schemes/README.md)");
+    static const Words capillary{"curvatureForce", "interfaceStress",  "solidPhaseStress",               "stressOfSolid",
+                                 "wallTension",    "stressDivergence", "densityWeightedStressDivergence"};
     const auto slow = std::stable_partition(settings.terms.begin(), settings.terms.end(), [&](const auto& term)
                                             { return std::find(capillary.begin(), capillary.end(), term) == capillary.end(); });
     settings.slowTerms.assign(slow, settings.terms.end());
     settings.terms.erase(slow, settings.terms.end());
     if (settings.slowTerms.empty()) return integration.error("maxSubSteps", "without surface tension nothing acts more slowly than sound");
-    settings.reasons.push_back(fmt::format("up to {} parts to a step: surface tension acts in the middle one alone, all else in each", settings.maxSubSteps));
+    settings.reasons.push_back(fmt::format("up to {} parts to a step: surface tension acts in the middle one alone, all else in each",
+                                           settings.maxSubSteps));
 }
 
 void readIntegration(const Dictionary& schemes, Settings& settings)
@@ -146,7 +150,7 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     }
     settings.maxSubSteps = dict.get<int>("maxSubSteps", 1);
     if (settings.maxSubSteps < 1 || settings.maxSubSteps%2 == 0)
-        dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated too");
+        dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;

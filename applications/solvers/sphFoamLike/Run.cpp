@@ -101,7 +101,8 @@ void Run::reportPlan() const
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
     std::string limits;
-    for (const auto& each : simulation_->stepLimits()) limits += fmt::format("{}{} {:.4g} s", limits.empty() ? "" : ", ", each.by, each.deltaT);
+    for (const auto& each : simulation_->stepLimits())
+        limits += fmt::format("{}{} {:.4g} s", limits.empty() ? "" : ", ", each.by, each.deltaT);
     log_ << fmt::format("Step      : at most {:.4g} s by {} ({})\nPlan of an evaluation:\n", limit.deltaT, limit.by, limits);
     simulation_->printPlan(log_);
     log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n", simulation_->bytesPerParticle());
