@@ -7,6 +7,7 @@
 #include <new>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sph
@@ -55,6 +56,12 @@ public:
         std::array<double*, fieldComponents<F, dim>> p;
         for (int c = 0; c < int(p.size()); ++c) p[c] = component(F::info.name, c);
         return p;
+    }
+
+    /// Two fields change arrays: what is bound to one by name is bound to the other's.
+    template<class F, class G> requires (fieldComponents<F, dim> == fieldComponents<G, dim>) void exchange(F, G)
+    {
+        std::swap(fields_.at(F::info.name).component, fields_.at(G::info.name).component);
     }
 
     /// Gives up the room of images in every field but the named ones.

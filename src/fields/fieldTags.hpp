@@ -40,10 +40,13 @@ struct ColourGradient      { static constexpr FieldInfo info{"gradC", "1/m", Ima
 struct RawCurvature        { static constexpr FieldInfo info{"rawKappa", "1/m"};                        template<int dim> struct At { double rawKappa; }; };
 struct Curvature           { static constexpr FieldInfo info{"kappa", "1/m"};                           template<int dim> struct At { double kappa; }; };
 struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Image::mirrored};         template<int dim> struct At { Vector<dim> dvdt; }; };
+struct SlowAcceleration    { static constexpr FieldInfo info{"dUdtSlow", "m/s^2", Image::mirrored};     template<int dim> struct At { Vector<dim> a_s; }; };
 struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_p; }; };
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
+struct TransportVelocity   { static constexpr FieldInfo info{"dUTransport", "m/s", Image::mirrored};     template<int dim> struct At { Vector<dim> w; }; };
+struct TransportAcceleration{ static constexpr FieldInfo info{"dUdtTransport", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_t; }; };
 struct CorrectionTensor    { static constexpr FieldInfo info{"L", "1", Image::mirrored};                template<int dim> struct At { SymmTensor<dim> L; }; };
 struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};                            template<int dim> struct At { double lambda; }; };
 struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };

@@ -4,6 +4,7 @@
 #include "KernelMoment.hpp"
 #include "ParticleShifting.hpp"
 #include "StressDivergence.hpp"
+#include "TransportVelocity.hpp"
 
 namespace sph
 {
@@ -11,7 +12,8 @@ namespace sph
 template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection, ConcentrationGradient,
-                     SeparateConcentrationGradient, SurfaceShifting, SurfaceDetection, OutwardNormal>();
+                     SeparateConcentrationGradient, SurfaceShifting, SurfaceDetection, OutwardNormal, UniformTransport,
+                     LocalTransport, TransportStress>();
 }
 
 template Catalogue<2> operatorTerms<2>();

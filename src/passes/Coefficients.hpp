@@ -30,6 +30,7 @@ struct Coefficients
 
     double densityScale = 1;                 ///< makes the mean of sigma V_0 exact (NUMERICS: normalise)
     double diffusion = 0;                    ///< delta of the density diffusion
+    double transportVelocity = 0;            ///< C of the transport velocity: background pressure over rho c^2; 0: none
     double artificialViscosity = 0;          ///< alpha
 };
 

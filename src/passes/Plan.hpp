@@ -39,8 +39,9 @@ public:
     /// Of the packed records.
     std::size_t bytes() const { return records_.capacity()*sizeof(double); }
     bool has(const std::string& term) const;
-    /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; fields; what was left out.
-    void print(std::ostream&, const FieldStore<dim>&) const;
+    /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; those of another plan that is
+    /// evaluated `when`, if there is one; fields; what was left out.
+    void print(std::ostream&, const FieldStore<dim>&, const Plan* another = nullptr, const char* when = "") const;
 
 private:
     using Entry = CatalogueEntry<dim>;
@@ -62,6 +63,7 @@ private:
     std::vector<Pass> passes_;
     Array records_;                                        ///< positions and first columns of the pass at hand, packed
 
+    void printPasses(std::ostream&) const;
     void close();
     void order();
     void evaluatePairs(const Pass&, Candidates, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);

@@ -139,7 +139,7 @@ template<int dim> bool Plan<dim>::has(const std::string& term) const
     return std::any_of(chosen_.begin(), chosen_.end(), [&](const Entry* e) { return e->name == term; });
 }
 
-template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store) const
+template<int dim> void Plan<dim>::printPasses(std::ostream& out) const
 {
     int k = 0;
     for (const auto& pass : passes_)
@@ -156,11 +156,21 @@ template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>
             out << '\n';
         }
     }
+}
+
+template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store, const Plan* another, const char* when) const
+{
+    printPasses(out);
+    if (another)
+    {
+        out << "    " << when << ":\n";
+        another->printPasses(out);
+    }
     out << "    fields     ";
     for (const auto& [name, field] : store.fields()) out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
     out << fmt::format("\n    memory      {} bytes a particle, neighbour lists aside\n    left out   ", store.bytesPerParticle());
     for (const auto& e : catalogue_)
-        if (!has(e.name)) out << ' ' << e.name;
+        if (!has(e.name) && !(another && another->has(e.name))) out << ' ' << e.name;
     out << '\n';
 }
 

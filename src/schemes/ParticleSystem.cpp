@@ -31,6 +31,7 @@ std::set<std::string> stateOf(const Settings& settings)
     std::set<std::string> state{Position::info.name, Velocity::info.name, Mass::info.name};
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
+    if (settings.coefficients.transportVelocity > 0) state.insert(TransportVelocity::info.name);
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
     state.insert({WallNormal::info.name, WallCosine::info.name}); // by WallAdhesion, likewise
     state.insert(GhostWall::info.name);  // by the images
@@ -48,19 +49,31 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
       kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
 {
     plan_.allocate(store_);
+    if (!settings.slowTerms.empty())
+    {
+        // What the other plan has evaluated at the same state is there, and so are its images.
+        auto given = stateOf(settings), current = plan_.readAtNeighbours();
+        for (const auto& [name, _] : store_.fields()) given.insert(name);
+        given.erase(Acceleration::info.name);
+        std::erase_if(current, [&](const auto& name) { return !given.contains(name); });
+        slow_.emplace(catalogue_, settings.slowTerms, given, current);
+        slow_->allocate(store_);
+        store_.allocate(SlowAcceleration{});
+    }
     store_.allocateState(Position{});
     store_.allocateState(Velocity{});
     store_.allocateState(Mass{});
     if (settings.multiphase())
     {
         store_.allocateState(Phase{});
-        if (plan_.has("harmonicViscosity") || plan_.has("clearyViscosity")) store_.allocateState(DynamicViscosity{});
+        if (plans("harmonicViscosity") || plans("clearyViscosity")) store_.allocateState(DynamicViscosity{});
     }
     if (settings.integratedDensity)
     {
         store_.allocateState(Density{});
         store_.allocateState(StartDensity{});
     }
+    if (settings.coefficients.transportVelocity > 0) store_.allocateState(TransportVelocity{});
     if (settings.predicts()) store_.allocateState(StartVelocity{});
     if (settings.integrator == Integrator::semiImplicit) implicit_.emplace(settings, catalogue_, store_);
     if (settings.integrator == Integrator::leapfrog)
@@ -80,8 +93,8 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.detachingGhosts) images_.setGhostPressure(std::make_unique<DetachingPressure<dim>>(store_, coefficients_));
     else if (settings.hydrostaticGhosts) images_.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store_, coefficients_));
 
-    if (plan_.has("wallTension")) wallTension_.emplace(coefficients_, kernel_);
-    if (plan_.has("adheringColourGradient"))
+    if (plans("wallTension")) wallTension_.emplace(coefficients_, kernel_);
+    if (plans("adheringColourGradient"))
     {
         wallAdhesion_.emplace(geometry_, coefficients_.support);
         images_.continueInterfaces();
@@ -89,6 +102,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     if (settings.wallPotential) wallPotential_.emplace(coefficients_);
 
     auto imaged = plan_.readAtNeighbours();
+    if (slow_) imaged.merge(slow_->readAtNeighbours());
     if (implicit_) imaged.merge(implicit_->readAtNeighbours());
     store_.keepImagesOf(imaged);
     load(cloud);
@@ -98,6 +112,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     checkApart();
     evaluate();
     if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
+    evaluateSlow();
 }
 
 template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
@@ -139,6 +154,7 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
                                             i, at({cloud.x[i], cloud.y[i], cloud.z[i]}), p, phases[k]));
             store_.component("rho", 0)[i] = coefficients_.restDensity[k]*std::pow(ratio, 1/coefficients_.exponent[k]);
         }
+    if (store_.has(TransportVelocity{})) copy(TransportVelocity{}, TransportVelocity::info.name);
     if (store_.has(WallAcceleration{})) copy(WallAcceleration{}, WallAcceleration::info.name);
     if (!copy(Mass{}, "m"))
         for (std::size_t i = 0; i < owned_; ++i)
@@ -215,6 +231,7 @@ template<int dim> void ParticleSystem<dim>::rebuild()
 template<int dim> void ParticleSystem<dim>::bindPlans()
 {
     plan_.bind(store_, coefficients_);
+    inPlaceOfAll([&] { if (slow_) slow_->bind(store_, coefficients_); });
     if (implicit_) implicit_->bind(store_, coefficients_);
 }
 
@@ -240,11 +257,20 @@ template<int dim> void ParticleSystem<dim>::evaluate()
 {
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
+    if (wallTension_ && !slow_) wallTension_->evaluate(images_, store_);
+    if (wallAdhesion_ && !slow_) wallAdhesion_->evaluate(images_, store_);
+    if (implicit_ || slow_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
+    else plan_.evaluate(store_, images_, lists_, kernel_);
+    if (wallPotential_ && !slow_) wallPotential_->addAcceleration(images_, store_);
+}
+
+template<int dim> void ParticleSystem<dim>::evaluateSlow()
+{
+    if (!slow_) return;
     if (wallTension_) wallTension_->evaluate(images_, store_);
     if (wallAdhesion_) wallAdhesion_->evaluate(images_, store_);
-    if (implicit_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
-    else plan_.evaluate(store_, images_, lists_, kernel_);
-    if (wallPotential_) wallPotential_->addAcceleration(images_, store_);
+    slow_->evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::kept);
+    if (wallPotential_) inPlaceOfAll([&] { wallPotential_->addAcceleration(images_, store_); });
 }
 
 /// NUMERICS: scale the number density so that its mean is exact; the kernel sum over a packing is 0.7 to 1 % off by itself.

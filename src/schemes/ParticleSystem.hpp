@@ -20,6 +20,8 @@ public:
 
     /// Rates and derived fields at the present positions and velocities. A pure function of the state.
     void evaluate();
+    /// After an evaluation, at the same state: the accelerations of what acts once in a step of several parts.
+    void evaluateSlow();
     /// After an evaluation: makes of dU/dt one that has viscosity act at the end of a step of `deltaT` [s] (integrator semiImplicit).
     void solveViscosity(double deltaT) { implicit_->solve(store_, images_, lists_, kernel_, deltaT); }
     /// Wraps, sorts, makes images and lists anew.
@@ -33,6 +35,7 @@ public:
     Images<dim>& images() { return images_; }
     const Images<dim>& images() const { return images_; }
     const Plan<dim>& plan() const { return plan_; }
+    const Plan<dim>* slowPlan() const { return slow_ ? &*slow_ : nullptr; }
     const ImplicitViscosity<dim>* implicitViscosity() const { return implicit_ ? &*implicit_ : nullptr; }
     const NeighbourLists<dim>& lists() const { return lists_; }
     double densityScale() const { return coefficients_.densityScale; }
@@ -49,6 +52,7 @@ private:
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
+    std::optional<Plan<dim>> slow_;
     std::optional<ImplicitViscosity<dim>> implicit_;
     std::optional<WallTension<dim>> wallTension_;
     std::optional<WallPotential<dim>> wallPotential_;
@@ -63,6 +67,14 @@ private:
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();
     void bindPlans();
+    bool plans(const std::string& term) const { return plan_.has(term) || (slow_ && slow_->has(term)); }
+    /// Does `f` while the slow accelerations, where there are any, stand in the place of all.
+    template<class F> void inPlaceOfAll(const F& f)
+    {
+        if (slow_) store_.exchange(Acceleration{}, SlowAcceleration{});
+        f();
+        if (slow_) store_.exchange(Acceleration{}, SlowAcceleration{});
+    }
 };
 
 }

@@ -40,6 +40,8 @@ struct Settings
     Resolution resolution;
     Coefficients coefficients;
     std::vector<std::string> terms;            ///< names in the catalogues
+    std::vector<std::string> slowTerms;        ///< those that act once in a step of several parts, in its middle
+    int maxSubSteps = 1;                       ///< parts of a step at most, an odd number
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
     bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'

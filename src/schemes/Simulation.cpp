@@ -32,17 +32,29 @@ public:
     ///   leapfrog             the last rates predict v(t + dt/2): second order, one evaluation
     ///   symplecticEuler      v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory
     ///   semiImplicit         the same, but viscosity acts with v(t + dt), solved for: no viscous limit of the step
+    ///
+    /// Of a step in several parts each is such a step, but surface tension acts once, by the whole step and at the middle of the middle
+    /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
     void step(double time, double deltaT) override
     {
-        const bool predicts = settings_.predicts();
+        const int parts = partsOf(deltaT, settings_, stepLimits());
+        for (int part = 0; part < parts; ++part) stepOfPart(time + part*deltaT/parts, deltaT/parts, 2*part + 1 == parts ? deltaT : 0);
+    }
+
+    void stepOfPart(double time, double deltaT, double slowDeltaT)
+    {
+        const bool predicts = settings_.predicts(), slow = particles_.slowPlan() && slowDeltaT > 0;
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
+        if (settings_.coefficients.transportVelocity > 0) transport(particles_, settings_, deltaT);
         drift(particles_, 0.5*deltaT);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
         if (predicts) predict(particles_, 0.5*deltaT);
         particles_.evaluate();
+        if (slow) particles_.evaluateSlow();
         if (settings_.integrator == Integrator::semiImplicit) particles_.solveViscosity(deltaT);
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
+        if (slow) kickSlowly(particles_, slowDeltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
         if (settings_.shifting > 0) shift(particles_, settings_, summary_.maxSpeed, deltaT);
@@ -51,13 +63,21 @@ public:
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
-    StepLimit stepLimit() const override { return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration); }
+    StepLimit stepLimit() const override
+    {
+        return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration);
+    }
+    std::vector<StepLimit> stepLimits() const override
+    {
+        return sph::stepLimits(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration);
+    }
     Summary summary() const override { return summary_; }
 
     void settle() override
     {
         particles_.rebuild();
         particles_.evaluate();
+        particles_.evaluateSlow();
         summary_ = summarise(particles_, settings_);
     }
 
@@ -86,6 +106,7 @@ public:
     {
         std::vector<std::string> names{"U", "rho", "p", "phase", "m"};
         if (particles_.store().has(WallAcceleration{})) names.push_back(WallAcceleration::info.name);
+        if (particles_.store().has(TransportVelocity{})) names.push_back(TransportVelocity::info.name);
         std::vector<FieldView> views;
         for (const auto& name : names) views.push_back(field(name));
         return views;
@@ -98,7 +119,10 @@ public:
         return numbers;
     }
 
-    void printPlan(std::ostream& out) const override { particles_.plan().print(out, particles_.store()); }
+    void printPlan(std::ostream& out) const override
+    {
+        particles_.plan().print(out, particles_.store(), particles_.slowPlan(), "once in a step of several parts");
+    }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
@@ -107,6 +131,7 @@ public:
     double bytesPerParticle() const override
     {
         return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes() +
+                      (particles_.slowPlan() ? particles_.slowPlan()->bytes() : 0) +
                       (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
     }
 };

@@ -13,7 +13,7 @@ namespace sph
 /// What the log prints of a state, and what tells whether it is still physical. Sums are over owned particles in a fixed order.
 struct Summary
 {
-    double maxSpeed = 0, maxAcceleration = 0, kineticEnergy = 0;
+    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
     Vector<3> momentum;
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
     std::vector<std::size_t> count;
@@ -25,6 +25,7 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
+    bool ofPart = false;   ///< of what acts in each part of a step, with the most parts; else of what acts once
 };
 
 /// What an application sees of a simulation, whatever its dimension.
@@ -36,6 +37,8 @@ public:
     /// Takes a step of `deltaT` [s] from `time` [s] with the scheme of the settings. Throws CaseError where a particle has left the scene.
     virtual void step(double time, double deltaT) = 0;
     virtual StepLimit stepLimit() const = 0;
+    /// All that apply, of which the least binds.
+    virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
 
     /// Sorts the particles, rebuilds the lists and evaluates all fields at the present state: before writing, and before looking.

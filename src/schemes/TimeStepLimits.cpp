@@ -7,17 +7,18 @@
 namespace sph
 {
 
-StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceleration)
+std::vector<StepLimit> stepLimits(const Settings& settings, double maxSpeed, double maxAcceleration, double maxSlowAcceleration)
 {
     const auto& c = settings.coefficients;
     const auto& s = settings.factors;
     const double h = 0.5*c.support;
     const std::size_t n = c.phases.size();
-    StepLimit limit{std::numeric_limits<double>::infinity(), "none"};
-    const auto consider = [&](double deltaT, const char* by)
+    std::vector<StepLimit> limits;
+    const auto ofStep = [&](double deltaT, const char* by)
     {
-        if (deltaT < limit.deltaT) limit = {deltaT, by};
+        if (deltaT < std::numeric_limits<double>::infinity()) limits.push_back({deltaT, by});
     };
+    const auto ofPart = [&](double deltaT, const char* by) { limits.push_back({settings.maxSubSteps*deltaT, by, true}); };
 
     const double sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const bool implicit = settings.integrator == Integrator::semiImplicit;
@@ -25,13 +26,13 @@ StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceler
     double leastViscosity = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k) leastViscosity = std::min(leastViscosity, c.viscosity[k]/c.restDensity[k]);
     const double damped = std::min(s.dampedSound*leastViscosity/sqr(sound), 0.5*s.sound*h/maxSpeed);
-    if (implicit && settings.implicitSolve.theta == 1 && damped > soundStep) consider(damped, "damped sound");
-    else consider(soundStep, "sound");
+    if (implicit && settings.implicitSolve.theta == 1 && damped > soundStep) ofPart(damped, "damped sound");
+    else ofPart(soundStep, "sound");
     if (settings.stiffnessLimit)
     {
         double stiffest = 0;
         for (std::size_t k = 0; k < n; ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
-        consider(s.stiffness*h/std::sqrt(stiffest/(*std::min_element(c.restDensity.begin(), c.restDensity.end()))), "stiffness");
+        ofPart(s.stiffness*h/std::sqrt(stiffest/(*std::min_element(c.restDensity.begin(), c.restDensity.end()))), "stiffness");
     }
     double nu = 0, capillary = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k)
@@ -42,10 +43,27 @@ StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceler
             if (const double gamma = c.surfaceTension[k*n + l]; gamma > 0)
                 capillary = std::min(capillary, std::sqrt((c.restDensity[k] + c.restDensity[l])*h*h*h/(4*std::numbers::pi*gamma)));
         }
-    if (nu > 0 && !implicit) consider(s.viscous*h*h/nu, "viscosity");
-    consider(s.capillary*capillary, "capillary");
-    if (maxAcceleration > 0) consider(s.force*std::sqrt(h/maxAcceleration), "force");
-    return limit;
+    if (nu > 0 && !implicit) ofPart(s.viscous*h*h/nu, "viscosity");
+    ofStep(s.capillary*capillary, "capillary");
+    if (maxAcceleration > 0) ofPart(s.force*std::sqrt(h/maxAcceleration), "force");
+    if (maxSlowAcceleration > 0) ofStep(s.force*std::sqrt(h/maxSlowAcceleration), "slow force");
+    return limits;
+}
+
+int partsOf(double deltaT, const Settings& settings, const std::vector<StepLimit>& limits)
+{
+    double parts = 1;
+    for (const auto& limit : limits)
+        if (limit.ofPart) parts = std::max(parts, deltaT/limit.deltaT*settings.maxSubSteps);
+    const double roundOff = 1e-9; // a step of the limit itself takes no part more
+    return std::min(settings.maxSubSteps, 2*int(std::ceil((std::min<double>(parts, settings.maxSubSteps) - 1)/2 - roundOff)) + 1);
+}
+
+StepLimit stepLimit(const Settings& settings, double maxSpeed, double maxAcceleration, double maxSlowAcceleration)
+{
+    const auto limits = stepLimits(settings, maxSpeed, maxAcceleration, maxSlowAcceleration);
+    const auto least = std::min_element(limits.begin(), limits.end(), [](const auto& a, const auto& b) { return a.deltaT < b.deltaT; });
+    return least == limits.end() ? StepLimit{std::numeric_limits<double>::infinity(), "none"} : *least;
 }
 
 }

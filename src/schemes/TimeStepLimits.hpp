@@ -9,7 +9,8 @@
 ///   capillary  s sqrt((rho_k + rho_l) h^3/(4 pi gamma))   s = 0.5
 ///   force      s sqrt(h/|dv/dt|)                          s = 0.25
 ///
-/// h = H/2 [m]. All that do not apply are left out.
+/// h = H/2 [m]. All that do not apply are left out. Where a step has parts (`maxSubSteps`) the limits of what acts in each are as many times
+/// as long: all but the capillary one, half as long then, and that of the forces that act once.
 #pragma once
 #include "Settings.hpp"
 #include "Simulation.hpp"
@@ -17,6 +18,10 @@
 namespace sph
 {
 
-StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration);
+std::vector<StepLimit> stepLimits(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0);
+/// The least odd number of parts that brings each within its limit.
+int partsOf(double deltaT, const Settings&, const std::vector<StepLimit>&);
+/// The least; infinity by "none" where there is none.
+StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0);
 
 }

@@ -30,13 +30,19 @@ template<int dim, class To, class From> void copy(ParticleSystem<dim>& particles
 template<int dim> bool integratesDensity(const ParticleSystem<dim>& p) { return p.store().has(StartDensity{}); }
 }
 
-template<int dim> void drift(ParticleSystem<dim>& p, double deltaT) { advance(p, Position{}, Position{}, Velocity{}, deltaT); }
+template<int dim> void drift(ParticleSystem<dim>& p, double deltaT)
+{
+    advance(p, Position{}, Position{}, Velocity{}, deltaT);
+    if (p.store().has(TransportVelocity{})) advance(p, Position{}, Position{}, TransportVelocity{}, deltaT);
+}
 
 template<int dim> void kick(ParticleSystem<dim>& p, double deltaT)
 {
     advance(p, Velocity{}, Velocity{}, Acceleration{}, deltaT);
     if (integratesDensity(p)) advance(p, Density{}, Density{}, DensityRate{}, deltaT);
 }
+
+template<int dim> void kickSlowly(ParticleSystem<dim>& p, double deltaT) { advance(p, Velocity{}, Velocity{}, SlowAcceleration{}, deltaT); }
 
 template<int dim> void predict(ParticleSystem<dim>& p, double deltaT)
 {
@@ -55,6 +61,26 @@ template<int dim> void damp(ParticleSystem<dim>& p, double factor)
 {
     for (double* v : p.store().pointers(Velocity{}))
         for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+}
+
+template<int dim> void transport(ParticleSystem<dim>& p, const Settings& settings, double deltaT)
+{
+    auto& store = p.store();
+    const auto w = store.pointers(TransportVelocity{}), a = store.pointers(TransportAcceleration{});
+    const double most = 0.1*settings.resolution.spacing/deltaT;
+    const std::size_t n = p.size();
+    double fastest = 0;
+    #pragma omp parallel for schedule(static) reduction(max: fastest)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        Vector<dim> a_i;
+        fetch(a_i, [&](int c) { return a[c][i]; });
+        auto w_i = 0.5*deltaT*a_i;
+        if (const double speed = mag(w_i); speed > most) w_i = most/speed*w_i;
+        fastest = std::max(fastest, mag(w_i));
+        sph::store(w_i, [&](int c, double q) { w[c][i] = q; });
+    }
+    p.moved(deltaT*fastest);
 }
 
 template<int dim> void shift(ParticleSystem<dim>& p, const Settings& settings, double maxSpeed, double deltaT)
@@ -83,12 +109,16 @@ template void drift(ParticleSystem<2>&, double);
 template void drift(ParticleSystem<3>&, double);
 template void kick(ParticleSystem<2>&, double);
 template void kick(ParticleSystem<3>&, double);
+template void kickSlowly(ParticleSystem<2>&, double);
+template void kickSlowly(ParticleSystem<3>&, double);
 template void predict(ParticleSystem<2>&, double);
 template void predict(ParticleSystem<3>&, double);
 template void correct(ParticleSystem<2>&, double);
 template void correct(ParticleSystem<3>&, double);
 template void damp(ParticleSystem<2>&, double);
 template void damp(ParticleSystem<3>&, double);
+template void transport(ParticleSystem<2>&, const Settings&, double);
+template void transport(ParticleSystem<3>&, const Settings&, double);
 template void shift(ParticleSystem<2>&, const Settings&, double, double);
 template void shift(ParticleSystem<3>&, const Settings&, double, double);
 

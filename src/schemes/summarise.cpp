@@ -11,6 +11,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
 {
     auto& store = particles.store();
     const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{});
+    const auto slow = store.has(SlowAcceleration{}) ? store.pointers(SlowAcceleration{}) : std::array<double*, dim>{};
     const double *m = store.component("m", 0), *rho = store.component("rho", 0);
     const double* phase = settings.multiphase() ? store.component("phase", 0) : nullptr;
     const std::size_t phases = settings.coefficients.phases.size();
@@ -24,7 +25,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
     const auto parts = overBlocks(particles.size(), [&](std::size_t begin, std::size_t end)
     {
         Summary s = nothing;
-        double a2 = 0;
+        double a2 = 0, slow2 = 0;
         for (std::size_t i = begin; i < end; ++i)
         {
             Vector<dim> v_i, a_i;
@@ -33,6 +34,11 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             const std::size_t k = phase ? std::size_t(phase[i]) : 0;
             s.maxSpeedOf[k] = std::max(s.maxSpeedOf[k], dot(v_i, v_i)); // its square, to the end of the block
             a2 = std::max(a2, dot(a_i, a_i));
+            if (slow[0])
+            {
+                fetch(a_i, [&](int c) { return slow[c][i]; });
+                slow2 = std::max(slow2, dot(a_i, a_i));
+            }
             s.kineticEnergy += 0.5*m[i]*dot(v_i, v_i);
             s.momentum += m[i]*in3D(v_i);
             s.mass[k] += m[i];
@@ -42,12 +48,14 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
         }
         for (double& speed : s.maxSpeedOf) speed = std::sqrt(speed);
         s.maxAcceleration = std::sqrt(a2);
+        s.maxSlowAcceleration = std::sqrt(slow2);
         return s;
     });
     Summary total = nothing;
     for (const auto& s : parts)
     {
         total.maxAcceleration = std::max(total.maxAcceleration, s.maxAcceleration);
+        total.maxSlowAcceleration = std::max(total.maxSlowAcceleration, s.maxSlowAcceleration);
         total.kineticEnergy += s.kineticEnergy;
         total.momentum += s.momentum;
         for (std::size_t k = 0; k < phases; ++k)

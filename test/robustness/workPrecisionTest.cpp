@@ -99,6 +99,15 @@ TEST(WorkPrecision, MistakesOfTheCaseKeepTheirPlace)
     EXPECT_EQ(outcome.err.find("with variant"), std::string::npos) << outcome.err;
 }
 
+// 3 x 0.1 is not 0.3, but that is what was asked for, and how the plan of the sweep shows it.
+TEST(WorkPrecision, ShowsNumbersAsTheyAreWritten)
+{
+    const TestCase c(sweepCase());
+    c.replace(dict, "base { }", "base { \"system/sphSchemes\" { integration { soundFactor #eval \"3*0.1\"; } } }");
+    const auto log = c.runWell("workPrecision");
+    EXPECT_NE(log.find("integration.soundFactor 0.3\n"), std::string::npos) << log;
+}
+
 TEST(WorkPrecision, NeedsItsDictionary)
 {
     const TestCase c(channelCase());

@@ -100,7 +100,10 @@ void Run::reportPlan() const
                             simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
-    log_ << fmt::format("Step      : at most {:.4g} s by {}\nPlan of an evaluation:\n", limit.deltaT, limit.by);
+    std::string limits;
+    for (const auto& each : simulation_->stepLimits())
+        limits += fmt::format("{}{} {:.4g} s", limits.empty() ? "" : ", ", each.by, each.deltaT);
+    log_ << fmt::format("Step      : at most {:.4g} s by {} ({})\nPlan of an evaluation:\n", limit.deltaT, limit.by, limits);
     simulation_->printPlan(log_);
     log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n", simulation_->bytesPerParticle());
 }

@@ -57,6 +57,7 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     c.densityScale = 1.013;
     c.diffusion = 0.1;
     c.artificialViscosity = 0.3;
+    c.transportVelocity = 0.7;
     return c;
 }
 
@@ -95,7 +96,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU", "dUTransport"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);
@@ -127,6 +128,8 @@ template<int dim> struct Scene
         }
         if (store.has(VelocityChange{}))
             for (int d = 0; d < dim; ++d) std::copy_n(store.component("U", d), n, store.component("dU", d));
+        if (store.has(TransportVelocity{}))
+            for (int d = 0; d < dim; ++d) std::generate_n(store.component("dUTransport", d), n, [&] { return 0.1 * any(random); });
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
         images.build(store, n);
         lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);

@@ -154,6 +154,7 @@ TEST(Plan, ConservesLinearMomentumWithoutWalls)
                                                     {"harmonicViscosity"},
                                                     {"singlePhaseClearyViscosity"},
                                                     {"clearyViscosity"},
+                                                    {"transportStress"},
                                                     {"interfaceStress", "stressDivergence"},
                                                     {"interfaceStress", "densityWeightedStressDivergence"}};
     for (const auto& forces : all)

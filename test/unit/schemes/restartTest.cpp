@@ -52,6 +52,27 @@ TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase())
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }
+TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
+{
+    for (const char* integrator : {"predictorCorrector; maxSubSteps 3", "leapfrog; maxSubSteps 3", "symplecticEuler; maxSubSteps 5"})
+    {
+        SCOPED_TRACE(integrator);
+        restartEqualsTheWhole(with(dropCase(), integrator));
+    }
+    auto stress = with(dropCase(), "leapfrog; maxSubSteps 3");
+    stress["system/sphSchemes"] += "surfaceTension interfaceStress;\n";
+    restartEqualsTheWhole(stress);
+}
+TEST(Restart, OfATransportVelocity)
+{
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler"})
+    {
+        SCOPED_TRACE(integrator);
+        auto files = with(channelCase(), integrator);
+        files["system/sphSchemes"] += "transportVelocity 1;\n";
+        restartEqualsTheWhole(files);
+    }
+}
 TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 

@@ -95,6 +95,55 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
 }
 
+// A word about what the case has not is a mistake; where it is there and 0, as in variants that switch it off, it is meant.
+TEST(Settings, FormsOfWhatIsNotThere)
+{
+    const std::string schemes = "system/sphSchemes";
+    for (const char* word : {"shiftingAtSurface tangential", "shiftingSpeed largest"})
+    {
+        expectError(edited(channelCase(), schemes, "wallVelocity", std::string(word) + ";\nwallVelocity"),
+                    "system/sphSchemes:2: does nothing without shifting");
+        EXPECT_EQ(reading(edited(channelCase(), schemes, "wallVelocity", "shifting 0; " + std::string(word) + "; wallVelocity")).errors, "");
+    }
+    expectError(edited(channelCase(), schemes, "wallVelocity", "densityDiffusionForm antuono; wallVelocity"),
+                "system/sphSchemes:2: does nothing without densityDiffusion");
+    auto implicit = edited(channelCase(), schemes, "predictorCorrector", "semiImplicit");
+    implicit[schemes] += "viscosity cleary;\n";
+    expectError(implicit, "system/sphSchemes:4: cleary goes with explicit integration");
+}
+
+TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto with = [&](const std::string& words) { return edited(channelCase(), schemes, "wallVelocity", words + "\nwallVelocity"); };
+    const auto uniform = reading(with("transportVelocity 0.5;")), local = reading(with("transportVelocity 1; transportPressure local;"));
+    EXPECT_EQ(uniform.errors + local.errors, "");
+    EXPECT_EQ(uniform.settings.coefficients.transportVelocity, 0.5);
+    const auto has = [](const Reading& r, const char* term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
+    EXPECT_EQ(has(uniform, "transportVelocity") + has(uniform, "transportStress") + has(local, "localTransportVelocity"), 3);
+    EXPECT_EQ(has(local, "transportVelocity") + has(reading(channelCase()), "transportStress"), 0);
+    expectError(with("transportVelocity 1; shifting 2;"), "system/sphSchemes:2: keeps particles evenly spaced, and so does shifting");
+    expectError(with("transportPressure local;"), "system/sphSchemes:2: does nothing without transportVelocity");
+    expectError(edited(with("transportVelocity 1;"), schemes, "predictorCorrector", "semiImplicit"), "goes with steps that sound limits");
+}
+
+TEST(Settings, SurfaceTensionOnceInAStepOfParts)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto with = [&](const std::string& words) { return edited(dropCase(), schemes, "predictorCorrector", words); };
+    const auto settings = reading(with("leapfrog; maxSubSteps 3")).settings;
+    EXPECT_EQ(settings.maxSubSteps, 3);
+    EXPECT_DOUBLE_EQ(settings.factors.capillary, 0.5 * StepFactors{}.capillary);
+    EXPECT_EQ(settings.slowTerms, std::vector<std::string>{"curvatureForce"});
+    EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "curvatureForce"), 0);
+    EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "harmonicViscosity"), 1);
+    EXPECT_TRUE(reading(dropCase()).settings.slowTerms.empty());
+    for (const char* words : {"leapfrog; maxSubSteps 4", "leapfrog; maxSubSteps 0", "leapfrog; maxSubSteps -3"})
+        expectError(with(words), "system/sphSchemes:2: is an odd number");
+    expectError(with("semiImplicit; maxSubSteps 3"), "system/sphSchemes:2: goes with explicit integration");
+    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapfrog; maxSubSteps 3"), "without surface tension nothing acts more slowly than sound");
+}
+
 TEST(Settings, SurfaceTensionOfUnknownPhases)
 {
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquit gas) 1"),

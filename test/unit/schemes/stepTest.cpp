@@ -184,12 +184,148 @@ TEST(Start, AtAGivenPressure)
     EXPECT_THROW(makeSimulation(settings, g, cloud, {}), CaseError) << "no density has this pressure";
 }
 
+/// The vortex in two inviscid liquids with surface tension between them, masses numbering the particles. Steps have as many parts as they may.
+Settings capillarySettings(const std::string& integrator)
+{
+    auto files = vortexCase(integrator + "; soundFactor 0.01");
+    files["system/sphSchemes"] += "surfaceTension interfaceStress;\n"; // smooth, where the curvature has bounds
+    files["constant/phaseProperties"] =
+        "phases (water oil);\nwater { rho 1000; soundSpeed 15; }\noil { rho 800; soundSpeed 15; }\nsigma ( (water oil) 500 );\n";
+    return settingsOf(files);
+}
+Cloud numberedVortex()
+{
+    auto cloud = vortex(true);
+    auto& m = cloud.fields["m"].component;
+    m.resize(1);
+    for (std::size_t i = 0; i < cloud.size(); ++i) m[0].push_back(2.2 * (1 + 1e-12 * double(i)));
+    return cloud;
+}
+/// Positions, velocities, phases and masses in the order of the masses.
+Cloud stateOf(const AnySimulation& simulation)
+{
+    const auto m = simulation.field("m");
+    std::vector<std::size_t> order(simulation.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return m.component[0][a] < m.component[0][b]; });
+    auto cloud = numberedVortex();
+    const auto x = simulation.positions(), U = simulation.field("U"), phase = simulation.field("phase");
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+        cloud.x[k] = x.component[0][order[k]];
+        cloud.y[k] = x.component[1][order[k]];
+        for (std::size_t c = 0; c < 2; ++c) cloud.fields["U"].component[c][k] = U.component[c][order[k]];
+        cloud.fields["phase"].component[0][k] = phase.component[0][order[k]];
+    }
+    return cloud;
+}
+Cloud after(const Settings& settings, const Cloud& start, int steps, double deltaT)
+{
+    const auto g = periodicSquare();
+    const auto simulation = makeSimulation(settings, g, start, {{"densityScale", 1.0}});
+    for (int k = 0; k < steps; ++k) simulation->step(0, deltaT);
+    return stateOf(*simulation);
+}
+
+// What is off is the sound, which the parts resolve: steps of 1 ms are 4e-4 m/s off without, 6e-5 with three parts and 4e-5 with five. The tension
+// itself has bounds below which there is none, so that an order of its own does not show.
+TEST(Step, InPartsIsAsExactAsItsParts)
+{
+    const auto velocity = [&](const char* integrator, int steps)
+    { return after(capillarySettings(integrator), numberedVortex(), steps, 0.02 / steps).fields["U"].component[0]; };
+    const auto exact = velocity("symplecticEuler", 640);
+    const double whole = distance(velocity("symplecticEuler", 20), exact);
+    EXPECT_LT(distance(velocity("symplecticEuler; maxSubSteps 3", 20), exact), 0.2 * whole);
+    EXPECT_LT(distance(velocity("leapfrog; maxSubSteps 5", 20), exact), 0.15 * whole);
+}
+
+// Forth, velocities turned round, and back: to the start within what round-off grows to.
+TEST(Step, InPartsIsReversible)
+{
+    const auto settings = capillarySettings("symplecticEuler; maxSubSteps 5");
+    const auto start = numberedVortex();
+    auto turned = after(settings, start, 20, 0.005);
+    EXPECT_GT(distance(turned.x, start.x), 0.01);
+    for (auto& component : turned.fields["U"].component)
+        for (double& u : component) u = -u;
+    const auto back = after(settings, turned, 20, 0.005);
+    for (std::size_t i = 0; i < start.size(); ++i)
+    {
+        const double dx = back.x[i] - start.x[i], dy = back.y[i] - start.y[i];
+        ASSERT_LT(std::hypot(dx - std::round(dx), dy - std::round(dy)), 1e-10) << i;
+    }
+}
+
+// A scene that does not ask for it has neither the other plan nor its array.
+TEST(Step, WithoutPartsHasNoSlowAcceleration)
+{
+    const auto g = periodicSquare();
+    const auto whole = makeSimulation(capillarySettings("symplecticEuler"), g, numberedVortex(), {});
+    const auto parts = makeSimulation(capillarySettings("symplecticEuler; maxSubSteps 3"), g, numberedVortex(), {});
+    EXPECT_EQ(whole->field("dUdtSlow").component[0], nullptr);
+    EXPECT_NE(parts->field("dUdtSlow").component[0], nullptr);
+    EXPECT_EQ(whole->pairPasses(), 3);
+    EXPECT_EQ(parts->pairPasses(), 2);
+}
+
+/// Least distance of two particles of the vortex after half a turn, over the spacing.
+double leastDistance(const std::string& words)
+{
+    auto files = vortexCase("leapfrog");
+    files["system/sphSchemes"] += words;
+    const auto settings = settingsOf(files);
+    const auto g = periodicSquare();
+    const auto simulation = makeSimulation(settings, g, vortex(false), {});
+    for (double time = 0; time < 0.5;)
+    {
+        const double deltaT = simulation->stepLimit().deltaT;
+        simulation->step(time, deltaT);
+        time += deltaT;
+    }
+    simulation->settle();
+    const auto x = simulation->positions();
+    double least = 1;
+    for (std::size_t i = 0; i < simulation->size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            double r2 = 0;
+            for (std::size_t c = 0; c < 2; ++c)
+            {
+                const double d = x.component[c][i] - x.component[c][j];
+                r2 += (d - std::round(d)) * (d - std::round(d));
+            }
+            least = std::min(least, std::sqrt(r2));
+        }
+    return 20 * least;
+}
+
+// With a pressure of differences nothing but the transport velocity holds particles apart where streamlines part: measured 0.41 without, 0.79 with.
+TEST(Step, ATransportVelocityKeepsParticlesApart)
+{
+    const std::string words = "density continuity; volume numberDensity; densityDiffusion 0.1; pressureGradient difference;\n";
+    EXPECT_LT(leastDistance(words), 0.6);
+    EXPECT_GT(leastDistance(words + "transportVelocity 1;\n"), 0.7);
+}
+
+TEST(Step, ATransportVelocityConservesMomentum)
+{
+    auto files = vortexCase("leapfrog");
+    files["system/sphSchemes"] += "transportVelocity 1;\n";
+    const auto settings = settingsOf(files);
+    const auto g = periodicSquare();
+    const auto simulation = makeSimulation(settings, g, vortex(false), {});
+    const auto before = simulation->summary();
+    for (int k = 0; k < 200; ++k) simulation->step(0, simulation->stepLimit().deltaT);
+    EXPECT_GT(simulation->rebuilds(), 5);
+    EXPECT_LT(mag(simulation->summary().momentum - before.momentum), 1e-11 * 1000) << "kg m/s in 2-D; the box holds 1000 kg at about 0.5 m/s";
+}
+
 // Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
 // momentum stays at the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the
 // particles sorted.
 TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 {
-    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2"})
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2", "leapfrog; maxSubSteps 3"})
     {
         SCOPED_TRACE(integrator);
         auto files = vortexCase(integrator);

@@ -87,6 +87,25 @@ TEST(StepLimit, BySurfaceTension)
     expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
 }
 TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25 * std::sqrt(0.5 / 1e4), "force", 0, 1e4); }
+// What acts in each of five parts allows five times its step; what acts once does not.
+TEST(StepLimit, OfAStepInParts)
+{
+    auto s = twoPhases();
+    s.maxSubSteps = 5;
+    expectLimit(s, 5 * 0.4 * 0.5 / 20, "sound");
+    expectLimit(s, 5 * 0.25 * std::sqrt(0.5 / 1e6), "force", 0, 1e6);
+    s.coefficients.viscosity = {30, 10};
+    expectLimit(s, 5 * 0.125 * 0.25 / 15, "viscosity");
+    s.coefficients.surfaceTension = {0, 1e6, 1e6, 0};
+    expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
+    const auto limits = stepLimits(s, 0, 1, 1e8);
+    EXPECT_EQ(limits.size(), 5u);
+    EXPECT_EQ(limits.back().by, "slow force");
+    EXPECT_DOUBLE_EQ(limits.back().deltaT, 0.25 * std::sqrt(0.5 / 1e8));
+    const double part = 0.125 * 0.25 / 15;
+    for (const auto& [deltaT, parts] : {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
+        EXPECT_EQ(partsOf(deltaT, s, limits), parts) << deltaT / part;
+}
 TEST(StepLimit, FollowsTheFactors)
 {
     auto s = quiet();

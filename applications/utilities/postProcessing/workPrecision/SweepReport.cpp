@@ -2,6 +2,7 @@
 #include "OutputFile.hpp"
 #include "Sweep.hpp"
 #include "convergence.hpp"
+#include "csv.hpp"
 #include "plots.hpp"
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,14 @@ std::string aligned(const std::vector<Cells>& rows, std::size_t words)
     return text;
 }
 
+/// As a user writes it: `#eval "3*0.1"` is 0.30000000000000004, and 0.3 to read.
+std::string shown(double value) { return fmt::format("{:.15g}", value); }
+std::string shown(const std::string& entry)
+{
+    const auto value = finiteNumber(entry);
+    return value ? shown(*value) : entry.find('\n') == entry.npos ? entry : "{..}";
+}
+
 std::string number(double value, const char* format)
 {
     return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("-");
@@ -45,14 +54,14 @@ std::string number(double value, const char* format)
 std::string Sweep::titleOf(std::size_t error) const
 {
     const auto& choice = plan_.errors[error];
-    return fmt::format("{} error of {} at time {} s", choice.norm, choice.field, shortestText(timeOf(choice, runs_.front())));
+    return fmt::format("{} error of {} at time {} s", choice.norm, choice.field, shown(timeOf(choice, runs_.front())));
 }
 
 std::string Sweep::stemOf(std::size_t error) const
 {
     const auto& choice = plan_.errors[error];
     return fmt::format("{}{}_{}_{}", choice.function == "errors" ? "" : choice.function + "_", choice.field, choice.norm,
-                       shortestText(timeOf(choice, runs_.front())));
+                       shown(timeOf(choice, runs_.front())));
 }
 
 void Sweep::printPlan() const
@@ -79,7 +88,7 @@ void Sweep::printPlan() const
     {
         std::vector<std::string> sets;
         for (const auto& o : run.plan.overrides)
-            sets.push_back(fmt::format("{}:{} {}", o.file, o.entry(), o.value.find('\n') == o.value.npos ? o.value : "{..}"));
+            sets.push_back(fmt::format("{}:{} {}", o.file, o.entry(), shown(o.value)));
         rows.push_back({run.plan.name(), run.rows.empty() ? "to run" : run.rows.front().status,
                         fmt::format("{:.4g}", run.spacing), fmt::format("{}", fmt::join(sets, "; "))});
     }
