@@ -169,7 +169,10 @@ void Run::checkEnergy()
         return fmt::format("the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied", energy_.held,
                            time_.name(), share);
     };
-    const auto advice = "The scheme creates energy: try `pressureGradient huAdams`, more viscosity, or a finer resolution";
+    const auto& terms = settings_.terms;
+    const bool hasNoEnergy = std::find(terms.begin(), terms.end(), "densityWeightedPressure") != terms.end();
+    const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution",
+                                    hasNoEnergy ? "`pressureGradient huAdams`" : "a smaller factor in `integration`");
     if (share > mostEnergy) throw DivergedError(fmt::format("{}. {}", what(), advice));
     if (share <= suspectEnergy || warnedOfEnergy_) return;
     warnedOfEnergy_ = true;
