@@ -17,8 +17,8 @@ CapillaryBridge::CapillaryBridge(int dimension, double radius, double gap, doubl
     : dimension_(dimension), radius_(radius), gap_(gap), theta_(contactAngle*pi/180)
 {
     if (!solve(volume))
-        throw CaseError(fmt::format("no bridge of {:.4g} m^{} at {:.4g} degrees spans the gap of {:.4g} m between {} of radius {:.4g} m", volume, dimension,
-                                    contactAngle, gap, dimension == 3 ? "spheres" : "cylinders", radius));
+        throw CaseError(fmt::format("no bridge of {:.4g} m^{} at {:.4g} degrees spans the gap of {:.4g} m between {} of radius {:.4g} m",
+                                    volume, dimension, contactAngle, gap, dimension == 3 ? "spheres" : "cylinders", radius));
 }
 
 double CapillaryBridge::slopeAtContact(double beta) const { return pi/2 - theta_ - beta; }

@@ -108,7 +108,8 @@ Measurement BridgePressure::operator()(const ParticleView& view) const
     if (!(insideVolume > 0 && outsideVolume > 0))
     {
         result.value = std::numeric_limits<double>::quiet_NaN();
-        result.note = fmt::format("no particle of the {} is farther than the kernel's support from both interface and walls", insideVolume > 0 ? "gas" : "bridge");
+        result.note = fmt::format("no particle of the {} is farther than the kernel's support from both interface and walls",
+                                  insideVolume > 0 ? "gas" : "bridge");
     }
     return result;
 }

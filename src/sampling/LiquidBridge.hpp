@@ -5,8 +5,8 @@
 namespace sph
 {
 
-/// A liquid bridge between two equal spheres, cylinders in 2-D, against its shape at rest without gravity (CapillaryBridge.hpp). The reference is that
-/// of the volume of the phase's particles, sum_i m_i/rho_0, and the scene's surface tension.
+/// A liquid bridge between two equal spheres, cylinders in 2-D, against its shape at rest without gravity (CapillaryBridge.hpp). The reference
+/// is that of the volume of the phase's particles, sum_i m_i/rho_0, and the scene's surface tension.
 class LiquidBridge
 {
 protected:

@@ -51,8 +51,10 @@ double compressionEnergy(double rho, double restDensity, double B, double n)
 
 template<int dim>
 EnergyBalance<dim>::EnergyBalance(const ParticleSystem<dim>& particles, const Settings& settings, const Geometry& geometry, const Summary& summary)
-    : settings_(settings), given_(summary.kineticEnergy + interfaces(particles) + compression(particles, summary) + walls(particles, geometry, summary))
-{}
+    : settings_(settings)
+{
+    given_ = summary.kineticEnergy + interfaces(particles) + compression(particles, summary) + walls(particles, geometry, summary);
+}
 
 template<int dim> void EnergyBalance<dim>::addWork(double work)
 {

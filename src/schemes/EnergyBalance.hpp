@@ -1,5 +1,5 @@
-/// What a run holds in energy against all that its scene can have given it. No scheme whose pressure and tension are gradients of an energy gains any;
-/// others may, and do where nothing takes it up (tutorials/stiff/dropOnFilm).
+/// What a run holds in energy against all that its scene can have given it. A scheme whose pressure and tension are gradients of an energy gains
+/// none; others may, and do where nothing takes it up (tutorials/stiff/dropOnFilm).
 ///
 ///   held       K(t) + S(t)
 ///   supplied   K(0) + S(0) + sum_i m_i e(rho_i) + 0.02 p_b sum_i V_i + max_t W + sum_walls |gamma_s| A + M u_w^2/2 + sum_i m_i (c/100)^2/2

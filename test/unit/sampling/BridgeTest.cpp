@@ -40,7 +40,9 @@ Particles straightBridge(int dimension, double radius, double pressure)
     return particles;
 }
 
-Measurement measure(const Particles& particles, const std::string& name, const std::string& more = "centres ((0 0 0) (0 3 0)); radius 1; contactAngle 60;")
+const std::string parameters = "centres ((0 0 0) (0 3 0)); radius 1; contactAngle 60;";
+
+Measurement measure(const Particles& particles, const std::string& name, const std::string& more = parameters)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
     const auto d = Dictionary::parse(more, "system/controlDict", diagnostics);
@@ -54,14 +56,18 @@ Measurement measure(const Particles& particles, const std::string& name, const s
 TEST(CapillaryBridge, AgreesWithAnIndependentIntegration)
 {
     // By arc length with an adaptive step of 1e-11 (tutorials/stiff/liquidBridge/reference/bridges.csv); 400 steps along z are good to 1e-6.
-    for (const Known& s : {Known{3, 1, 3, 60, 47.7334031, 1.5525018, 0.8775644, 1.7577754}, {3, 1, 3, 30, 57.4443151, 1.1623988, 0.8185054, 2.6963048},
-                           {3, 0.05, 0.1, 30, 28.8239915, -1.3739948, 0.4394866, 3.5951072}, {3, 0.5, 1, 90, 34.8393440, 2.7525513, 0.7063105, 0.1239149},
-                           {3, 0.5, 2, 120, 39.6784762, 2.8971440, 0.9564969, -2.3171243}, {2, 0.5, 0.75, 60, 35.7247979, 0.2276528, 0.6058010, 1.7241755},
-                           {2, 0.5, 0.75, 30, 41.0453443, -0.6551297, 0.5738877, 2.7519417}, {2, 1, 2, 90, 39.8290556, 0.8749497, 0.9057044, 0.4151084}})
+    for (const Known& s : {Known{3, 1, 3, 60, 47.7334031, 1.5525018, 0.8775644, 1.7577754},
+                           {3, 1, 3, 30, 57.4443151, 1.1623988, 0.8185054, 2.6963048},
+                           {3, 0.05, 0.1, 30, 28.8239915, -1.3739948, 0.4394866, 3.5951072},
+                           {3, 0.5, 1, 90, 34.8393440, 2.7525513, 0.7063105, 0.1239149},
+                           {3, 0.5, 2, 120, 39.6784762, 2.8971440, 0.9564969, -2.3171243},
+                           {2, 0.5, 0.75, 60, 35.7247979, 0.2276528, 0.6058010, 1.7241755},
+                           {2, 0.5, 0.75, 30, 41.0453443, -0.6551297, 0.5738877, 2.7519417},
+                           {2, 1, 2, 90, 39.8290556, 0.8749497, 0.9057044, 0.4151084}})
     {
         const double R = 2.7e-4;
         const CapillaryBridge bridge(s.dimension, R, s.gap*R, s.volume*std::pow(R, s.dimension), s.contactAngle);
-        const auto name = ::testing::Message() << s.dimension << "-D, gap " << s.gap << ", volume " << s.volume << ", angle " << s.contactAngle;
+        const auto name = ::testing::Message() << s.dimension << "-D, gap " << s.gap << ", volume " << s.volume << ", " << s.contactAngle;
         EXPECT_NEAR(bridge.halfFilling()/degree, s.halfFilling, 1e-5) << name;
         EXPECT_NEAR(bridge.curvature()*R, s.curvature, 2e-6) << name;
         EXPECT_NEAR(bridge.neck()/R, s.neck, 1e-6) << name;
