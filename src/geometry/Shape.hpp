@@ -72,6 +72,8 @@ public:
     virtual Box bounds() const = 0;
     /// 1/max|k| over the surface as far as the fluid can see it [m]; infinite for a plane.
     virtual double smallestRadius() const = 0;
+    /// True where the principal curvatures are the same all over the surface.
+    virtual bool uniformlyCurved() const { return false; }
     virtual std::unique_ptr<Shape> shifted(const Vector<3>& by) const = 0;
 
     virtual ShapeDescription description() const = 0;

@@ -17,6 +17,7 @@ public:
     Foot foot(const Vector<3>& x) const override;
     Box bounds() const override;
     double smallestRadius() const override { return R_; }
+    bool uniformlyCurved() const override { return true; }
     std::unique_ptr<Shape> shifted(const Vector<3>& by) const override;
     ShapeDescription description() const override;
     bool invariantAlong(int) const override { return false; }

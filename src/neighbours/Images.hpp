@@ -106,7 +106,7 @@ public:
             }
     }
 
-    /// Calls f(i, foot, wall) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the nearest
+    /// Calls f(i, foot, patch) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the nearest
     /// place of the patch and there is no image; all patches of one particle in a row and on one thread.
     template<class F> void forEachWallNear(FieldStore<dim>& store, const F& f) const
     {
@@ -116,7 +116,7 @@ public:
         {
             Vector<dim> x;
             fetch(x, [&](int c) { return position[c][i]; });
-            for (const int p : wallsNear(x)) f(i, geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p].wall);
+            for (const int p : wallsNear(x)) f(i, geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p]);
         }
     }
 

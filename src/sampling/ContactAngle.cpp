@@ -1,12 +1,11 @@
 #include "ContactAngle.hpp"
 #include "Drop.hpp"
-#include "Interpolator.hpp"
 #include "SampledField.hpp"
 #include "SphereFit.hpp"
+#include "VolumeFraction.hpp"
 #include <algorithm>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace sph
 {
@@ -64,16 +63,6 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     const double ofWall = view.geometry->walls.at(std::size_t(wall->wall)).contactAngle;
     result.reference = angle_ >= 0 ? angle_ : phase_ == 0 ? ofWall : 180 - ofWall;
 
-    const Interpolator interpolator(view);
-    const auto fraction = [&](const Vector<3>& x)
-    {
-        const auto weights = interpolator.weights(x, Interpolation::shepard);
-        if (view.phases.size() < 2) return weights.coverage;
-        double sum = 0;
-        for (std::size_t k = 0; k < weights.particle.size(); ++k)
-            if (phaseOf(view, weights.particle[k]) == phase_) sum += weights.weight[k];
-        return sum;
-    };
     double farthest = 0;
     for (std::size_t i = 0; i < view.n; ++i)
         if (phaseOf(view, i) == phase_) farthest = std::max(farthest, mag(displacement(view, drop.centre, position(view, i))));
@@ -81,20 +70,13 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     // A cap is convex: each ray from its centre of volume leaves it once. The last point inside the fluid of a ray towards the
     // wall is no point of the surface.
     std::vector<Vector<3>> surface;
-    const double step = view.spacing / 2;
+    const VolumeFraction fraction(view, phase_);
     for (const auto& direction : directions(view.dimension))
     {
-        const auto at = [&](double r) { return drop.centre + r * direction; };
-        const auto height = [&](double r) { return dot(at(r) - drop.centre, foot.normal) + foot.distance; };
-        double in = 0, out = step;
-        while (out < farthest + view.support && height(out) > 0 && fraction(at(out)) >= 0.5) in = std::exchange(out, out + step);
-        if (out >= farthest + view.support || height(out) <= above_ * view.spacing) continue;
-        for (int k = 0; k < 20; ++k)
-        {
-            const double middle = (in + out) / 2;
-            (fraction(at(middle)) >= 0.5 ? in : out) = middle;
-        }
-        if (height(in) > above_ * view.spacing) surface.push_back(at(in));
+        const double sinks = -dot(direction, foot.normal), most = farthest + view.support;
+        const double reach = sinks*most > foot.distance ? foot.distance/sinks : most;
+        const auto r = fraction.surface(drop.centre, direction, reach);
+        if (r && foot.distance - sinks**r > above_*view.spacing) surface.push_back(drop.centre + *r*direction);
     }
 
     const auto sphere = fitSphere(surface, view.dimension);

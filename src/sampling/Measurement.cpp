@@ -7,6 +7,7 @@
 #include "FrontPosition.hpp"
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
+#include "LiquidBridge.hpp"
 #include "VortexDecay.hpp"
 #include <algorithm>
 #include <concepts>
@@ -45,6 +46,8 @@ const std::vector<Entry>& catalogue()
         {"interfaceGrowth", measure<InterfaceGrowth>},
         {"columnGrowth", measure<ColumnGrowth>},
         {"capillaryRise", measure<CapillaryRise>},
+        {"bridgeNeck", measure<BridgeNeck>},
+        {"bridgePressure", measure<BridgePressure>},
     };
     return measures;
 }

@@ -51,6 +51,7 @@ struct Settings
     bool integratedDensity = false;            ///< density by the continuity equation
     bool normaliseDensity = true;
     bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
+    bool surfaceTension = false;               ///< acts between phases
     bool wallPotential = false;                ///< contact angles by WallPotential; else by terms of the plan
     double shifting = 0;                       ///< C of particle shifting; 0: none
     bool shiftsByLargestSpeed = false;         ///< else by the particle's own

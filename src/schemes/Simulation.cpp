@@ -1,4 +1,5 @@
 #include "Simulation.hpp"
+#include "EnergyBalance.hpp"
 #include "ParticleSystem.hpp"
 #include "TimeStepLimits.hpp"
 #include "moves.hpp"
@@ -18,13 +19,13 @@ template<int dim> class Simulation final : public AnySimulation
     const Settings& settings_;
     ParticleSystem<dim> particles_;
     Summary summary_;
+    EnergyBalance<dim> energy_;
 
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
-        : settings_(settings), particles_(settings, geometry, cloud, restored)
-    {
-        summary_ = summarise(particles_, settings_);
-    }
+        : settings_(settings), particles_(settings, geometry, cloud, restored), summary_(summarise(particles_, settings_)),
+          energy_(particles_, settings_, geometry, summary_)
+    {}
 
     /// The algorithm. Half a drift, the rates there, the whole kick, the other half of the drift:
     ///
@@ -59,7 +60,9 @@ public:
         drift(particles_, 0.5*deltaT);
         if (settings_.shifting > 0) shift(particles_, settings_, summary_.maxSpeed, deltaT);
         particles_.images().ghostVelocity().filter();
+        const double power = summary_.power;
         summary_ = summarise(particles_, settings_);
+        energy_.addWork(0.5*(power + summary_.power)*deltaT);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
@@ -72,6 +75,7 @@ public:
         return sph::stepLimits(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration);
     }
     Summary summary() const override { return summary_; }
+    Energy energy() const override { return energy_.at(particles_, summary_); }
 
     void settle() override
     {

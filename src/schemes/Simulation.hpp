@@ -14,10 +14,17 @@ namespace sph
 struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
+    double power = 0;   ///< of gravity and body force [W]
     Vector<3> momentum;
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
     std::vector<std::size_t> count;
     bool finite = true;
+};
+
+/// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D (EnergyBalance.hpp).
+struct Energy
+{
+    double held, supplied;
 };
 
 /// A step that is stable, and the criterion that binds.
@@ -40,6 +47,8 @@ public:
     /// All that apply, of which the least binds.
     virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
+    /// Of the present state, by a look at all pairs across interfaces.
+    virtual Energy energy() const = 0;
 
     /// Sorts the particles, rebuilds the lists and evaluates all fields at the present state: before writing, and before looking.
     virtual void settle() = 0;

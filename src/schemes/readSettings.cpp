@@ -227,7 +227,8 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.detachingGhosts = settings.hydrostaticGhosts && choice.wallPressure == "detaching";
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
-    if (choice.tension == "none") c.wallTension.clear();
+    settings.surfaceTension = choice.tension != "none";
+    if (!settings.surfaceTension) c.wallTension.clear();
     settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();
     if (settings.wallPotential) settings.reasons.push_back("contact angles by the potential of the walls, added to dU/dt after the passes");
     // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
@@ -244,7 +245,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     const bool automatic = dict.isWord("backgroundPressure", "automatic") || !dict.found("backgroundPressure");
     if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
-    else if (choice.tension != "none")
+    else if (settings.surfaceTension)
     {
         c.backgroundPressure = 0.8*gamma/c.spacing;
         settings.reasons.push_back(fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "

@@ -14,6 +14,8 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
     const auto slow = store.has(SlowAcceleration{}) ? store.pointers(SlowAcceleration{}) : std::array<double*, dim>{};
     const double *m = store.component("m", 0), *rho = store.component("rho", 0);
     const double* phase = settings.multiphase() ? store.component("phase", 0) : nullptr;
+    const auto force = settings.coefficients.bodyForce; // [N/m^3]
+    const bool driven = mag(force) > 0;
     const std::size_t phases = settings.coefficients.phases.size();
     Summary nothing;
     nothing.mass.assign(phases, 0);
@@ -41,6 +43,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             }
             s.kineticEnergy += 0.5*m[i]*dot(v_i, v_i);
             s.momentum += m[i]*in3D(v_i);
+            if (driven) s.power += m[i]/rho[i]*dot(force, in3D(v_i));
             s.mass[k] += m[i];
             ++s.count[k];
             s.minDensity[k] = std::min(s.minDensity[k], rho[i]);
@@ -58,6 +61,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
         total.maxSlowAcceleration = std::max(total.maxSlowAcceleration, s.maxSlowAcceleration);
         total.kineticEnergy += s.kineticEnergy;
         total.momentum += s.momentum;
+        total.power += s.power;
         for (std::size_t k = 0; k < phases; ++k)
         {
             total.mass[k] += s.mass[k];
@@ -67,6 +71,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             total.maxSpeedOf[k] = std::max(total.maxSpeedOf[k], s.maxSpeedOf[k]);
         }
     }
+    total.power += dot(settings.coefficients.g, total.momentum);
     total.maxSpeed = *std::max_element(total.maxSpeedOf.begin(), total.maxSpeedOf.end());
     total.finite = std::isfinite(total.kineticEnergy) && std::isfinite(total.maxAcceleration);
     return total;

@@ -24,6 +24,11 @@ constexpr double mostCompression = 4;
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
 
+/// Energy held over the most that the scene can have supplied, beyond which the log warns, and beyond which a solution is rubbish; looked at every
+/// so many steps, for it takes a loop over pairs.
+constexpr double suspectEnergy = 1.5, mostEnergy = 5;
+constexpr long energySteps = 100;
+
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
@@ -158,6 +163,25 @@ void Run::warnOfCompression()
     }
 }
 
+void Run::checkEnergy()
+{
+    energy_ = simulation_->energy();
+    const double share = energy_.held/energy_.supplied;
+    const auto what = [&]
+    {
+        return fmt::format("the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied", energy_.held,
+                           time_.name(), share);
+    };
+    const auto& terms = settings_.terms;
+    const bool hasNoEnergy = std::find(terms.begin(), terms.end(), "densityWeightedPressure") != terms.end();
+    const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution",
+                                    hasNoEnergy ? "`pressureGradient huAdams`" : "a smaller factor in `integration`");
+    if (share > mostEnergy) throw DivergedError(fmt::format("{}. {}", what(), advice));
+    if (share <= suspectEnergy || warnedOfEnergy_) return;
+    warnedOfEnergy_ = true;
+    log_ << fmt::format("--> Warning: {}. {}\n", what(), advice);
+}
+
 void Run::reportStep(const StepLimit& limit, double deltaT) const
 {
     const auto s = simulation_->summary();
@@ -169,9 +193,10 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
     const int iterations = simulation_->solverIterations();
     const std::string solver = iterations > 0 ? fmt::format("  viscosity {} iterations", iterations) : "";
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  neighbours {:.1f}  lists built {}{}\n{}\n"
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  energy/supply {:.3g}  neighbours {:.1f}  lists built {}{}\n{}\n"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
-                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, simulation_->meanNeighbours(),
+                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy_.held/energy_.supplied,
+                        simulation_->meanNeighbours(),
                         simulation_->rebuilds(), solver, phases, Clock::executionTime(), clock, expected);
     log_.flush();
 }
@@ -238,6 +263,7 @@ void Run::solve()
         const double deltaT = time_.nextDeltaT(limit.deltaT);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
+        if (time_.index()%energySteps == 0) checkEnergy();
         if (stopRequested) time_.stopNow();
         if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
@@ -246,6 +272,7 @@ void Run::solve()
         {
             simulation_->settle();
             check(limit);
+            checkEnergy();
             write();
         }
         sample(writeTime, end);

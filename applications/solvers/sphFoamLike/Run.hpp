@@ -35,6 +35,8 @@ private:
     std::unique_ptr<FunctionObjects> functions_;
     std::unique_ptr<AnySimulation> simulation_;
     std::vector<bool> warned_; ///< of each phase's compression
+    Energy energy_{0, 1};      ///< when last looked at
+    bool warnedOfEnergy_ = false;
 
     static Geometry loadGeometry(const Case&);
     void reportPlan() const;
@@ -42,6 +44,8 @@ private:
     void check(const StepLimit&) const;
     /// Once a phase.
     void warnOfCompression();
+    /// Warns once of more energy than the scene can have supplied; throws DivergedError where it is far more.
+    void checkEnergy();
     void write();
     void sample(bool writeTime, bool end);
     ParticleView view() const;

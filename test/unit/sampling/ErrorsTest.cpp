@@ -216,7 +216,8 @@ TEST(Errors, unknownWordsAreExplained)
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
               "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, rotatingSquarePatch, laplaceJump, contactAngle, "
-              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise.");
+              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
+              "bridgeNeck, bridgePressure.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)

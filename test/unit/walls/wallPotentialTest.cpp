@@ -27,12 +27,27 @@ TEST(WallPotential, StoresTheTension)
     Coefficients c;
     c.support = H;
     const WallPotential<3> wall(c);
-    const auto Phi = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q); }); };
+    const auto Phi = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q, 0, 0); }); };
     EXPECT_NEAR(integral(0, H, Phi), 1, 1e-8);
     EXPECT_NEAR(Phi(0) * H, 35.0 / 16, 1e-8);
-    EXPECT_EQ(wall.slope(0), 0);
-    EXPECT_EQ(wall.slope(H), 0);
-    EXPECT_EQ(wall.slope(1.05 * H), 0);
+    EXPECT_EQ(wall.slope(0, 0, 0), 0);
+    EXPECT_EQ(wall.slope(H, 0, 0), 0);
+    EXPECT_EQ(wall.slope(1.05 * H, 0, 0), 0);
+}
+
+// The same over curved walls, per area of wall: outside a sphere and a cylinder of two supports, inside a sphere; dA(d)/dA(0) = (1 - k_1 d)(1 - k_2 d).
+TEST(WallPotential, StoresTheTensionOfCurvedWalls)
+{
+    Coefficients c;
+    c.support = H;
+    const WallPotential<3> wall(c);
+    for (const auto& [k1, k2] : {std::pair(-0.5 / H, -0.5 / H), std::pair(-0.5 / H, 0.0), std::pair(0.5 / H, 0.5 / H)})
+    {
+        const auto potential = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q, k1, k2); }); };
+        const double stored = integral(0, H, [&](double d) { return potential(d) * (1 - k1 * d) * (1 - k2 * d); });
+        EXPECT_NEAR(stored, 1, 1e-7) << k1 << ' ' << k2;
+        EXPECT_EQ(wall.slope(H, k1, k2), 0);
+    }
 }
 
 // Each wall within H pulls along its normal, by the tension that it has with the particle's phase; what was there before stays.
@@ -49,7 +64,7 @@ template<int dim> void planeWallsAddUp()
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const std::size_t phase = i % 2;
-        const double lower = wall.slope(points[i].y), upper = wall.slope(Channel<dim>::height - points[i].y);
+        const double lower = wall.slope(points[i].y, 0, 0), upper = wall.slope(Channel<dim>::height - points[i].y, 0, 0);
         const double up = (-c.wallTension[phase] * lower + c.wallTension[2 + phase] * upper) / c.restDensity[phase];
         double a[3] = {};
         store(channel.at(Acceleration{}, i), [&](int d, double q) { a[d] = q; });

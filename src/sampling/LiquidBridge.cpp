@@ -1,0 +1,117 @@
+#include "LiquidBridge.hpp"
+#include "CapillaryBridge.hpp"
+#include "SampledField.hpp"
+#include "VolumeFraction.hpp"
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+namespace sph
+{
+
+namespace
+{
+
+/// Evenly spread round the axis; to either side in 2-D.
+std::vector<Vector<3>> directionsAcross(const Vector<3>& axis, int dimension)
+{
+    if (dimension == 2) return {{-axis.y, axis.x, 0}, {axis.y, -axis.x, 0}};
+    const auto other = std::fabs(axis.z) < 0.5 ? Vector<3>{0, 0, 1} : Vector<3>{1, 0, 0};
+    const auto first = cross(axis, other)/mag(cross(axis, other)), second = cross(axis, first);
+    std::vector<Vector<3>> directions;
+    const int n = 32;
+    for (int k = 0; k < n; ++k)
+    {
+        const double angle = 2*std::numbers::pi*(k + 0.5)/n;
+        directions.push_back(std::cos(angle)*first + std::sin(angle)*second);
+    }
+    return directions;
+}
+
+double volumeOf(const ParticleView& view, std::size_t phase)
+{
+    double mass = 0;
+    for (std::size_t i = 0; i < view.n; ++i)
+        if (phaseOf(view, i) == phase) mass += view.mass[i];
+    return mass/view.restDensity[phase];
+}
+
+}
+
+LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+    : phase_(readPhase(d, "phase", phases)), radius_(d.getPositive("radius", units::m)), angle_(d.get("contactAngle", units::none))
+{
+    if (phases.size() != 2) d.error("name", "the bridge is one of liquid in a gas: the scene must have two phases");
+    if (!(angle_ >= 0 && angle_ < 180)) d.error("contactAngle", "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees");
+    auto centres = d.get<std::vector<Vector<3>>>("centres");
+    if (centres.size() != 2)
+    {
+        if (d.found("centres")) d.error("centres", fmt::format("a bridge has two centres, not {}", centres.size()));
+        return;
+    }
+    if (geometry.dimension == 2) centres[0].z = centres[1].z = 0;
+    const double distance = mag(centres[1] - centres[0]);
+    gap_ = distance - 2*radius_;
+    if (gap_ < 0) d.error("centres", fmt::format("the centres are {:.4g} m apart, less than two radii: there is no gap for a bridge", distance));
+    else axis_ = (centres[1] - centres[0])/distance;
+    middle_ = (centres[0] + centres[1])/2;
+}
+
+Measurement BridgeNeck::operator()(const ParticleView& view) const
+{
+    Measurement result;
+    result.reference = CapillaryBridge(view.dimension, radius_, gap_, volumeOf(view, phase_), angle_).neck();
+    const VolumeFraction fraction(view, phase_);
+    const double reach = mag(view.geometry->high - view.geometry->low);
+    double sum = 0;
+    const auto directions = directionsAcross(axis_, view.dimension);
+    for (const auto& direction : directions)
+        if (const auto r = fraction(middle_) >= 0.5 ? fraction.surface(middle_, direction, reach) : std::nullopt)
+        {
+            sum += *r;
+            ++result.particles;
+        }
+    result.value = sum/double(result.particles);
+    if (result.particles < directions.size())
+    {
+        result.value = std::numeric_limits<double>::quiet_NaN();
+        result.note = "midway between the solids there is no bridge with a surface all round";
+    }
+    return result;
+}
+
+Measurement BridgePressure::operator()(const ParticleView& view) const
+{
+    Measurement result;
+    result.reference = view.surfaceTension*CapillaryBridge(view.dimension, radius_, gap_, volumeOf(view, phase_), angle_).curvature();
+    const VolumeFraction fraction(view, phase_);
+    const SampledField p(view, "p", {});
+    double inside = 0, insideVolume = 0, outside = 0, outsideVolume = 0;
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        const auto x = position(view, i);
+        if (view.geometry->distance(x) < view.support) continue;
+        const double ofLiquid = fraction(x), other = 1 - ofLiquid, none = 1e-12;
+        if (other < none)
+        {
+            inside += view.volume[i]*p(0, i);
+            insideVolume += view.volume[i];
+            ++result.particles;
+        }
+        else if (ofLiquid < none)
+        {
+            outside += view.volume[i]*p(0, i);
+            outsideVolume += view.volume[i];
+        }
+    }
+    result.value = inside/insideVolume - outside/outsideVolume;
+    if (!(insideVolume > 0 && outsideVolume > 0))
+    {
+        result.value = std::numeric_limits<double>::quiet_NaN();
+        result.note = fmt::format("no particle of the {} is farther than the kernel's support from both interface and walls",
+                                  insideVolume > 0 ? "gas" : "bridge");
+    }
+    return result;
+}
+
+}
