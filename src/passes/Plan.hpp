@@ -41,6 +41,8 @@ public:
     bool has(const std::string& term) const;
     /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; fields; what was left out.
     void print(std::ostream&, const FieldStore<dim>&) const;
+    /// The passes alone, of a plan that another one's evaluation is followed by.
+    void printPasses(std::ostream&) const;
 
 private:
     using Entry = CatalogueEntry<dim>;

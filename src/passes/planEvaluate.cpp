@@ -139,7 +139,7 @@ template<int dim> bool Plan<dim>::has(const std::string& term) const
     return std::any_of(chosen_.begin(), chosen_.end(), [&](const Entry* e) { return e->name == term; });
 }
 
-template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store) const
+template<int dim> void Plan<dim>::printPasses(std::ostream& out) const
 {
     int k = 0;
     for (const auto& pass : passes_)
@@ -156,6 +156,11 @@ template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>
             out << '\n';
         }
     }
+}
+
+template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store) const
+{
+    printPasses(out);
     out << "    fields     ";
     for (const auto& [name, field] : store.fields()) out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
     out << fmt::format("\n    memory      {} bytes a particle, neighbour lists aside\n    left out   ", store.bytesPerParticle());

@@ -18,12 +18,24 @@ template<int dim> class Simulation final : public AnySimulation
     const Settings& settings_;
     ParticleSystem<dim> particles_;
     Summary summary_;
+    double initialPowderVolume_ = 0;
+
+    void solveSteadyFlow()
+    {
+        particles_.solveSteadyFlow();
+        particles_.evaluateMigration();
+        summary_ = summarise(particles_, settings_);
+    }
 
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
         : settings_(settings), particles_(settings, geometry, cloud, restored)
     {
+        if (settings_.suspension()) particles_.evaluateMigration();
         summary_ = summarise(particles_, settings_);
+        const auto volume = restored.find("powderVolume");
+        initialPowderVolume_ = volume != restored.end() ? volume->second : summary_.powderVolume;
+        if (settings_.integrator == Integrator::quasiSteady && restored.empty()) solveSteadyFlow();
     }
 
     /// The algorithm. Half a drift, the rates there, the whole kick, the other half of the drift:
@@ -32,8 +44,18 @@ public:
     ///   leapfrog             the last rates predict v(t + dt/2): second order, one evaluation
     ///   symplecticEuler      v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory
     ///   semiImplicit         the same, but viscosity acts with v(t + dt), solved for: no viscous limit of the step
+    ///
+    /// Powder migrates with the velocities at the end of the step and the positions of its middle. quasiSteady is for flows that change only as the
+    /// powder migrates: particles stay where they are.
     void step(double time, double deltaT) override
     {
+        if (settings_.integrator == Integrator::quasiSteady)
+        {
+            particles_.migrate(deltaT);
+            particles_.evaluate();
+            solveSteadyFlow();
+            return;
+        }
         const bool predicts = settings_.predicts();
         if (settings_.integrator == Integrator::predictorCorrector) particles_.evaluate();
         drift(particles_, 0.5*deltaT);
@@ -43,6 +65,7 @@ public:
         if (settings_.integrator == Integrator::semiImplicit) particles_.solveViscosity(deltaT);
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
+        if (settings_.suspension()) particles_.migrate(deltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
         if (settings_.shifting > 0) shift(particles_, settings_, summary_.maxSpeed, deltaT);
@@ -51,13 +74,19 @@ public:
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
-    StepLimit stepLimit() const override { return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration); }
+    StepLimit stepLimit() const override
+    {
+        if (!settings_.suspension()) return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration);
+        return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration,
+                              {{summary_.minViscosity, summary_.maxViscosity, particles_.migration()->limit()}});
+    }
     Summary summary() const override { return summary_; }
 
     void settle() override
     {
         particles_.rebuild();
         particles_.evaluate();
+        if (settings_.suspension()) particles_.evaluateMigration();
         summary_ = summarise(particles_, settings_);
     }
 
@@ -88,6 +117,12 @@ public:
         if (particles_.store().has(WallAcceleration{})) names.push_back(WallAcceleration::info.name);
         std::vector<FieldView> views;
         for (const auto& name : names) views.push_back(field(name));
+        if (settings_.suspension())
+        {
+            for (const char* name : {PowderFraction::info.name, ShearRate::info.name}) views.push_back(field(name));
+            views.push_back(field(DynamicViscosity::info.name));
+            views.back().name = "eta"; // as suspensions are written of
+        }
         return views;
     }
 
@@ -95,10 +130,19 @@ public:
     {
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        if (settings_.suspension()) numbers["powderVolume"] = initialPowderVolume_;
         return numbers;
     }
 
-    void printPlan(std::ostream& out) const override { particles_.plan().print(out, particles_.store()); }
+    void printPlan(std::ostream& out) const override
+    {
+        particles_.plan().print(out, particles_.store());
+        if (!particles_.migration()) return;
+        out << "Plan of the powder's migration:\n";
+        particles_.migration()->printPasses(out);
+    }
+    int migrationSteps() const override { return particles_.migration() ? particles_.migration()->steps() : 0; }
+    double powderDrift() const override { return summary_.powderVolume/initialPowderVolume_ - 1; }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
@@ -107,7 +151,8 @@ public:
     double bytesPerParticle() const override
     {
         return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes() +
-                      (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
+                      (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0) +
+                      (particles_.migration() ? particles_.migration()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
     }
 };
 

@@ -8,6 +8,7 @@
 ///   viscosity  s h^2/nu                                   s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density
 ///   capillary  s sqrt((rho_k + rho_l) h^3/(4 pi gamma))   s = 0.5
 ///   force      s sqrt(h/|dv/dt|)                          s = 0.25
+///   migration  so many steps of the powder's own (Migration.hpp) as the settings allow to one of the flow
 ///
 /// h = H/2 [m]. All that do not apply are left out.
 #pragma once
@@ -17,6 +18,13 @@
 namespace sph
 {
 
-StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration);
+/// What a suspension adds: its viscosities are those of the moment.
+struct SuspensionLimits
+{
+    double leastViscosity, largestViscosity;   ///< [Pa s]
+    double migrationStep;                      ///< [s]
+};
+
+StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration, const std::optional<SuspensionLimits>& = {});
 
 }
