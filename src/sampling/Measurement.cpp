@@ -8,6 +8,7 @@
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
 #include "VortexDecay.hpp"
+#include "WallDropTime.hpp"
 #include <algorithm>
 #include <concepts>
 
@@ -45,6 +46,7 @@ const std::vector<Entry>& catalogue()
         {"interfaceGrowth", measure<InterfaceGrowth>},
         {"columnGrowth", measure<ColumnGrowth>},
         {"capillaryRise", measure<CapillaryRise>},
+        {"wallDropTime", measure<WallDropTime>},
     };
     return measures;
 }

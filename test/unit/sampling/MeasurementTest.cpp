@@ -385,3 +385,25 @@ TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
     // (2/w - 1/W) gamma cos(theta)/(Delta rho g); what swings has died by exp(-t 6 nu/w^2) = 3e-7.
     EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
 }
+
+// The wall value falls as 1 - (1 - exp(-t)) and is a parabola of the distance, which three rows extrapolate exactly; half of the way to the last
+// value is gone at -ln((1 + exp(-6))/2), within the interpolation between samples 0.01 apart.
+TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
+{
+    Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.1);
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("field p; share 0.5; time 0.7; origin (0 1 0); normal (0 -1 0);", "system/controlDict", diagnostics);
+    const auto measureAt = readMeasure("wallDropTime", d, particles.geometry, particles.phases, ".");
+    d.reportUnused();
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    Measurement last;
+    for (int k = 0; k <= 600; ++k)
+    {
+        particles.time = 0.01 * k;
+        particles.setP([&](Vector<3> x) { return std::exp(-particles.time) * (2 - 3 * (1 - x.y) + 5 * sqr(1 - x.y)); });
+        last = measureAt(particles.view());
+        EXPECT_EQ(std::isnan(last.value), k == 0);
+    }
+    EXPECT_NEAR(last.value, -std::log((1 + std::exp(-6.0)) / 2), 2e-5);
+    EXPECT_EQ(last.reference, 0.7);
+}
