@@ -7,6 +7,7 @@
 #include "FrontPosition.hpp"
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
+#include "MigrationBalance.hpp"
 #include "VortexDecay.hpp"
 #include "WallDropTime.hpp"
 #include <algorithm>
@@ -46,6 +47,7 @@ const std::vector<Entry>& catalogue()
         {"interfaceGrowth", measure<InterfaceGrowth>},
         {"columnGrowth", measure<ColumnGrowth>},
         {"capillaryRise", measure<CapillaryRise>},
+        {"migrationBalance", measure<MigrationBalance>},
         {"wallDropTime", measure<WallDropTime>},
     };
     return measures;

@@ -13,7 +13,9 @@ WallDropTime::WallDropTime(const Dictionary& d, const Geometry&, const std::vect
       reference_(d.getPositive("time", units::s)),
       origin_(d.get("origin", Vector<3>{})),
       normal_(readDirection(d, "normal", {0, 1, 0})),
-      where_(d.where("field"))
+      where_(d.where("field")),
+      times_{0},
+      values_{d.get<double>("start")}
 {
     if (share_ >= 1) d.error("share", "must be less than 1: the whole way is never gone");
 }

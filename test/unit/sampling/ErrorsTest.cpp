@@ -228,7 +228,7 @@ TEST(Errors, unknownWordsAreExplained)
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
               "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
-              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, wallDropTime.");
+              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, migrationBalance, wallDropTime.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)
