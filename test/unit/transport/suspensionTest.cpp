@@ -168,8 +168,7 @@ TEST(ShearRate, OfALinearVelocityIsExactWithTheCorrection)
     EXPECT_GT(shearError<2>({"velocityGradientShear"}), 0.1);
 }
 
-// tau = k |y| in a row of particles, one of them in the middle: laplacian(tau^2) = 2 k^2 there, and the square of the stress alpha k^2 spacing^2; the
-// kernel's second moment on a lattice is normalised away. Where tau^2 falls off nothing is taken away.
+// By hand: alpha spacing^2/2 laplacian(tau^2) is added to tau^2 and never taken away; ghosts have no share in it.
 TEST(ShearRate, HasWhatTheParticlesExtentAdds)
 {
     const auto c = suspension(2);
