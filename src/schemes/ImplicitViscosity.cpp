@@ -10,8 +10,6 @@ namespace sph
 
 namespace
 {
-std::string response(const Settings& settings) { return settings.variableViscosity() ? "harmonicViscousResponse" : "singlePhaseViscousResponse"; }
-
 /// What the response reads besides the change itself: the evaluation has left it there, images and all.
 std::set<std::string> evaluated(const Settings& settings, bool normalised)
 {
@@ -50,7 +48,7 @@ template<class F> Sums sumOver(std::size_t n, const F& f)
 template<int dim>
 ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalogue<dim>& catalogue, FieldStore<dim>& store)
     : settings_(settings.implicitSolve),
-      plan_(catalogue, {response(settings)}, with(evaluated(settings, store.has(GradientScale{})), VelocityChange::info),
+      plan_(catalogue, {settings.implicitSolve.response}, with(evaluated(settings, store.has(GradientScale{})), VelocityChange::info),
             evaluated(settings, store.has(GradientScale{})))
 {
     plan_.allocate(store);

@@ -33,6 +33,7 @@ struct ImplicitSolve
 {
     double theta = 1, tolerance = 1e-6;
     int maxIter = 1000;
+    std::string response = "";   ///< the term that gives what viscosity makes of a change
 };
 
 struct Settings

@@ -54,17 +54,15 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
         dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", choice.tension));
-    if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
+    if (choice.viscosity == "none" && settings.solvesForVelocity())
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
-    if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
-        dict.error("viscosity", "semiImplicit solves for viscosity harmonic alone");
     if (integrated && !settings.predicts())
         dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }
 
-Words termsOf(const Choices& choice, const Settings& settings)
+Words termsOf(const Choices& choice, Settings& settings)
 {
     const bool multiphase = settings.multiphase(), variable = settings.variableViscosity();
     Words terms;
@@ -76,7 +74,13 @@ Words termsOf(const Choices& choice, const Settings& settings)
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(variable ? "harmonicViscosity" : "singlePhaseViscosity");
     if (choice.viscosity == "cleary") add(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
-    if (settings.solvesForVelocity()) add(variable ? "harmonicViscousRate" : "singlePhaseViscousRate");
+    if (settings.solvesForVelocity())
+    {
+        const bool central = choice.viscosity == "cleary";
+        settings.implicitSolve.response = central ? variable ? "clearyResponse" : "singlePhaseClearyResponse"
+                                                  : variable ? "harmonicViscousResponse" : "singlePhaseViscousResponse";
+        add(central ? variable ? "clearyRate" : "singlePhaseClearyRate" : variable ? "harmonicViscousRate" : "singlePhaseViscousRate");
+    }
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
     if (angles && choice.contactAngle == "paper") { add("solidPhaseStress"); add("stressOfSolid"); }
