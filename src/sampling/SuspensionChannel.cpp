@@ -28,8 +28,10 @@ SuspensionChannel::SuspensionChannel(const Dictionary& d)
       speedScale_(0.25*sqr(width_)*d.get("pressureGradient", units::forcePerVolume, 0)/d.getPositive("mu", units::viscosity, 1)),
       direction_(readDirection(d, "direction", {1, 0, 0})),
       normal_(readDirection(d, "normal", {0, 1, 0})),
-      origin_(d.get("origin", Vector<3>{}))
+      origin_(d.get("origin", Vector<3>{})),
+      pipe_(d.choose("section", std::vector<std::string>{"plane", "circular"}, "plane") == "circular")
 {
+    if (pipe_) speedScale_ *= 0.5;
     const double mean = d.getPositive("phi", units::none), ratio = d.getPositive("ratio", units::none);
     if (ratio >= 1) d.error("ratio", "D_c/D_eta must be less than 1: from there on there is no steady state");
     if (mean >= phiMax_) d.error("phi", "must be less than phiMax");
@@ -49,7 +51,13 @@ SuspensionChannel::SuspensionChannel(const Dictionary& d)
 /// s of a phi between that of the walls and phi_m.
 double SuspensionChannel::place(double phi) const { return wall_/phi*std::pow((phiMax_ - phi)/(phiMax_ - wall_), n_); }
 
-/// phi_0 + int_phi_0^phi_m s dphi, by the mid-point rule in a variable in which s is smooth at both ends.
+double SuspensionChannel::fromMiddle(const Vector<3>& x) const
+{
+    const auto d = x - origin_;
+    return pipe_ ? mag(d - dot(d, direction_)*direction_)/(0.5*width_) : std::abs(dot(d, normal_)/(0.5*width_) - 1);
+}
+
+/// phi_0 + int_phi_0^phi_m s dphi (s^2 in a pipe), by the mid-point rule in a variable in which s is smooth at both ends.
 double SuspensionChannel::meanPhi() const
 {
     double sum = 0;
@@ -57,7 +65,8 @@ double SuspensionChannel::meanPhi() const
     {
         const double q = (k + 0.5)/intervals; // phi_m - phi = (phi_m - phi_0) q^p, p = max(1, 2/n)
         const double p = std::max(1.0, 2/n_);
-        sum += place(phiMax_ - (phiMax_ - wall_)*std::pow(q, p))*p*std::pow(q, p - 1);
+        const double s = place(phiMax_ - (phiMax_ - wall_)*std::pow(q, p));
+        sum += (pipe_ ? s*s : s)*p*std::pow(q, p - 1);
     }
     return wall_ + (phiMax_ - wall_)*sum/intervals;
 }

@@ -259,3 +259,24 @@ TEST(SuspensionChannel, agreesWithTheTabulatedProfiles)
     const auto channel = suspension(0.5492636344094383, 0.68, 1.82, 1 / (1 + 1 / 1.82));
     for (const double s : {0.0, 0.3, 0.9}) EXPECT_NEAR(channel.phi(s), 0.68 * 0.45 / (0.45 + s * (0.68 - 0.45)), 1e-7);
 }
+
+// In a pipe: the mean over the section by itself, and half the speed of the plates' integral; the axis is where phi is largest.
+TEST(SuspensionChannel, OfAPipeHasItsMeanOverTheSection)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const SuspensionChannel pipe(Dictionary::parse("section circular; width 2; phi 0.625; phiMax 0.794; exponent 0.714; ratio 0.2; mu 0.5; pressureGradient 3; "
+                                                   "origin (0 5 7);",
+                                                   "system/controlDict", diagnostics));
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    double mean = 0, speed = 0;
+    const int parts = 20000;
+    for (int k = 0; k < parts; ++k)
+    {
+        const double s = (k + 0.5) / parts;
+        mean += 2 * s * pipe.phi(s) / parts;
+        speed += 0.5 * s * std::pow(1 - pipe.phi(s) / 0.794, 0.714) / parts;
+    }
+    EXPECT_NEAR(mean, 0.625, 1e-7);
+    EXPECT_NEAR(pipe.velocity({3, 5, 7}, 0).x, 3 / 0.5 * speed, 1e-6);
+    EXPECT_NEAR(pipe.value({1, 5.3, 7.4}, 0), pipe.phi(0.5), 1e-14);
+}

@@ -333,6 +333,23 @@ TEST(Suspension, KeepsItsPowder)
     }
 }
 
+// Within 0.2 % of packed, where mu is 400 times that of the rest of these tests and the capped branch is reached: steps stay finite, phi stays near
+// phi_m (the capped flux lets it pass by a per cent at most) and powder is kept.
+TEST(Suspension, NearPackingStaysBounded)
+{
+    for (const char* integrator : {"semiImplicit", "quasiSteady"})
+    {
+        const auto settings = suspensionSettings(integrator);
+        const auto g = plates();
+        const auto simulation = suspensionBetweenPlates(settings, g, [](double) { return 0.679; });
+        for (int k = 0; k < 20; ++k) simulation->step(0, std::min(simulation->stepLimit().deltaT, 100.0));
+        EXPECT_TRUE(simulation->summary().finite);
+        EXPECT_LT(simulation->summary().maxPhi, 0.687) << integrator;
+        EXPECT_GT(simulation->summary().minPhi, 0.65) << integrator;
+        EXPECT_LT(std::abs(simulation->powderDrift()), 1e-14) << integrator;
+    }
+}
+
 TEST(Suspension, RefusesPowderThatIsMoreThanPacked)
 {
     const auto settings = suspensionSettings("semiImplicit");
