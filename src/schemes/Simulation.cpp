@@ -142,7 +142,7 @@ public:
         particles_.migration()->printPasses(out);
     }
     int migrationSteps() const override { return particles_.migration() ? particles_.migration()->steps() : 0; }
-    double powderDrift() const override { return summary_.powderVolume/initialPowderVolume_ - 1; }
+    double powderDrift() const override { return initialPowderVolume_ > 0 ? summary_.powderVolume/initialPowderVolume_ - 1 : 0; }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }

@@ -1,4 +1,5 @@
 #include "readTransport.hpp"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sph
@@ -7,6 +8,9 @@ namespace sph
 namespace
 {
 using Words = std::vector<std::string>;
+
+/// [Pa s]; rock creeps with 1e20.
+constexpr double largestViscosity = 1e30;
 
 /// The length a of D_c a^2 [m].
 double readLength(const Dictionary& d)
@@ -53,6 +57,11 @@ void readTransport(const Case& theCase, Settings& settings)
     settings.coefficients.suspension = readSuspension(dict.subDict("suspension"));
     if (settings.multiphase()) dict.error("suspension", "goes with one phase alone; constant/phaseProperties lists several");
     if (!(settings.coefficients.viscosity[0] > 0)) dict.error("suspension", "needs the viscosity `mu` of its binder in constant/phaseProperties");
+    const auto& s = *settings.coefficients.suspension;
+    const double packed = settings.coefficients.viscosity[0]*std::pow(1 - s.phiCritical/s.phiMax, -s.exponent)*std::exp(s.exponent);
+    if (!(packed < largestViscosity))
+        dict.subDict("suspension").error("exponent", fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. "
+                                                                 "Give a smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
     dict.reportUnused();
 }
 
