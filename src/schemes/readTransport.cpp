@@ -17,7 +17,8 @@ double readLength(const Dictionary& d)
 {
     const bool byDiameter = d.found("diameter"), byRadius = d.found("radius");
     if (byDiameter == byRadius)
-        d.error("radius", byRadius ? "the powder's size is given twice: keep `diameter` or `radius`" : "the powder's size is missing: give its `diameter` or `radius`");
+        d.error("radius", byRadius ? "the powder's size is given twice: keep `diameter` or `radius`"
+                                   : "the powder's size is missing: give its `diameter` or `radius`");
     double diameter = 1;
     if (byDiameter) diameter = d.getPositive("diameter", units::m);
     if (byRadius) diameter = 2*d.getPositive("radius", units::m);
@@ -60,8 +61,9 @@ void readTransport(const Case& theCase, Settings& settings)
     const auto& s = *settings.coefficients.suspension;
     const double packed = settings.coefficients.viscosity[0]*std::pow(1 - s.phiCritical/s.phiMax, -s.exponent)*std::exp(s.exponent);
     if (!(packed < largestViscosity))
-        dict.subDict("suspension").error("exponent", fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. "
-                                                                 "Give a smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
+        dict.subDict("suspension")
+            .error("exponent", fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
+                                           "smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
     dict.reportUnused();
 }
 
