@@ -56,6 +56,11 @@ struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image
 struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::velocityChange};       template<int dim> struct At { Vector<dim> dv; }; };
 struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
+struct PowderFraction      { static constexpr FieldInfo info{"phi", "1"};                               template<int dim> struct At { double phi; }; };
+struct PowderRate          { static constexpr FieldInfo info{"dphidt", "1/s"};                          template<int dim> struct At { double dphidt; }; };
+struct ShearRate           { static constexpr FieldInfo info{"gammaDot", "1/s"};                        template<int dim> struct At { double gammaDot; }; };
+struct ShearStress         { static constexpr FieldInfo info{"tau", "Pa"};                              template<int dim> struct At { double tau; }; };
+struct RelativeViscositySlope { static constexpr FieldInfo info{"viscositySlope", "1"};                 template<int dim> struct At { double slope; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).

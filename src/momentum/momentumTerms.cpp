@@ -11,7 +11,8 @@ template<int dim> Catalogue<dim> momentumTerms()
 {
     return catalogue<dim, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure, DifferencePressure, CorrectedDifferencePressure,
                      TensileControlledPressure, AddPressure, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse,
-                     SinglePhaseRate, HarmonicRate, SinglePhaseClearyViscosity, ClearyViscosity, ArtificialViscosity,
+                     SinglePhaseRate, HarmonicRate, SinglePhaseClearyViscosity, ClearyViscosity, SinglePhaseClearyResponse, ClearyResponse,
+                     SinglePhaseClearyRate, ClearyRate, ArtificialViscosity,
                      Gravity, BodyForce>();
 }
 

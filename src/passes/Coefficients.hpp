@@ -2,11 +2,22 @@
 /// point at the tables, which outlive them.
 #pragma once
 #include "Vector.hpp"
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace sph
 {
+
+/// Powder in a binder: the one phase of its scene.
+struct Suspension
+{
+    double phi = 0;                          ///< volume fraction of powder at the start [1]
+    double phiMax = 1, phiCritical = 1;      ///< phi_m of the densest packing, and from where the viscosity is capped [1]
+    double exponent = 0;                     ///< c of Krieger's viscosity [1]
+    double Dc_a2 = 0, Deta_a2 = 0;           ///< D_c a^2 and D_eta a^2 of Phillips' fluxes [m^2]
+    double subParticleShear = 0;             ///< alpha [1]
+};
 
 struct Coefficients
 {
@@ -32,6 +43,8 @@ struct Coefficients
     double diffusion = 0;                    ///< delta of the density diffusion
     double transportVelocity = 0;            ///< C of the transport velocity: background pressure over rho c^2; 0: none
     double artificialViscosity = 0;          ///< alpha
+
+    std::optional<Suspension> suspension;    ///< mu is then that of the binder
 };
 
 }

@@ -42,6 +42,8 @@ public:
     /// Passes with the terms in them, why each term is there, columns gathered, image fields refreshed; those of another plan that is
     /// evaluated `when`, if there is one; fields; what was left out.
     void print(std::ostream&, const FieldStore<dim>&, const Plan* another = nullptr, const char* when = "") const;
+    /// The passes alone, of a plan that another one's evaluation is followed by.
+    void printPasses(std::ostream&) const;
 
 private:
     using Entry = CatalogueEntry<dim>;
@@ -63,7 +65,6 @@ private:
     std::vector<Pass> passes_;
     Array records_;                                        ///< positions and first columns of the pass at hand, packed
 
-    void printPasses(std::ostream&) const;
     void close();
     void order();
     void evaluatePairs(const Pass&, Candidates, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);

@@ -31,12 +31,14 @@ using ReferenceField = std::function<std::optional<Vector<3>>(const Vector<3>& x
 ///     points particles;                 // or rows: the field interpolated at the rows of a csv reference, all of the same weight
 ///     phase water;                      // only its particles
 ///     region { min (..); max (..); }    // only points within
+///     cellMeans y;                      // the reference's mean over a spacing along x, y or z around each particle: what a particle can know of a cusp
 ///     removeMean yes;                   // for a pressure that is given up to a constant
 class FieldComparison
 {
     std::string field_, component_;
     bool relative_, removeMean_;
     std::optional<double> scale_;
+    Vector<3> cell_; ///< direction that the reference is averaged along; 0 without
     std::optional<std::size_t> phase_;
     std::optional<Box> region_;
     Location where_;
@@ -50,6 +52,7 @@ class FieldComparison
     };
     int component(const SampledField&) const;
     bool within(const Vector<3>&, int dimension) const;
+    std::optional<Vector<3>> referenceAt(const Vector<3>&, const ParticleView&) const;
     std::vector<Sample> atParticles(const ParticleView&, const SampledField&, int component) const;
     std::vector<Sample> atRows(const ParticleView&, const SampledField&, int component) const;
 

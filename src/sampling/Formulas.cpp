@@ -4,6 +4,7 @@
 #include "PlanePoiseuille.hpp"
 #include "Ritter.hpp"
 #include "RotatingSquarePatch.hpp"
+#include "SuspensionChannel.hpp"
 #include "TaylorGreen.hpp"
 #include "TwoLayerPoiseuille.hpp"
 #include "words.hpp"
@@ -31,6 +32,11 @@ template<class Solution> ExactField pressure(const Dictionary& dictionary)
     return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; };
 }
 
+template<class Solution> ExactField scalar(const Dictionary& dictionary)
+{
+    return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; };
+}
+
 const std::vector<Formula>& catalogue()
 {
     static const std::vector<Formula> formulas{
@@ -42,6 +48,8 @@ const std::vector<Formula>& catalogue()
         {"hydrostatic", "p", pressure<Hydrostatic>},
         {"ritter", "U", velocity<Ritter>},
         {"ritter", "p", pressure<Ritter>},
+        {"suspensionChannel", "phi", scalar<SuspensionChannel>},
+        {"suspensionChannel", "U", velocity<SuspensionChannel>},
         {"rotatingSquarePatch", "p", pressure<RotatingSquarePatch>},
     };
     return formulas;

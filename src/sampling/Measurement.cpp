@@ -8,7 +8,9 @@
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
 #include "LiquidBridge.hpp"
+#include "MigrationBalance.hpp"
 #include "VortexDecay.hpp"
+#include "WallDropTime.hpp"
 #include <algorithm>
 #include <concepts>
 
@@ -48,6 +50,8 @@ const std::vector<Entry>& catalogue()
         {"capillaryRise", measure<CapillaryRise>},
         {"bridgeNeck", measure<BridgeNeck>},
         {"bridgePressure", measure<BridgePressure>},
+        {"migrationBalance", measure<MigrationBalance>},
+        {"wallDropTime", measure<WallDropTime>},
     };
     return measures;
 }

@@ -10,13 +10,11 @@ namespace sph
 
 namespace
 {
-std::string response(const Settings& settings) { return settings.multiphase() ? "harmonicViscousResponse" : "singlePhaseViscousResponse"; }
-
 /// What the response reads besides the change itself: the evaluation has left it there, images and all.
 std::set<std::string> evaluated(const Settings& settings, bool normalised)
 {
     std::set<std::string> fields{Position::info.name, Mass::info.name, Volume::info.name};
-    if (settings.multiphase()) fields.insert(DynamicViscosity::info.name);
+    if (settings.variableViscosity()) fields.insert(DynamicViscosity::info.name);
     if (normalised) fields.insert(GradientScale::info.name);
     return fields;
 }
@@ -50,7 +48,7 @@ template<class F> Sums sumOver(std::size_t n, const F& f)
 template<int dim>
 ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalogue<dim>& catalogue, FieldStore<dim>& store)
     : settings_(settings.implicitSolve),
-      plan_(catalogue, {response(settings)}, with(evaluated(settings, store.has(GradientScale{})), VelocityChange::info),
+      plan_(catalogue, {settings.implicitSolve.response}, with(evaluated(settings, store.has(GradientScale{})), VelocityChange::info),
             evaluated(settings, store.has(GradientScale{})))
 {
     plan_.allocate(store);
@@ -59,6 +57,28 @@ ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalo
 template<int dim>
 void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
                                    double deltaT)
+{
+    conjugateGradients(store, images, lists, kernel, 1, deltaT);
+    const auto a = store.pointers(Acceleration{});
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < store.owned(); ++i)
+        for (int c = 0; c < dim; ++c) a[c][i] = (change_[c][i] + residual_[c][i])/deltaT;
+}
+
+template<int dim>
+void ImplicitViscosity<dim>::solveSteady(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+{
+    conjugateGradients(store, images, lists, kernel, 0, 1/settings_.theta);
+    const auto v = store.pointers(Velocity{});
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < store.owned(); ++i)
+        for (int c = 0; c < dim; ++c) v[c][i] += change_[c][i];
+}
+
+/// (inertia - theta dt L) dv = dt a
+template<int dim>
+void ImplicitViscosity<dim>::conjugateGradients(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists,
+                                                const Kernel<dim>& kernel, double inertia, double deltaT)
 {
     const std::size_t n = store.owned();
     const double *m = store.component("m", 0), *lambda = store.component(ViscousRate::info.name, 0);
@@ -81,7 +101,8 @@ void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& im
             r2 += sqr(r[c][i]);
             v2 += sqr(v[c][i] + dv[c][i]);
         }
-        return Sums{m[i]*r2/(1 + implicit*lambda[i]), m[i]*r2, m[i]*v2};
+        const double diagonal = inertia + implicit*lambda[i];
+        return Sums{m[i]*r2/diagonal, m[i]*r2/(inertia > 0 ? 1 : sqr(diagonal)), m[i]*v2};
     };
     Sums now = sumOver(n, [&](std::size_t i)
     {
@@ -89,7 +110,7 @@ void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& im
         {
             dv[c][i] = 0;
             r[c][i] = deltaT*a[c][i];
-            p[c][i] = r[c][i]/(1 + implicit*lambda[i]);
+            p[c][i] = r[c][i]/(inertia + implicit*lambda[i]);
         }
         return sums(i);
     });
@@ -103,7 +124,7 @@ void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& im
         const double pAp = sumOver(n, [&](std::size_t i)
         {
             double sum = 0;
-            for (int c = 0; c < dim; ++c) sum += p[c][i]*(p[c][i] - implicit*Lp[c][i]);
+            for (int c = 0; c < dim; ++c) sum += p[c][i]*(inertia*p[c][i] - implicit*Lp[c][i]);
             return Sums{m[i]*sum};
         }).rz;
         const double alpha = now.rz/pAp;
@@ -112,7 +133,7 @@ void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& im
             for (int c = 0; c < dim; ++c)
             {
                 dv[c][i] += alpha*p[c][i];
-                r[c][i] -= alpha*(p[c][i] - implicit*Lp[c][i]);
+                r[c][i] -= alpha*(inertia*p[c][i] - implicit*Lp[c][i]);
             }
             return sums(i);
         });
@@ -120,11 +141,8 @@ void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& im
         now = next;
         #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i)
-            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i]/(1 + implicit*lambda[i]) + beta*p[c][i];
+            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i]/(inertia + implicit*lambda[i]) + beta*p[c][i];
     }
-    #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < dim; ++c) a[c][i] = (dv[c][i] + r[c][i])/deltaT;
 }
 
 template<int dim> std::size_t ImplicitViscosity<dim>::bytes() const

@@ -10,6 +10,8 @@
 /// viscous rate. Nothing is stored of the matrix: L is a plan of one term over the pairs that the evaluation has kept. What remains of the
 /// residual r is added to dv: then v_1 = v_0 + dt (a + theta L dv) for the dv before, a sum over pairs of forces that cancel, and momentum is
 /// conserved to round-off whatever the tolerance.
+///
+/// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
 #include "FieldStore.hpp"
 #include "Plan.hpp"
@@ -31,6 +33,9 @@ public:
     /// the norm sqrt(sum_i m_i r_i^2); throws DivergedError after `maxIter` iterations.
     void solve(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT);
 
+    /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.
+    void solveSteady(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
+
     /// Of the last solve.
     int iterations() const { return iterations_; }
     std::size_t bytes() const;
@@ -41,6 +46,8 @@ private:
     Plan<dim> plan_;
     std::array<Array, dim> change_, residual_;   ///< dv and r of the owned particles
     int iterations_ = 0;
+
+    void conjugateGradients(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double inertia, double deltaT);
 };
 
 }

@@ -6,6 +6,7 @@
 #include "materialsTerms.hpp"
 #include "momentumTerms.hpp"
 #include "operatorTerms.hpp"
+#include "transportTerms.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -21,7 +22,8 @@ constexpr double skinInSpacings = 0.3;
 template<int dim> Catalogue<dim> allTerms()
 {
     Catalogue<dim> all;
-    for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(), materialsTerms<dim>()})
+    for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(), transportTerms<dim>(),
+                              materialsTerms<dim>()})
         all.insert(all.end(), terms.begin(), terms.end());
     return all;
 }
@@ -32,6 +34,7 @@ std::set<std::string> stateOf(const Settings& settings)
     if (settings.multiphase()) state.insert({Phase::info.name, DynamicViscosity::info.name});
     if (settings.integratedDensity) state.insert(Density::info.name);
     if (settings.coefficients.transportVelocity > 0) state.insert(TransportVelocity::info.name);
+    if (settings.suspension()) state.insert(PowderFraction::info.name);
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
     state.insert({WallNormal::info.name, WallCosine::info.name}); // by WallAdhesion, likewise
     state.insert(GhostWall::info.name);  // by the images
@@ -74,8 +77,10 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
         store_.allocateState(StartDensity{});
     }
     if (settings.coefficients.transportVelocity > 0) store_.allocateState(TransportVelocity{});
+    if (settings.suspension()) store_.allocateState(PowderFraction{});
     if (settings.predicts()) store_.allocateState(StartVelocity{});
-    if (settings.integrator == Integrator::semiImplicit) implicit_.emplace(settings, catalogue_, store_);
+    if (settings.solvesForVelocity()) implicit_.emplace(settings, catalogue_, store_);
+    if (settings.suspension()) migration_.emplace(settings, catalogue_, store_);
     if (settings.integrator == Integrator::leapfrog)
     {
         store_.allocateState(Acceleration{});
@@ -104,8 +109,9 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     auto imaged = plan_.readAtNeighbours();
     if (slow_) imaged.merge(slow_->readAtNeighbours());
     if (implicit_) imaged.merge(implicit_->readAtNeighbours());
+    if (migration_) imaged.merge(migration_->readAtNeighbours());
     store_.keepImagesOf(imaged);
-    load(cloud);
+    load(cloud, !restored.empty());
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();
@@ -115,7 +121,7 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     evaluateSlow();
 }
 
-template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
+template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud, bool restarted)
 {
     store_.resize(owned_ + 1, owned_);
     const auto& phases = coefficients_.phases;
@@ -140,8 +146,18 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud)
             throw CaseError(fmt::format("particle {} at {} has phase {}, but constant/phaseProperties lists {} phase{}", i,
                                         at({cloud.x[i], cloud.y[i], cloud.z[i]}), k, phases.size(), phases.size() == 1 ? "" : "s"));
     if (settings_.multiphase()) copy(Phase{}, "phase");
-    if (store_.has(DynamicViscosity{}))
+    if (settings_.multiphase() && store_.has(DynamicViscosity{}))
         for (std::size_t i = 0; i < owned_; ++i) store_.component("mu", 0)[i] = coefficients_.viscosity[phaseOf(i)];
+    if (settings_.suspension())
+    {
+        double* const phi = store_.component(PowderFraction::info.name, 0);
+        const auto& suspension = *coefficients_.suspension;
+        if (!copy(PowderFraction{}, PowderFraction::info.name)) std::fill_n(phi, owned_, suspension.phi);
+        for (std::size_t i = 0; i < owned_; ++i)
+            if (!(phi[i] >= 0 && (phi[i] < suspension.phiMax || restarted)))
+                throw CaseError(fmt::format("particle {} at {} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}", i,
+                                            at({cloud.x[i], cloud.y[i], cloud.z[i]}), phi[i], suspension.phiMax));
+    }
     if (settings_.integratedDensity && !copy(Density{}, "rho"))
         for (std::size_t i = 0; i < owned_; ++i)
         {
@@ -233,6 +249,7 @@ template<int dim> void ParticleSystem<dim>::bindPlans()
     plan_.bind(store_, coefficients_);
     inPlaceOfAll([&] { if (slow_) slow_->bind(store_, coefficients_); });
     if (implicit_) implicit_->bind(store_, coefficients_);
+    if (migration_) migration_->bind(store_, coefficients_);
 }
 
 /// Nothing parts two particles at one place: every sum takes x_ij = 0.
@@ -259,7 +276,7 @@ template<int dim> void ParticleSystem<dim>::evaluate()
     else images_.move(store_);
     if (wallTension_ && !slow_) wallTension_->evaluate(images_, store_);
     if (wallAdhesion_ && !slow_) wallAdhesion_->evaluate(images_, store_);
-    if (implicit_ || slow_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
+    if (implicit_ || slow_ || migration_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
     else plan_.evaluate(store_, images_, lists_, kernel_);
     if (wallPotential_ && !slow_) wallPotential_->addAcceleration(images_, store_);
 }

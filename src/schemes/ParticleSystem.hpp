@@ -2,6 +2,7 @@
 #pragma once
 #include "Images.hpp"
 #include "ImplicitViscosity.hpp"
+#include "Migration.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
@@ -24,6 +25,11 @@ public:
     void evaluateSlow();
     /// After an evaluation: makes of dU/dt one that has viscosity act at the end of a step of `deltaT` [s] (integrator semiImplicit).
     void solveViscosity(double deltaT) { implicit_->solve(store_, images_, lists_, kernel_, deltaT); }
+    /// The same, with U that of creeping flow (integrator quasiSteady).
+    void solveSteadyFlow() { implicit_->solveSteady(store_, images_, lists_, kernel_); }
+    /// Of a suspension, after an evaluation: viscosity, shear rate and the rate of phi; phi after `deltaT` [s].
+    void evaluateMigration() { migration_->evaluate(store_, images_, lists_, kernel_); }
+    void migrate(double deltaT) { migration_->advance(store_, images_, lists_, kernel_, deltaT); }
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
@@ -37,6 +43,7 @@ public:
     const Plan<dim>& plan() const { return plan_; }
     const Plan<dim>* slowPlan() const { return slow_ ? &*slow_ : nullptr; }
     const ImplicitViscosity<dim>* implicitViscosity() const { return implicit_ ? &*implicit_ : nullptr; }
+    const Migration<dim>* migration() const { return migration_ ? &*migration_ : nullptr; }
     const NeighbourLists<dim>& lists() const { return lists_; }
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
@@ -54,6 +61,7 @@ private:
     Kernel<dim> kernel_;
     std::optional<Plan<dim>> slow_;
     std::optional<ImplicitViscosity<dim>> implicit_;
+    std::optional<Migration<dim>> migration_;
     std::optional<WallTension<dim>> wallTension_;
     std::optional<WallPotential<dim>> wallPotential_;
     std::optional<WallAdhesion<dim>> wallAdhesion_;
@@ -61,7 +69,7 @@ private:
     double skin_, travelled_ = 0;
     long rebuilds_ = 0;
 
-    void load(const Cloud&);
+    void load(const Cloud&, bool restarted);
     void keepInside();
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;

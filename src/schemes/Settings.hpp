@@ -22,17 +22,18 @@ Resolution readResolution(const Dictionary& sphSchemes);
 /// Fractions of the stability limits, as prototypes measured them (NUMERICS).
 struct StepFactors
 {
-    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
+    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25, migration = 0.25;
 };
 
-enum class Integrator { predictorCorrector, leapfrog, symplecticEuler, semiImplicit };
+enum class Integrator { predictorCorrector, leapfrog, symplecticEuler, semiImplicit, quasiSteady };
 enum class WallVelocity { reflected, secondOrder, freeSlip };
 
-/// How semiImplicit solves for the velocities at the end of a step (ImplicitViscosity.hpp).
+/// How semiImplicit and quasiSteady solve for velocities (ImplicitViscosity.hpp).
 struct ImplicitSolve
 {
     double theta = 1, tolerance = 1e-6;
     int maxIter = 1000;
+    std::string response = "";   ///< the term that gives what viscosity makes of a change
 };
 
 struct Settings
@@ -42,6 +43,9 @@ struct Settings
     std::vector<std::string> terms;            ///< names in the catalogues
     std::vector<std::string> slowTerms;        ///< those that act once in a step of several parts, in its middle
     int maxSubSteps = 1;                       ///< parts of a step at most, an odd number
+    std::vector<std::string> migrationTerms;   ///< of the powder, evaluated with the flow at rest; empty without a suspension
+    bool correctedShear = false;               ///< the shear rate is that of a corrected gradient
+    int migrationSteps = 4;                    ///< at most so many to a step of the flow
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
     bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'
@@ -61,6 +65,10 @@ struct Settings
     /// Whether velocities half a step on are foretold, for the rates there.
     bool predicts() const { return integrator == Integrator::predictorCorrector || integrator == Integrator::leapfrog; }
     bool multiphase() const { return coefficients.phases.size() > 1; }
+    bool suspension() const { return coefficients.suspension.has_value(); }
+    /// Whether viscosity is a field.
+    bool variableViscosity() const { return multiphase() || suspension(); }
+    bool solvesForVelocity() const { return integrator == Integrator::semiImplicit || integrator == Integrator::quasiSteady; }
     bool weighted = false;                     ///< some wall is curved: images carry volume factors
 };
 

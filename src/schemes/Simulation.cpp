@@ -19,13 +19,30 @@ template<int dim> class Simulation final : public AnySimulation
     const Settings& settings_;
     ParticleSystem<dim> particles_;
     Summary summary_;
+    double initialPowderVolume_ = 0;
     EnergyBalance<dim> energy_;
+
+    void solveSteadyFlow()
+    {
+        particles_.solveSteadyFlow();
+        particles_.evaluateMigration();
+        summary_ = summarise(particles_, settings_);
+    }
+    Summary firstSummary()
+    {
+        if (settings_.suspension()) particles_.evaluateMigration();
+        return summarise(particles_, settings_);
+    }
 
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
-        : settings_(settings), particles_(settings, geometry, cloud, restored), summary_(summarise(particles_, settings_)),
+        : settings_(settings), particles_(settings, geometry, cloud, restored), summary_(firstSummary()),
           energy_(particles_, settings_, geometry, summary_)
-    {}
+    {
+        const auto volume = restored.find("powderVolume");
+        initialPowderVolume_ = volume != restored.end() ? volume->second : summary_.powderVolume;
+        if (settings_.integrator == Integrator::quasiSteady && restored.empty()) solveSteadyFlow();
+    }
 
     /// The algorithm. Half a drift, the rates there, the whole kick, the other half of the drift:
     ///
@@ -36,8 +53,18 @@ public:
     ///
     /// Of a step in several parts each is such a step, but surface tension acts once, by the whole step and at the middle of the middle
     /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
+    ///
+    /// Powder migrates with the velocities at the end of the step and the positions of its middle. quasiSteady is for flows that change only as the
+    /// powder migrates: particles stay where they are.
     void step(double time, double deltaT) override
     {
+        if (settings_.integrator == Integrator::quasiSteady)
+        {
+            particles_.migrate(deltaT);
+            particles_.evaluate();
+            solveSteadyFlow();
+            return;
+        }
         const int parts = partsOf(deltaT, settings_, stepLimits());
         for (int part = 0; part < parts; ++part) stepOfPart(time + part*deltaT/parts, deltaT/parts, 2*part + 1 == parts ? deltaT : 0);
     }
@@ -56,6 +83,7 @@ public:
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
         if (slow) kickSlowly(particles_, slowDeltaT);
+        if (settings_.suspension()) particles_.migrate(deltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
         if (settings_.shifting > 0) shift(particles_, settings_, summary_.maxSpeed, deltaT);
@@ -66,13 +94,18 @@ public:
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
+    std::optional<SuspensionLimits> suspensionLimits() const
+    {
+        if (!settings_.suspension()) return {};
+        return SuspensionLimits{summary_.minViscosity, summary_.maxViscosity, particles_.migration()->limit()};
+    }
     StepLimit stepLimit() const override
     {
-        return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration);
+        return sph::stepLimit(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration, suspensionLimits());
     }
     std::vector<StepLimit> stepLimits() const override
     {
-        return sph::stepLimits(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration);
+        return sph::stepLimits(settings_, summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration, suspensionLimits());
     }
     Summary summary() const override { return summary_; }
     Energy energy() const override { return energy_.at(particles_, summary_); }
@@ -82,6 +115,7 @@ public:
         particles_.rebuild();
         particles_.evaluate();
         particles_.evaluateSlow();
+        if (settings_.suspension()) particles_.evaluateMigration();
         summary_ = summarise(particles_, settings_);
     }
 
@@ -113,6 +147,12 @@ public:
         if (particles_.store().has(TransportVelocity{})) names.push_back(TransportVelocity::info.name);
         std::vector<FieldView> views;
         for (const auto& name : names) views.push_back(field(name));
+        if (settings_.suspension())
+        {
+            for (const char* name : {PowderFraction::info.name, ShearRate::info.name}) views.push_back(field(name));
+            views.push_back(field(DynamicViscosity::info.name));
+            views.back().name = "eta"; // as suspensions are written of
+        }
         return views;
     }
 
@@ -120,13 +160,19 @@ public:
     {
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        if (settings_.suspension()) numbers["powderVolume"] = initialPowderVolume_;
         return numbers;
     }
 
     void printPlan(std::ostream& out) const override
     {
         particles_.plan().print(out, particles_.store(), particles_.slowPlan(), "once in a step of several parts");
+        if (!particles_.migration()) return;
+        out << "Plan of the powder's migration:\n";
+        particles_.migration()->printPasses(out);
     }
+    int migrationSteps() const override { return particles_.migration() ? particles_.migration()->steps() : 0; }
+    double powderDrift() const override { return initialPowderVolume_ > 0 ? summary_.powderVolume/initialPowderVolume_ - 1 : 0; }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
@@ -136,7 +182,8 @@ public:
     {
         return double(particles_.store().bytes() + particles_.images().bytes() + particles_.plan().bytes() +
                       (particles_.slowPlan() ? particles_.slowPlan()->bytes() : 0) +
-                      (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
+                      (particles_.implicitViscosity() ? particles_.implicitViscosity()->bytes() : 0) +
+                      (particles_.migration() ? particles_.migration()->bytes() : 0))/double(std::max<std::size_t>(1, size()));
     }
 };
 

@@ -18,6 +18,7 @@ struct Summary
     Vector<3> momentum;
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
     std::vector<std::size_t> count;
+    double powderVolume = 0, minPhi = 0, maxPhi = 0, minViscosity = 0, maxViscosity = 0; ///< of a suspension [m^3], [1], [Pa s]
     bool finite = true;
 };
 
@@ -63,6 +64,10 @@ public:
     virtual int pairPasses() const = 0;
     /// Of the last step's implicit viscosity; 0 without.
     virtual int solverIterations() const = 0;
+    /// Of the powder in the last step of the flow; 0 without a suspension.
+    virtual int migrationSteps() const = 0;
+    /// Relative change of the powder's volume since the first start.
+    virtual double powderDrift() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;

@@ -8,6 +8,7 @@
 ///   viscosity  s h^2/nu                                   s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density
 ///   capillary  s sqrt((rho_k + rho_l) h^3/(4 pi gamma))   s = 0.5
 ///   force      s sqrt(h/|dv/dt|)                          s = 0.25
+///   migration  so many steps of the powder's own (Migration.hpp) as the settings allow to one of the flow
 ///
 /// h = H/2 [m]. All that do not apply are left out. Where a step has parts (`maxSubSteps`) the limits of what acts in each are as many times
 /// as long: all but the capillary one, half as long then, and that of the forces that act once.
@@ -18,10 +19,19 @@
 namespace sph
 {
 
-std::vector<StepLimit> stepLimits(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0);
+/// What a suspension adds: its viscosities are those of the moment.
+struct SuspensionLimits
+{
+    double leastViscosity, largestViscosity;   ///< [Pa s]
+    double migrationStep;                      ///< [s]
+};
+
+std::vector<StepLimit> stepLimits(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0,
+                                  const std::optional<SuspensionLimits>& = {});
 /// The least odd number of parts that brings each within its limit.
 int partsOf(double deltaT, const Settings&, const std::vector<StepLimit>&);
 /// The least; infinity by "none" where there is none.
-StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0);
+StepLimit stepLimit(const Settings&, double maxSpeed, double maxAcceleration, double maxSlowAcceleration = 0,
+                    const std::optional<SuspensionLimits>& = {});
 
 }

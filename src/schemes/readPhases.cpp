@@ -28,6 +28,7 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
     const double depth = expected.getNonNegative("depth", units::m, 0), radius = expected.getNonNegative("radius", units::m, 0);
     most.consider(expected.getNonNegative("velocity", units::mPerS, 0), "the expected velocity");
     most.consider(std::sqrt(mag(c.g)*depth), "the hydrostatic pressure over the expected depth");
+    most.consider(std::sqrt(expected.getNonNegative("pressure", units::pressure, 0)/rho), "the expected pressure difference");
     double gamma = 0;
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     if (radius > 0) most.consider(std::sqrt(gamma/(rho*radius)), "the capillary pressure at the expected radius");
@@ -81,7 +82,7 @@ void readPhases(const Case& theCase, Settings& settings)
             if (most.velocity > 0)
                 settings.reasons.push_back(fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
             else
-                phase.error("soundSpeed", fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; "
+                phase.error("soundSpeed", fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
                                                       "radius; }}` to choose it from", name));
         }
         c.soundSpeed.push_back(sound);

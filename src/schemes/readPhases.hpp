@@ -10,7 +10,7 @@ namespace sph
 ///     air   { ... }
 ///     sigma ( (water air) 0.072 );
 ///
-/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; radius; }` implies, and says why.
+/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and says why.
 void readPhases(const Case&, Settings&);
 
 /// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (erratum HL4), shared

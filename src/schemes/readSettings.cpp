@@ -1,6 +1,7 @@
 #include "Kernel.hpp"
 #include "Settings.hpp"
 #include "readPhases.hpp"
+#include "readTransport.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     const auto& c = settings.coefficients;
     const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const bool second = !paper && walls && viscous && !settings.multiphase();
+    const bool second = !paper && walls && viscous && !settings.variableViscosity();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
     const bool integrated = choice.density == "continuity";
@@ -60,30 +61,27 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     belongs("transportPressure", "transportVelocity");
     if (c.transportVelocity > 0 && settings.shifting > 0)
         dict.error("transportVelocity", "keeps particles evenly spaced, and so does shifting: take one of them");
-    if (c.transportVelocity > 0 && settings.integrator == Integrator::semiImplicit)
+    if (c.transportVelocity > 0 && settings.solvesForVelocity())
         dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
-    if (choice.wall == "secondOrder" && (settings.multiphase() || !viscous || choice.pressure != "huAdams"))
-        dict.error("wallVelocity", "secondOrder needs a single viscous phase and pressureGradient huAdams; take reflected");
+    if (choice.wall == "secondOrder" && (settings.variableViscosity() || !viscous || choice.pressure != "huAdams"))
+        dict.error("wallVelocity", "secondOrder needs a single phase of uniform viscosity and pressureGradient huAdams; take reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
     if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
         dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", choice.tension));
     if (choice.contactAngle == "wallAdhesion" && byStress)
         dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
-    if (choice.viscosity == "none" && settings.integrator == Integrator::semiImplicit)
+    if (choice.viscosity == "none" && settings.solvesForVelocity())
         dict.error("integration", "semiImplicit solves for viscosity, and there is none");
-    if (choice.viscosity == "cleary" && settings.integrator == Integrator::semiImplicit)
-        dict.error("viscosity", "cleary goes with explicit integration: semiImplicit solves for viscosity harmonic alone; take that, or another "
-                                "scheme in integration");
     if (integrated && !settings.predicts())
         dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
     return choice;
 }
 
-Words termsOf(const Choices& choice, const Settings& settings)
+Words termsOf(const Choices& choice, Settings& settings)
 {
-    const bool multiphase = settings.multiphase();
+    const bool multiphase = settings.multiphase(), variable = settings.variableViscosity();
     Words terms;
     const auto add = [&](const std::string& name) { terms.push_back(name); };
     add(choice.volume == "continuity" ? "integratedVolume" : "numberDensity");
@@ -91,9 +89,15 @@ Words termsOf(const Choices& choice, const Settings& settings)
     add(multiphase ? "taitOfPhase" : "tait");
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
-    if (choice.viscosity == "harmonic") add(multiphase ? "harmonicViscosity" : "singlePhaseViscosity");
-    if (choice.viscosity == "cleary") add(multiphase ? "clearyViscosity" : "singlePhaseClearyViscosity");
-    if (settings.integrator == Integrator::semiImplicit) add(multiphase ? "harmonicViscousRate" : "singlePhaseViscousRate");
+    if (choice.viscosity == "harmonic") add(variable ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (choice.viscosity == "cleary") add(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
+    if (settings.solvesForVelocity())
+    {
+        const bool central = choice.viscosity == "cleary";
+        settings.implicitSolve.response = central ? variable ? "clearyResponse" : "singlePhaseClearyResponse"
+                                                  : variable ? "harmonicViscousResponse" : "singlePhaseViscousResponse";
+        add(central ? variable ? "clearyRate" : "singlePhaseClearyRate" : variable ? "harmonicViscousRate" : "singlePhaseViscousRate");
+    }
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
     if (angles && choice.contactAngle == "paper") { add("solidPhaseStress"); add("stressOfSolid"); }
@@ -124,7 +128,7 @@ Words termsOf(const Choices& choice, const Settings& settings)
 /// a two-phase step. Viscosity shares its sum with the pressure: nothing would be gained.
 void partSlowTerms(const Dictionary& integration, Settings& settings)
 {
-    if (settings.integrator == Integrator::semiImplicit)
+    if (settings.solvesForVelocity())
         integration.error("maxSubSteps", "goes with explicit integration: with semiImplicit a drop was less exact by it, and no faster "
                                          "(src/schemes/README.md)");
     static const Words capillary{"curvatureForce",   "smoothedColourGradient", "adheringColourGradient", "interfaceStress",
@@ -139,10 +143,28 @@ void partSlowTerms(const Dictionary& integration, Settings& settings)
                                            settings.maxSubSteps));
 }
 
+/// How powder migrates: words of their own, which only a suspension has.
+void readMigration(const Dictionary& dict, Settings& settings)
+{
+    const bool paper = dict.isWord("scheme", "paper");
+    auto& suspension = *settings.coefficients.suspension;
+    const auto rate = dict.choose("shearRate", Words{"stress", "correctedGradient", "gradient"}, paper ? "gradient" : "stress");
+    settings.correctedShear = rate != "gradient";
+    auto& terms = settings.migrationTerms;
+    if (rate == "stress")
+    {
+        suspension.subParticleShear = dict.getNonNegative("subParticleShear", units::none, 0.025);
+        terms.push_back(suspension.subParticleShear > 0 ? "subParticleShear" : "resolvedShear");
+    }
+    else terms.push_back(rate + "Shear");
+    if (rate == "gradient") terms.back() = "velocityGradientShear";
+    terms.push_back("phillipsFlux");
+}
+
 void readIntegration(const Dictionary& schemes, Settings& settings)
 {
     const auto dict = schemes.subDictOrEmpty("integration");
-    const Words names{"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit"};
+    const Words names{"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit", "quasiSteady"};
     const auto name = dict.choose("scheme", names, "predictorCorrector");
     settings.integrator = Integrator(std::find(names.begin(), names.end(), name) - names.begin());
     if (settings.integrator == Integrator::semiImplicit)
@@ -158,6 +180,15 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     settings.maxSubSteps = dict.get<int>("maxSubSteps", 1);
     if (settings.maxSubSteps < 1 || settings.maxSubSteps%2 == 0)
         dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
+    if (settings.integrator == Integrator::quasiSteady)
+    {
+        auto& solve = settings.implicitSolve;
+        solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
+        solve.maxIter = int(dict.getPositive("maxIter", units::none, solve.maxIter));
+        if (!settings.suspension()) dict.error("scheme", "quasiSteady follows the migration of powder, and there is no suspension");
+        settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
+                                               "powder's migration", solve.tolerance));
+    }
     auto& f = settings.factors;
     // The extrapolated velocity of leapfrog halves the viscous limit (Adams-Bashforth against mid-point).
     if (settings.integrator == Integrator::leapfrog) f.viscous *= 0.5;
@@ -174,8 +205,14 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
     f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);
     f.force = dict.getPositive("forceFactor", units::none, f.force);
+    if (settings.suspension())
+    {
+        f.migration = dict.getPositive("migrationFactor", units::none, f.migration);
+        settings.migrationSteps = int(dict.getPositive("migrationSteps", units::none, settings.migrationSteps));
+        if (settings.migrationSteps < 1) dict.error("migrationSteps", "counts steps of the powder to one of the flow, and is at least 1");
+    }
     const double all = dict.getPositive("stepFactor", units::none, 1);
-    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force}) *factor *= all;
+    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force, &f.migration}) *factor *= all;
 }
 }
 
@@ -201,7 +238,11 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
     setContactAngles(geometry, settings);
+    readTransport(theCase, settings);
     readIntegration(dict, settings);
+    if (settings.suspension()) readMigration(dict, settings);
+    if (settings.integrator == Integrator::quasiSteady && geometry.patches.empty())
+        dict.subDict("integration").error("scheme", "quasiSteady needs walls: nothing else holds a flow without inertia");
 
     settings.shifting = dict.getNonNegative("shifting", units::none, 0);
     settings.shiftsByLargestSpeed = dict.choose("shiftingSpeed", Words{"own", "largest"}, "own") == "largest";

@@ -24,6 +24,15 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
     nothing.maxDensity.assign(phases, -std::numeric_limits<double>::infinity());
     nothing.maxSpeedOf.assign(phases, 0);
 
+    const bool suspension = settings.suspension();
+    const double *phi = suspension ? store.component(PowderFraction::info.name, 0) : nullptr,
+                 *mu = suspension ? store.component(DynamicViscosity::info.name, 0) : nullptr;
+    if (suspension)
+    {
+        nothing.minPhi = nothing.minViscosity = std::numeric_limits<double>::infinity();
+        nothing.maxPhi = nothing.maxViscosity = -std::numeric_limits<double>::infinity();
+    }
+
     const auto parts = overBlocks(particles.size(), [&](std::size_t begin, std::size_t end)
     {
         Summary s = nothing;
@@ -48,7 +57,14 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
             ++s.count[k];
             s.minDensity[k] = std::min(s.minDensity[k], rho[i]);
             s.maxDensity[k] = std::max(s.maxDensity[k], rho[i]);
+            if (!suspension) continue;
+            s.powderVolume += phi[i]*m[i];
+            s.minPhi = std::min(s.minPhi, phi[i]);
+            s.maxPhi = std::max(s.maxPhi, phi[i]);
+            s.minViscosity = std::min(s.minViscosity, mu[i]);
+            s.maxViscosity = std::max(s.maxViscosity, mu[i]);
         }
+        s.powderVolume /= settings.coefficients.restDensity[0];
         for (double& speed : s.maxSpeedOf) speed = std::sqrt(speed);
         s.maxAcceleration = std::sqrt(a2);
         s.maxSlowAcceleration = std::sqrt(slow2);
@@ -62,6 +78,11 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
         total.kineticEnergy += s.kineticEnergy;
         total.momentum += s.momentum;
         total.power += s.power;
+        total.powderVolume += s.powderVolume;
+        total.minPhi = std::min(total.minPhi, s.minPhi);
+        total.maxPhi = std::max(total.maxPhi, s.maxPhi);
+        total.minViscosity = std::min(total.minViscosity, s.minViscosity);
+        total.maxViscosity = std::max(total.maxViscosity, s.maxViscosity);
         for (std::size_t k = 0; k < phases; ++k)
         {
             total.mass[k] += s.mass[k];
@@ -73,7 +94,7 @@ template<int dim> Summary summarise(ParticleSystem<dim>& particles, const Settin
     }
     total.power += dot(settings.coefficients.g, total.momentum);
     total.maxSpeed = *std::max_element(total.maxSpeedOf.begin(), total.maxSpeedOf.end());
-    total.finite = std::isfinite(total.kineticEnergy) && std::isfinite(total.maxAcceleration);
+    total.finite = std::isfinite(total.kineticEnergy) && std::isfinite(total.maxAcceleration) && std::isfinite(total.powderVolume);
     return total;
 }
 

@@ -48,6 +48,19 @@ inline Files dropCase()
     return files;
 }
 
+/// The channel full of powder in a binder, which migrates as far as it is sheared, from a disordered start.
+inline Files suspensionCase()
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme semiImplicit; }\n";
+    files["constant/phaseProperties"] = "phases (feedstock);\nfeedstock { rho 1000; mu 10; soundSpeed 15; }\n";
+    auto& packing = files["system/packParticlesDict"];
+    packing.replace(packing.find("phase water"), 11, "phase feedstock");
+    files["constant/transportProperties"] = "suspension\n{\n    phi 0.4;\n    phiMax 0.68;\n    exponent 1.82;\n    Dc 0.4;\n    Deta 0.62;\n    radius 0.05;\n    a "
+                                            "radius;\n}\n";
+    return files;
+}
+
 /// A grain in a periodic box: curved wall, integrated density with diffusion, shifting.
 inline Files grainCase()
 {

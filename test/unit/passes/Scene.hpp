@@ -8,6 +8,7 @@
 #include "momentumTerms.hpp"
 #include "operatorTerms.hpp"
 #include "scenes.hpp"
+#include "transportTerms.hpp"
 #include <gtest/gtest.h>
 #include <optional>
 
@@ -29,7 +30,7 @@ template<int dim> const Catalogue<dim>& wholeCatalogue()
     {
         Catalogue<dim> c;
         for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(),
-                                  materialsTerms<dim>(), catalogue<dim, PressureAsStress>()})
+                                  materialsTerms<dim>(), transportTerms<dim>(), catalogue<dim, PressureAsStress>()})
             c.insert(c.end(), terms.begin(), terms.end());
         return c;
     }();
@@ -96,7 +97,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU", "dUTransport"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU", "dUTransport", "phi"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);

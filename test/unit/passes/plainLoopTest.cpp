@@ -444,6 +444,9 @@ template<int dim> void viscousResponses(const Terms& first)
                             return rate / plain.m(i);
                         },
                         1e-11);
+            Scene<dim> central(g, coefficients<dim>(3), with(with(summed, first), {"clearyViscosity", "clearyResponse", "clearyRate"}));
+            expectEqual(central, ViscousResponse{}, [&](std::size_t i) { return central.at(Acceleration{}, i); }, 1e-12);
+            expectEqual(central, ViscousRate{}, [&](std::size_t i) { return (dim + 2.0) / dim * s.at(ViscousRate{}, i); }, 1e-12);
         });
 }
 TEST(PlainLoop, ViscousResponsesIn2D) { viscousResponses<2>(rawGradient); }

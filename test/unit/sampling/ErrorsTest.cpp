@@ -150,6 +150,18 @@ TEST(Errors, canBeRestrictedToAPhaseOrARegion)
     EXPECT_NEAR(std::stod(rows[1][7]), 1, 1e-15);
 }
 
+// The mean of y (2 - y)/2 over a cell of 0.1 is 0.1^2/24 less than its middle; 200 parts give that to 1/200^2 of it.
+TEST(Errors, canBeTakenAgainstMeansOverCells)
+{
+    ErrorsCase c;
+    Particles particles(2, {0, 0, 0}, {0.2, 2, 0}, 0.1);
+    particles.setU([](Vector<3> x) { return Vector<3>{0.5 * x.y * (2 - x.y) - 0.01 / 24, 0, 0}; });
+    const std::string reference = "norm absolute; reference { type formula; name planePoiseuille; steady yes; nu 1; acceleration 1; width 2; }";
+    EXPECT_NEAR(std::stod(c.rowsOf(particles, "field U; cellMeans y; " + reference).at(0)[4]), 0, 2e-8);
+    ErrorsCase middles;
+    EXPECT_NEAR(std::stod(middles.rowsOf(particles, "field U; " + reference).at(0)[4]), 0.01 / 24, 1e-12);
+}
+
 TEST(Errors, canBeTakenAtTheRowsOfATable)
 {
     // u = 2 x + y on a lattice, interpolated exactly at x = 0.5, y = 0.2, 0.5 and 0.8 (rows off the particles): 1.2, 1.5, 1.8 against 1, 2, 1.8
@@ -215,9 +227,9 @@ TEST(Errors, unknownWordsAreExplained)
     c.make(two(), "field U;\nreference\n{\n    type formula;\n    name planePoisseuille;\n}\n");
     EXPECT_EQ(c.mistakes,
               "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
-              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, rotatingSquarePatch, laplaceJump, contactAngle, "
+              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
               "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
-              "bridgeNeck, bridgePressure.");
+              "bridgeNeck, bridgePressure, migrationBalance, wallDropTime.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)

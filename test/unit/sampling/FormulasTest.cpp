@@ -6,8 +6,10 @@
 #include "PlanePoiseuille.hpp"
 #include "Ritter.hpp"
 #include "RotatingSquarePatch.hpp"
+#include "SuspensionChannel.hpp"
 #include "TaylorGreen.hpp"
 #include "TwoLayerPoiseuille.hpp"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -225,4 +227,65 @@ TEST(RotatingSquarePatch, agreesWithTheTabulatedSeries)
     // laplacian p = 2 rho omega^2, by differences of step 1e-3 of the side.
     const double h = 1e-3;
     EXPECT_NEAR((at(0.3 + h, 0.6) + at(0.3 - h, 0.6) + at(0.3, 0.6 + h) + at(0.3, 0.6 - h) - 4 * at(0.3, 0.6)) / (h * h), 2, 1e-4);
+}
+
+namespace
+{
+SuspensionChannel suspension(double mean, double phiMax, double exponent, double ratio)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse(fmt::format("width 2; phi {}; phiMax {}; exponent {}; ratio {}; mu 0.5; pressureGradient 3;", mean, phiMax, exponent, ratio),
+                                     "system/controlDict", diagnostics);
+    const SuspensionChannel channel(d);
+    d.reportUnused();
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    return channel;
+}
+}
+
+// Wall and profile by an independent finite-volume solution to 6 digits, greatest speed times mu_0/(G h^2) to 6; eq. (4.1) of Kauzlaric et al. is
+// closed: 12 digits.
+TEST(SuspensionChannel, agreesWithTheTabulatedProfiles)
+{
+    struct Row
+    {
+        double mean, phiMax, exponent, ratio, wall, half, tenth, speed;
+    };
+    for (const auto& r : {Row{0.5492636344, 0.68, 1.82, 1 / (1 + 1 / 1.82), 0.45, 0.541593, 0.646934, 0.0419953},
+                          Row{0.625, 0.794, 0.714, 0.4, 0.506412, 0.613823, 0.745906, 0.194901},
+                          Row{0.625, 0.794, 0.714, 0.2, 0.571368, 0.614804, 0.687910, 0.181348},
+                          Row{0.625, 0.794, 0.714, 0.1, 0.599789, 0.618799, 0.656359, 0.173722}})
+    {
+        const auto channel = suspension(r.mean, r.phiMax, r.exponent, r.ratio);
+        EXPECT_NEAR(channel.wallPhi(), r.wall, 1e-6);
+        EXPECT_NEAR(channel.phi(0.5), r.half, 1e-6);
+        EXPECT_NEAR(channel.phi(0.1), r.tenth, 2e-6);
+        EXPECT_NEAR(channel.phi(0), r.phiMax, 1e-9);
+        EXPECT_NEAR(channel.speed(0) * 0.5 / 3, r.speed, 1e-6);
+        EXPECT_NEAR(channel.velocity({7, 0.25, 0}, 0).x, channel.speed(0.75), 1e-15); // a quarter from one wall
+        EXPECT_EQ(channel.speed(1), 0);
+    }
+    const auto channel = suspension(0.5492636344094383, 0.68, 1.82, 1 / (1 + 1 / 1.82));
+    for (const double s : {0.0, 0.3, 0.9}) EXPECT_NEAR(channel.phi(s), 0.68 * 0.45 / (0.45 + s * (0.68 - 0.45)), 1e-7);
+}
+
+// In a pipe: the mean over the section by itself, and half the speed of the plates' integral; the axis is where phi is largest.
+TEST(SuspensionChannel, OfAPipeHasItsMeanOverTheSection)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const SuspensionChannel pipe(Dictionary::parse("section circular; width 2; phi 0.625; phiMax 0.794; exponent 0.714; ratio 0.2; mu 0.5; pressureGradient 3; "
+                                                   "origin (0 5 7);",
+                                                   "system/controlDict", diagnostics));
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    double mean = 0, speed = 0;
+    const int parts = 20000;
+    for (int k = 0; k < parts; ++k)
+    {
+        const double s = (k + 0.5) / parts;
+        mean += 2 * s * pipe.phi(s) / parts;
+        speed += 0.5 * s * std::pow(1 - pipe.phi(s) / 0.794, 0.714) / parts;
+    }
+    EXPECT_NEAR(mean, 0.625, 1e-7);
+    EXPECT_NEAR(pipe.velocity({3, 5, 7}, 0).x, 3 / 0.5 * speed, 1e-6);
+    EXPECT_NEAR(pipe.value({1, 5.3, 7.4}, 0), pipe.phi(0.5), 1e-14);
 }

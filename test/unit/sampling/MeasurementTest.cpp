@@ -385,3 +385,53 @@ TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
     // (2/w - 1/W) gamma cos(theta)/(Delta rho g); what swings has died by exp(-t 6 nu/w^2) = 3e-7.
     EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
 }
+
+// The wall value falls as 1 - (1 - exp(-t)) and is a parabola of the distance, which three rows extrapolate exactly; half of the way to the last
+// value is gone at -ln((1 + exp(-6))/2), within the interpolation between samples 0.01 apart.
+TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
+{
+    Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.1);
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("field p; start 2; share 0.5; time 0.7; origin (0 1 0); normal (0 -1 0);", "system/controlDict", diagnostics);
+    const auto measureAt = readMeasure("wallDropTime", d, particles.geometry, particles.phases, ".");
+    d.reportUnused();
+    EXPECT_EQ(errorsOf(*diagnostics), "");
+    Measurement last;
+    for (int k = 1; k <= 600; ++k)
+    {
+        particles.time = 0.01 * k;
+        particles.setP([&](Vector<3> x) { return std::exp(-particles.time) * (2 - 3 * (1 - x.y) + 5 * sqr(1 - x.y)); });
+        last = measureAt(particles.view());
+        EXPECT_FALSE(std::isnan(last.value));
+    }
+    EXPECT_NEAR(last.value, -std::log((1 + std::exp(-6.0)) / 2), 2e-5);
+    EXPECT_EQ(last.reference, 0.7);
+}
+
+// phi gammaDot mu^2 = 6 where the particles are sheared but for one, which is 3 % off: its distance from the mean is ln(1.03) (1 - 1/4). The fifth
+// has a tenth of the largest stress and does not count, unless it is asked for.
+TEST(MigrationBalance, isTheLargestDepartureFromTheMean)
+{
+    Particles particles(2, {0, 0, 0}, {0.5, 0.1, 0}, 0.1);
+    const std::vector<double> mu{1, 2, 1, 2, 0.2}, phi{0.5, 0.5, 0.3, 0.4, 0.5};
+    std::vector<double> gammaDot(5);
+    for (std::size_t i = 0; i < 5; ++i) gammaDot[i] = 6 / phi[i] / sqr(mu[i]) * (i == 2 ? 1.03 : 1);
+    gammaDot[4] = 1;
+    const auto value = [&](const std::string& parameters)
+    {
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto d = Dictionary::parse("ratio 0.5;" + parameters, "system/controlDict", diagnostics);
+        const auto m = readMeasure("migrationBalance", d, particles.geometry, particles.phases, ".");
+        d.reportUnused();
+        EXPECT_EQ(errorsOf(*diagnostics), "");
+        auto view = particles.view();
+        view.fields.push_back({"phi", FieldClass::scalar, {phi.data()}});
+        view.fields.push_back({"gammaDot", FieldClass::scalar, {gammaDot.data()}});
+        view.fields.push_back({"eta", FieldClass::scalar, {mu.data()}});
+        return m(view);
+    };
+    EXPECT_NEAR(value("leastStress 0.1;").value, 0.75 * std::log(1.03), 1e-12);
+    EXPECT_EQ(value("leastStress 0.1;").particles, 4u);
+    EXPECT_EQ(value("").particles, 5u);
+    EXPECT_GT(value("").value, 1);
+}

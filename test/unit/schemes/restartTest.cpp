@@ -15,7 +15,7 @@ void prepare(const TestCase& c)
 
 /// Compares the last time folder, byte for byte: positions, fields, and the numbers of the state (time, index, step, density
 /// scale).
-void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", const std::string& half = "0.04")
+void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", const std::string& half = "0.04", int rebuilds = 6)
 {
     const TestCase whole(files), parts(files);
     prepare(whole);
@@ -25,7 +25,7 @@ void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", 
     // What is compared must have moved: lists rebuilt between write times, not only at them.
     const auto built = log.rfind("lists built ");
     ASSERT_NE(built, std::string::npos);
-    EXPECT_GT(std::stoi(log.substr(built + 12)), 6) << "the case is too quiet to show anything";
+    EXPECT_GT(std::stoi(log.substr(built + 12)), rebuilds) << "the case is too quiet to show anything";
 
     parts.replace("system/controlDict", "endTime " + end, "endTime " + half);
     parts.runWell("sphFoamLike");
@@ -36,10 +36,10 @@ void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", 
     EXPECT_EQ(difference(whole.files(end), parts.files(end)), "");
 }
 
-Files with(Files files, const std::string& integrator)
+Files with(Files files, const std::string& integrator, const std::string& inPlaceOf = "predictorCorrector")
 {
     auto& schemes = files["system/sphSchemes"];
-    schemes.replace(schemes.find("predictorCorrector"), 18, integrator);
+    schemes.replace(schemes.find(inPlaceOf), inPlaceOf.size(), integrator);
     return files;
 }
 
@@ -74,6 +74,13 @@ TEST(Restart, OfATransportVelocity)
     }
 }
 TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
+TEST(Restart, OfASuspension) { restartEqualsTheWhole(suspensionCase()); }
+TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
+{
+    auto files = with(suspensionCase(), "quasiSteady", "semiImplicit");
+    files["system/packParticlesDict"] = "lattice cubic; jitter 0.1;\nfill ( { region all; phase feedstock; } );\n";
+    restartEqualsTheWhole(files, "0.08", "0.04", 2);
+}
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 
 // Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.

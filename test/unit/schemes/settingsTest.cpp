@@ -310,5 +310,75 @@ TEST(Settings, ASolidPhaseNeedsTheInterfaceStress)
     expectError(edited(dropCase(), "system/sphSchemes", "integration", "contactAngle papr; integration"), "Did you mean \"paper\"?");
 }
 
+TEST(Settings, OfASuspensionAreRead)
+{
+    const auto r = reading(suspensionCase());
+    EXPECT_EQ(r.errors, "");
+    const auto& s = *r.settings.coefficients.suspension;
+    EXPECT_NEAR(s.Dc_a2, 0.4*0.05*0.05, 1e-15);
+    EXPECT_NEAR(s.phiCritical, 0.99*0.68, 1e-15);
+    EXPECT_EQ(r.settings.migrationTerms, (std::vector<std::string>{"subParticleShear", "phillipsFlux"}));
+    EXPECT_TRUE(selects(r.settings, "harmonicViscosity"));
+    EXPECT_TRUE(selects(r.settings, "harmonicViscousRate"));
+    EXPECT_EQ(r.settings.wallVelocity, WallVelocity::reflected);
+
+    // D_c and D_eta go with the square of what the case says: a factor 4 in time.
+    const std::string transport = "constant/transportProperties";
+    const auto byDiameter = reading(edited(suspensionCase(), transport, "a radius", "a diameter")).settings.coefficients.suspension;
+    EXPECT_NEAR(byDiameter->Dc_a2, 4*s.Dc_a2, 1e-15);
+    EXPECT_NEAR(byDiameter->Deta_a2, 4*s.Deta_a2, 1e-15);
+    const auto given = reading(edited(suspensionCase(), transport, "radius 0.05", "diameter 0.1")).settings.coefficients.suspension;
+    EXPECT_EQ(given->Dc_a2, s.Dc_a2);
+
+    const auto schemes = [](const std::string& words) { return edited(suspensionCase(), "system/sphSchemes", "shifting 2;", words); };
+    EXPECT_EQ(reading(schemes("shearRate gradient;")).settings.migrationTerms[0], "velocityGradientShear");
+    EXPECT_EQ(reading(schemes("scheme paper;")).settings.migrationTerms[0], "velocityGradientShear");
+    EXPECT_EQ(reading(schemes("shearRate correctedGradient;")).settings.migrationTerms[0], "correctedGradientShear");
+    EXPECT_EQ(reading(schemes("subParticleShear 0;")).settings.migrationTerms[0], "resolvedShear");
+    expectError(schemes("wallVelocity secondOrder;"), "needs a single phase of uniform viscosity");
+}
+
+// A scene without powder has none of its words, terms and numbers.
+TEST(Settings, OfAPureLiquidHaveNothingOfASuspension)
+{
+    const auto r = reading(channelCase());
+    EXPECT_FALSE(r.settings.suspension());
+    EXPECT_TRUE(r.settings.migrationTerms.empty());
+    expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "predictorCorrector; migrationSteps 2"), "entry \"migrationSteps\" is not used");
+    expectError(edited(channelCase(), "system/sphSchemes", "wallVelocity", "shearRate stress; wallVelocity"), "entry \"shearRate\" is not used");
+    expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "quasiSteady"), "and there is no suspension");
+}
+
+TEST(Settings, MistakesOfASuspensionHaveFileAndLine)
+{
+    const std::string transport = "constant/transportProperties";
+    const auto with = [&](const std::string& from, const std::string& to) { return edited(suspensionCase(), transport, from, to); };
+    expectError(with("phi 0.4;", "phi 0.68;"), "constant/transportProperties:3: 0.68 must be less than phiMax, 0.68");
+    expectError(with("phi 0.4;", "phi -0.1;"), "constant/transportProperties:3: ");
+    expectError(with("phiMax 0.68", "phiMax 1.2"), "constant/transportProperties:4: 1.2 is no volume fraction");
+    expectError(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;"), "constant/transportProperties:4: 0.7 must be less than phiMax, 0.68");
+    expectError(with("exponent 1.82", "exponent 0"), "constant/transportProperties:5: ");
+    expectError(with("Dc 0.4", "Dc -1"), "constant/transportProperties:6: ");
+    expectError(with("Deta 0.62", "Deta 0.4"), "constant/transportProperties:7: Dc/Deta is 1: from 1 on there is no steady state");
+    EXPECT_EQ(reading(with("Deta 0.62", "noSteadyState warn; Deta 0.4")).errors, "");
+    for (const char* size : {"radius 0", "radius -1e-6"}) expectError(with("radius 0.05", size), "constant/transportProperties:8: ");
+    expectError(with("radius 0.05;", ""), "the powder's size is missing: give its `diameter` or `radius`");
+    expectError(with("radius 0.05;", "radius 0.05; diameter 0.1;"), "the powder's size is given twice");
+    expectError(with("a radius", "a radus"), "constant/transportProperties:9: ");
+    expectError(with("a radius;", ""), "\"a\"");
+    expectError(edited(suspensionCase(), "constant/phaseProperties", "mu 10;", ""), "needs the viscosity `mu` of its binder");
+}
+
+// 10 sqrt(100 kPa/(1000 kg/m^3)): the scale that compresses a stiff fluid is a stress, not a speed.
+TEST(Settings, ChooseTheSoundSpeedByThePressure)
+{
+    auto files = edited(suspensionCase(), "constant/phaseProperties", "soundSpeed 15;", "soundSpeed automatic;");
+    files["constant/phaseProperties"] += "expected { velocity 1; pressure 1e5; }\n";
+    const auto r = reading(files);
+    EXPECT_EQ(r.errors, "");
+    EXPECT_NEAR(r.settings.coefficients.soundSpeed.at(0), 100, 1e-12);
+    EXPECT_NE(r.settings.reasons.at(0).find("by the expected pressure difference"), std::string::npos) << r.settings.reasons.at(0);
+}
+
 }
 }

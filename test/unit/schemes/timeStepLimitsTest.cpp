@@ -106,6 +106,20 @@ TEST(StepLimit, OfAStepInParts)
     for (const auto& [deltaT, parts] : {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
         EXPECT_EQ(partsOf(deltaT, s, limits), parts) << deltaT / part;
 }
+// Viscosities are those of the moment; four steps of the powder go to one of the flow, and creeping flow has no other limit.
+TEST(StepLimit, ByMigrationAndTheViscosityOfASuspension)
+{
+    auto s = quiet();
+    s.coefficients.viscosity = {1e-9};
+    EXPECT_EQ(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1}).by, "viscosity");
+    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1}).deltaT, 0.125 * 0.25 / 5, 1e-15);
+    EXPECT_EQ(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1e-3}).by, "migration");
+    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1e-3}).deltaT, 4e-3, 1e-18);
+    s.integrator = Integrator::semiImplicit;
+    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{5000, 1e9, 1}).deltaT, 0.25 * 5 / 4, 1e-15);
+    s.integrator = Integrator::quasiSteady;
+    EXPECT_EQ(stepLimit(s, 1e9, 1e9, 0, SuspensionLimits{10, 5000, 100}).deltaT, 400);
+}
 TEST(StepLimit, FollowsTheFactors)
 {
     auto s = quiet();

@@ -1,0 +1,36 @@
+#include "MigrationBalance.hpp"
+#include "SampledField.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sph
+{
+
+MigrationBalance::MigrationBalance(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
+    : r_(1/d.getPositive("ratio", units::none)), leastStress_(d.getNonNegative("leastStress", units::none, 0))
+{
+    if (leastStress_ >= 1) d.error("leastStress", "is a fraction of the largest shear stress: at 1 no particle would be left");
+}
+
+Measurement MigrationBalance::operator()(const ParticleView& view) const
+{
+    const SampledField phi(view, "phi", {}), gammaDot(view, "gammaDot", {}), mu(view, "eta", {});
+    double largest = 0;
+    for (std::size_t i = 0; i < view.n; ++i) largest = std::max(largest, mu(0, i)*gammaDot(0, i));
+    std::vector<double> potential;
+    for (std::size_t i = 0; i < view.n; ++i)
+        if (mu(0, i)*gammaDot(0, i) >= leastStress_*largest) potential.push_back(std::log(phi(0, i)*gammaDot(0, i)) + r_*std::log(mu(0, i)));
+    double mean = 0;
+    for (const double p : potential) mean += p/double(potential.size());
+    Measurement result{0, 0, potential.size(), ""};
+    for (const double p : potential) result.value = std::fmax(result.value, std::abs(p - mean));
+    if (!std::isfinite(mean))
+    {
+        result.value = std::numeric_limits<double>::quiet_NaN();
+        result.note = "there are particles without shear or powder";
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,64 @@
+#include "WallDropTime.hpp"
+#include "SampledField.hpp"
+#include "readDirection.hpp"
+#include <array>
+#include <limits>
+
+namespace sph
+{
+
+WallDropTime::WallDropTime(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
+    : field_(d.get<std::string>("field")),
+      share_(d.getPositive("share", units::none)),
+      reference_(d.getPositive("time", units::s)),
+      origin_(d.get("origin", Vector<3>{})),
+      normal_(readDirection(d, "normal", {0, 1, 0})),
+      where_(d.where("field")),
+      times_{0},
+      values_{d.get<double>("start")}
+{
+    if (share_ >= 1) d.error("share", "must be less than 1: the whole way is never gone");
+}
+
+double WallDropTime::wallValue(const ParticleView& view) const
+{
+    const SampledField f(view, field_, where_);
+    std::array<double, 3> count{}, distance{}, value{};
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        const double d = dot(position(view, i) - origin_, normal_);
+        const auto row = std::size_t(std::max(0.0, d/view.spacing));
+        if (row > 2) continue;
+        ++count[row];
+        distance[row] += d;
+        value[row] += f(0, i);
+    }
+    double sum = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+        double term = value[a]/count[a]; // NaN of an empty row
+        for (std::size_t b = 0; b < 3; ++b)
+            if (b != a) term *= distance[b]/count[b]/(distance[b]/count[b] - distance[a]/count[a]);
+        sum += term;
+    }
+    return sum;
+}
+
+Measurement WallDropTime::operator()(const ParticleView& view)
+{
+    times_.push_back(view.time);
+    values_.push_back(wallValue(view));
+    Measurement result{std::numeric_limits<double>::quiet_NaN(), reference_, view.n, "nothing has changed yet"};
+    const double way = values_.back() - values_.front();
+    for (std::size_t k = 1; k < times_.size() && way != 0; ++k)
+    {
+        const double before = (values_[k - 1] - values_[0])/way, after = (values_[k] - values_[0])/way;
+        if (after < share_) continue;
+        result.value = times_[k - 1] + (share_ - before)/(after - before)*(times_[k] - times_[k - 1]);
+        result.note.clear();
+        break;
+    }
+    return result;
+}
+
+}
