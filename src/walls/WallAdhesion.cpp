@@ -17,12 +17,12 @@ template<int dim> void WallAdhesion<dim>::evaluate(const Images<dim>& images, Fi
     for (double* component : n_w) std::fill_n(component, images.owned(), 0.0);
     std::fill_n(cosTheta, images.owned(), 0.0);
     std::vector<double> nearest(images.owned(), reach_);
-    images.forEachWallNear(store, [&](std::size_t i, const Foot& foot, int wall)
+    images.forEachWallNear(store, [&](std::size_t i, const Foot& foot, const Patch& patch)
     {
         if (foot.distance >= nearest[i]) return;
         nearest[i] = foot.distance;
         sph::store(in<dim>(foot.normal), [&](int c, double q) { n_w[c][i] = q; });
-        cosTheta[i] = cosTheta_[std::size_t(wall)];
+        cosTheta[i] = cosTheta_[std::size_t(patch.wall)];
     });
 }
 
