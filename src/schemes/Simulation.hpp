@@ -25,7 +25,7 @@ struct Summary
 /// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D (EnergyBalance.hpp).
 struct Energy
 {
-    double held, supplied;
+    double held = 0, supplied = 0;
 };
 
 /// A step that is stable, and the criterion that binds.

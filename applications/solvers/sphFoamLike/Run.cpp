@@ -163,8 +163,10 @@ void Run::warnOfCompression()
     }
 }
 
+/// Creeping flow has no inertia, so no energy of motion to keep an account of.
 void Run::checkEnergy()
 {
+    if (settings_.integrator == Integrator::quasiSteady) return;
     energy_ = simulation_->energy();
     const double share = energy_.held/energy_.supplied;
     const auto what = [&]
@@ -193,14 +195,14 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
     const int iterations = simulation_->solverIterations();
     const std::string solver = iterations > 0 ? fmt::format("  viscosity {} iterations", iterations) : "";
+    const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
     std::string powder;
     if (settings_.suspension())
         powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3, changed by {:.2g}, {} steps of migration\n", s.minPhi,
                              s.maxPhi, s.minViscosity, s.maxViscosity, s.powderVolume, simulation_->powderDrift(), simulation_->migrationSteps());
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}  energy/supply {:.3g}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
-                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy_.held/energy_.supplied,
-                        simulation_->meanNeighbours(),
+                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
                         simulation_->rebuilds(), solver, phases, powder, Clock::executionTime(), clock, expected);
     log_.flush();
 }

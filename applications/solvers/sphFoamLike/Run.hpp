@@ -35,7 +35,7 @@ private:
     std::unique_ptr<FunctionObjects> functions_;
     std::unique_ptr<AnySimulation> simulation_;
     std::vector<bool> warned_; ///< of each phase's compression
-    Energy energy_{0, 1};      ///< when last looked at
+    Energy energy_;            ///< when last looked at
     bool warnedOfEnergy_ = false;
 
     static Geometry loadGeometry(const Case&);

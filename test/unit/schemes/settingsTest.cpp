@@ -107,9 +107,6 @@ TEST(Settings, FormsOfWhatIsNotThere)
     }
     expectError(edited(channelCase(), schemes, "wallVelocity", "densityDiffusionForm antuono; wallVelocity"),
                 "system/sphSchemes:2: does nothing without densityDiffusion");
-    auto implicit = edited(channelCase(), schemes, "predictorCorrector", "semiImplicit");
-    implicit[schemes] += "viscosity cleary;\n";
-    expectError(implicit, "system/sphSchemes:4: cleary goes with explicit integration");
 }
 
 TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
@@ -134,7 +131,7 @@ TEST(Settings, SurfaceTensionOnceInAStepOfParts)
     const auto settings = reading(with("leapfrog; maxSubSteps 3")).settings;
     EXPECT_EQ(settings.maxSubSteps, 3);
     EXPECT_DOUBLE_EQ(settings.factors.capillary, 0.5 * StepFactors{}.capillary);
-    EXPECT_EQ(settings.slowTerms, std::vector<std::string>{"curvatureForce"});
+    EXPECT_EQ(settings.slowTerms, (std::vector<std::string>{"curvatureForce", "smoothedColourGradient"}));
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "curvatureForce"), 0);
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "harmonicViscosity"), 1);
     EXPECT_TRUE(reading(dropCase()).settings.slowTerms.empty());
