@@ -3,7 +3,7 @@
 ///   sigma_i = a sum_j w_j W_ij (j = i included),   V_i = 1/sigma_i
 ///
 /// sigma [1/m^d]; W [1/m^d] kernel; w_j volume factor of a ghost, 1 for fluid, already in W_ij; a makes the mean of sigma V_0 exact over the packing
-/// (NUMERICS: without it V^2 is 2 % low). No density enters the sum, so that a density ratio of 1000 is as smooth as none.
+/// (without it V^2 is 2 % low). No density enters the sum, so that a density ratio of 1000 is as smooth as none.
 /// Verified by test/unit/passes (plain loop) and tutorials/verification/hydrostatic.
 #pragma once
 #include "Coefficients.hpp"

@@ -1,7 +1,8 @@
 /// Whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
 ///
-/// An image exists as far as the nearest centre of curvature (erratum HL9), so that R > H is needed on either side of a curved
-/// wall. Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not resolved.
+/// An image exists as far as the nearest centre of curvature, so that R > H is needed on either side of a curved wall (Barker et al.
+/// 2012 do not say so). Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not
+/// resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
 /// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
 /// warning between the walls of a container. A wall may slide along itself and nowhere else.

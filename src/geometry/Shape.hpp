@@ -3,8 +3,8 @@
 ///
 /// Points have three components always; a 2-D scene lives in the plane z = 0 and its shapes do not vary with z (a sphere
 /// becomes a circle). Signs: `distance` is positive on the fluid side, `normal` points into the fluid, and a principal
-/// curvature is positive where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside
-/// (erratum HL6).
+/// curvature is positive where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside:
+/// with this sign eqs. (16)-(18) of Barker et al. (2012) hold.
 #pragma once
 #include "TriangleSurface.hpp"
 #include "Vector.hpp"

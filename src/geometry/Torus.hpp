@@ -2,7 +2,7 @@
 ///
 ///   d = e (R2 - q),  k1 = e/R2,  k2 = -e cos(theta)/(R1 - R2 cos(theta)),  e = +1 with fluid inside the tube, -1 outside
 ///
-/// In place of Table 1 of Barker et al. (2012), which is right at theta = 0 alone (erratum HL7).
+/// In place of Table 1 of Barker et al. (2012), which is right at theta = 0 alone.
 #pragma once
 #include "Shape.hpp"
 

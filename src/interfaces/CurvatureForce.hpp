@@ -1,7 +1,7 @@
 /// Surface tension by curvature (CSF, Brackbill et al. 1992), between two phases: four sums, each an equation of its own.
 ///
 /// Beside the stress form it converges at fixed support, and with the density-weighted pressure it allows the same sound speed in both
-/// phases at a density ratio of 1000 (NUMERICS). It does not conserve momentum exactly. Verified by tutorials/verification/laplaceDrop.
+/// phases at a density ratio of 1000. It does not conserve momentum exactly. Verified by tutorials/verification/laplaceDrop.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

@@ -1,5 +1,5 @@
-/// Surface tension as an interface stress: Hu & Adams (2006), eqs. (11)-(13) of Barker et al. (2012) with erratum HL3 (the isotropic
-/// part of eq. 12 carries |gradC|^2). For particle i of phase k, summed over every other phase l:
+/// Surface tension as an interface stress: Hu & Adams (2006), eqs. (11)-(13) of Barker et al. (2012) corrected (the isotropic part
+/// of eq. 12 carries |gradC|^2). For particle i of phase k, summed over every other phase l:
 ///
 ///   gradC = 1/V_i sum_(j in l) V_j^2 gradW_ij
 ///   S_i  += gamma_kl (|gradC| I/d - gradC gradC/|gradC|)

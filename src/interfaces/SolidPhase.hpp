@@ -1,10 +1,10 @@
-/// Contact angle as Barker et al. (2012) have it: the solid is a phase of its own, and eqs. (11)-(13), with erratum HL3, hold for it as for
-/// any other. What lies behind wall w is phase s_w: ghosts count as that, and not as the phase of what they mirror.
+/// Contact angle as Barker et al. (2012) have it: the solid is a phase of its own, and eqs. (11)-(13) (InterfaceStress.hpp) hold for it as
+/// for any other. What lies behind wall w is phase s_w: ghosts count as that, and not as the phase of what they mirror.
 ///
 ///   gradC^(kl) = 1/V_i sum_(j in l) V_j^2 gradW_ij
 ///   S_i = sum_(l != k) gamma_kl (|gradC| I/d - gradC gradC/|gradC|),    l over fluid phases and solids
 ///
-/// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. gamma_ks is the wall's tension, by Young's law with HL4,
+/// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. gamma_ks is the wall's tension, by Young's law,
 /// gamma_sg - gamma_sl = gamma_lg cos(theta). Young leaves a common offset open; it is taken so that rho_g gamma_sl + rho_l gamma_sg = 0
 /// (setContactAngles), at equal densities -+ gamma cos(theta)/2: it cancels in the balance at the contact line.
 ///

@@ -1,6 +1,6 @@
 /// Gravity and a uniform force per volume:  dv/dt = g + f/rho
 ///
-/// g [m/s^2]; f [N/m^3], the pressure gradient that drives a periodic flow. Erratum HL1: eq. (1) of Barker et al. lacks rho before g.
+/// g [m/s^2]; f [N/m^3], the pressure gradient that drives a periodic flow. Eq. (1) of Barker et al. (2012) lacks rho before g.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

@@ -37,9 +37,9 @@ struct SeparateHuAdamsPressure : HuAdamsPressureSum
 ///
 ///   dv_i/dt = -1/m_i sum_j (V_i^2 + V_j^2) (rho_j p_i + rho_i p_j)/(rho_i + rho_j) gradW_ij
 ///
-/// Allows the same sound speed in both phases at a density ratio of 1000 (NUMERICS). Conserves linear momentum exactly, but is not the gradient of an
-/// energy, as the sum of Hu & Adams (2006) is: the gas compresses the liquid and does not feel its pressure. Where little damps, what is at rest
-/// sets itself in motion (tutorials/stiff/dropOnFilm, liquidBridge).
+/// Allows the same sound speed in both phases at a density ratio of 1000. Conserves linear momentum exactly, but is not the
+/// gradient of an energy, as the sum of Hu & Adams (2006) is: the gas compresses the liquid and does not feel its pressure. Where little
+/// damps, what is at rest sets itself in motion (tutorials/stiff/dropOnFilm, liquidBridge).
 struct DensityWeightedPressure
 {
     static constexpr auto name = "densityWeightedPressure";

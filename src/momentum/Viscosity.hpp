@@ -138,8 +138,8 @@ struct ClearyResponse : CentralResponse<HarmonicMean>
     using CentralResponse::CentralResponse;
 };
 
-/// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of centres it
-/// is (d + 2)/d times that, the mean over directions.
+/// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
+/// centres it is (d + 2)/d times that, the mean over directions.
 template<class MeanViscosity> struct MorrisRate : MorrisSum<MeanViscosity>
 {
     using Provides = ViscousRate;

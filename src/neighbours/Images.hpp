@@ -106,8 +106,8 @@ public:
             }
     }
 
-    /// Calls f(i, foot, patch) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the nearest
-    /// place of the patch and there is no image; all patches of one particle in a row and on one thread.
+    /// Calls f(i, foot, patch) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the
+    /// nearest place of the patch and there is no image; all patches of one particle in a row and on one thread.
     template<class F> void forEachWallNear(FieldStore<dim>& store, const F& f) const
     {
         const auto position = store.pointers(Position{});

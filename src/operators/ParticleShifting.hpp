@@ -1,4 +1,4 @@
-/// Gradient of the particle concentration, down which particle shifting moves: Lind et al. (2012), with the factor 2 V_0 of NUMERICS.
+/// Gradient of the particle concentration, down which particle shifting moves: Lind et al. (2012), with the factor 2 V_i.
 ///
 ///   shift_i = -2 V_i sum_j gradW_ij,      then  dx_i = C |v| dt Delta_x shift_i
 ///

@@ -39,7 +39,7 @@ struct Coefficients
     Vector<3> g;                             ///< [m/s^2]
     Vector<3> bodyForce;                     ///< [N/m^3]
 
-    double densityScale = 1;                 ///< makes the mean of sigma V_0 exact (NUMERICS: normalise)
+    double densityScale = 1;                 ///< makes the mean of sigma V_0 exact
     double diffusion = 0;                    ///< delta of the density diffusion
     double transportVelocity = 0;            ///< C of the transport velocity: background pressure over rho c^2; 0: none
     double artificialViscosity = 0;          ///< alpha

@@ -31,7 +31,7 @@ using ReferenceField = std::function<std::optional<Vector<3>>(const Vector<3>& x
 ///     points particles;                 // or rows: the field interpolated at the rows of a csv reference, all of the same weight
 ///     phase water;                      // only its particles
 ///     region { min (..); max (..); }    // only points within
-///     cellMeans y;                      // the reference's mean over a spacing along x, y or z around each particle: what a particle can know of a cusp
+///     cellMeans y;                      // the reference's mean over a spacing along x, y or z around each particle, all it has of a cusp
 ///     removeMean yes;                   // for a pressure that is given up to a constant
 class FieldComparison
 {

@@ -8,9 +8,9 @@ namespace sph
 ///
 ///   J = -D_c a^2 phi^2 gammaDot grad ln(phi gammaDot mu^r),    r = D_eta/D_c
 ///
-/// so that phi gammaDot mu^r is uniform when all is steady. The value is the largest |ln(phi gammaDot mu^r) - its mean| of the particles whose
-/// shear stress mu gammaDot is at least `leastStress` times the largest: in the middle of a channel and in corners gammaDot vanishes, and no
-/// particle is small enough. Its reference is 0: compare with `norm absolute;`. Dictionary:
+/// so that phi gammaDot mu^r is uniform when all is steady. The value is the largest |ln(phi gammaDot mu^r) - its mean| of the particles
+/// whose shear stress mu gammaDot is at least `leastStress` times the largest: in the middle of a channel and in corners gammaDot vanishes,
+/// and no particle is small enough. Its reference is 0: compare with `norm absolute;`. Dictionary:
 ///
 ///     ratio 0.4;                // D_c/D_eta
 ///     leastStress 0.15;         // default 0

@@ -4,16 +4,16 @@
 namespace sph
 {
 
-/// Steady flow of a suspension between two plates, or in a circular pipe, driven by a pressure gradient G, after its powder has migrated by Phillips' fluxes with
-/// Krieger's viscosity: phi gammaDot mu^r is uniform, r = D_eta/D_c, and mu gammaDot = G |y|, whence
+/// Steady flow of a suspension between two plates, or in a circular pipe, driven by a pressure gradient G, after its powder has migrated by
+/// Phillips' fluxes with Krieger's viscosity: phi gammaDot mu^r is uniform, r = D_eta/D_c, and mu gammaDot = G |y|, whence
 ///
-///   s = (phi_0/phi) ((phi_m - phi)/(phi_m - phi_0))^n,    s = |y|/h,  n = c (r - 1),    mean of phi over s = the phi that the flow began with
+///   s = (phi_0/phi) ((phi_m - phi)/(phi_m - phi_0))^n,    s = |y|/h,  n = c (r - 1),    mean of phi over s = phi at the start
 ///   U = G h^2/mu_0 int_s^1 s' (1 - phi(s')/phi_m)^c ds'
 ///
-/// n = 1, D_c/D_eta = 1/(1 + 1/c), gives eq. (4.1) of Kauzlaric et al. (2011), phi = phi_m phi_0/(phi_0 + s (phi_m - phi_0)). y [m] from the
-/// middle, h [m] half the width, phi_0 at the walls, phi_m and c of Krieger's law, mu_0 [Pa s] of the binder. Neither the powder's size nor D_c
-/// enters. Where D_c/D_eta >= 1 there is no steady state. In a pipe of radius h the same profile holds over s = r/h, with the mean over the section,
-/// 2 int_0^1 phi s ds, and half the speed, since mu gammaDot = G r/2.
+/// n = 1, D_c/D_eta = 1/(1 + 1/c), gives eq. (4.1) of Kauzlaric et al. (2011), phi = phi_m phi_0/(phi_0 + s (phi_m - phi_0)). y [m] from
+/// the middle, h [m] half the width, phi_0 at the walls, phi_m and c of Krieger's law, mu_0 [Pa s] of the binder. Neither the powder's size
+/// nor D_c enters. Where D_c/D_eta >= 1 there is no steady state. In a pipe of radius h the same profile holds over s = r/h, with the mean
+/// over the section, 2 int_0^1 phi s ds, and half the speed, since mu gammaDot = G r/2.
 class SuspensionChannel
 {
     double width_, phiMax_, exponent_, n_, wall_, speedScale_;
@@ -22,8 +22,8 @@ class SuspensionChannel
     std::vector<double> integral_; ///< of U, at equal steps of s from 0 to 1
 
 public:
-    /// width phi (mean) phiMax exponent ratio (D_c/D_eta); for U also mu [Pa s] (of the binder) and pressureGradient [Pa/m]; direction (1 0 0);
-    /// normal (0 1 0); origin (0 0 0), on a wall; section plane. With `section circular` width is the diameter and origin on the axis.
+    /// width phi (mean) phiMax exponent ratio (D_c/D_eta); for U also mu [Pa s] (of the binder) and pressureGradient [Pa/m]; direction
+    /// (1 0 0); normal (0 1 0); origin (0 0 0), on a wall; section plane. `section circular`: width is the diameter, origin on the axis.
     explicit SuspensionChannel(const Dictionary&);
 
     /// At s = |y|/h from 0 (middle) to 1 (wall).

@@ -3,8 +3,8 @@
 ///   mu(phi), gammaDot(v, mu), dphi/dt by terms of `transport` and `materials`;    phi += dt dphi/dt
 ///   dt <= f h^2/max_i D_i,    D = gammaDot phi (D_c a^2 + D_eta a^2 phi 1/mu dmu/dphi)        f = 0.25; unstable from 0.4 in three dimensions
 ///
-/// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities serves
-/// four of these steps (`migrationSteps`) within 0.1 % of phi.
+/// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities
+/// serves four of these steps (`migrationSteps`) within 0.1 % of phi.
 #pragma once
 #include "FieldStore.hpp"
 #include "Plan.hpp"

@@ -290,7 +290,7 @@ template<int dim> void ParticleSystem<dim>::evaluateSlow()
     if (wallPotential_) inPlaceOfAll([&] { wallPotential_->addAcceleration(images_, store_); });
 }
 
-/// NUMERICS: scale the number density so that its mean is exact; the kernel sum over a packing is 0.7 to 1 % off by itself.
+/// Scales the number density so that its mean is exact: the kernel sum over a packing is 0.7 to 1 % off by itself.
 template<int dim> void ParticleSystem<dim>::normaliseDensity()
 {
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);

@@ -19,7 +19,7 @@ struct Resolution
 };
 Resolution readResolution(const Dictionary& sphSchemes);
 
-/// Fractions of the stability limits, as prototypes measured them (NUMERICS).
+/// Fractions of the stability limits (TimeStepLimits.hpp; how far from where steps fail: test/stability/README.md).
 struct StepFactors
 {
     double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25, migration = 0.25;

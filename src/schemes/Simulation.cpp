@@ -54,8 +54,8 @@ public:
     /// Of a step in several parts each is such a step, but surface tension acts once, by the whole step and at the middle of the middle
     /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
     ///
-    /// Powder migrates with the velocities at the end of the step and the positions of its middle. quasiSteady is for flows that change only as the
-    /// powder migrates: particles stay where they are.
+    /// Powder migrates with the velocities at the end of the step and the positions of its middle. quasiSteady is for flows that change
+    /// only as the powder migrates: particles stay where they are.
     void step(double time, double deltaT) override
     {
         if (settings_.integrator == Integrator::quasiSteady)

@@ -22,7 +22,8 @@ struct Summary
     bool finite = true;
 };
 
-/// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D (EnergyBalance.hpp).
+/// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D
+/// (EnergyBalance.hpp).
 struct Energy
 {
     double held = 0, supplied = 0;

@@ -10,12 +10,13 @@ namespace sph
 ///     air   { ... }
 ///     sigma ( (water air) 0.072 );
 ///
-/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and says why.
+/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
+/// says why.
 void readPhases(const Case&, Settings&);
 
-/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (erratum HL4), shared
-/// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at equal
-/// densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
+/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (eq. 14 of Barker et al. 2012 has the other sign), shared
+/// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at
+/// equal densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
 void setContactAngles(const Geometry&, Settings&);
 
 }

@@ -61,6 +61,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     belongs("transportPressure", "transportVelocity");
     if (c.transportVelocity > 0 && settings.shifting > 0)
         dict.error("transportVelocity", "keeps particles evenly spaced, and so does shifting: take one of them");
+    if (settings.shifting > 0 && settings.integrator == Integrator::quasiSteady)
+        dict.error("shifting", "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
     if (c.transportVelocity > 0 && settings.solvesForVelocity())
         dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
     if (choice.wall == "secondOrder" && (settings.variableViscosity() || !viscous || choice.pressure != "huAdams"))
@@ -72,7 +74,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
     if (choice.contactAngle == "wallAdhesion" && byStress)
         dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
     if (choice.viscosity == "none" && settings.solvesForVelocity())
-        dict.error("integration", "semiImplicit solves for viscosity, and there is none");
+        dict.error("integration", "semiImplicit and quasiSteady solve for viscosity, and there is none");
     if (integrated && !settings.predicts())
         dict.error("density", "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or predictorCorrector");
     if (choice.tension == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
@@ -124,8 +126,8 @@ Words termsOf(const Choices& choice, Settings& settings)
     return terms;
 }
 
-/// What acts once in a step of several parts becomes a list of its own: surface tension, whose curvature is four of the six sums over pairs of
-/// a two-phase step. Viscosity shares its sum with the pressure: nothing would be gained.
+/// What acts once in a step of several parts becomes a list of its own: surface tension, whose curvature is four of the six sums over pairs
+/// of a two-phase step. Viscosity shares its sum with the pressure: nothing would be gained.
 void partSlowTerms(const Dictionary& integration, Settings& settings)
 {
     if (settings.solvesForVelocity())
@@ -156,8 +158,7 @@ void readMigration(const Dictionary& dict, Settings& settings)
         suspension.subParticleShear = dict.getNonNegative("subParticleShear", units::none, 0.025);
         terms.push_back(suspension.subParticleShear > 0 ? "subParticleShear" : "resolvedShear");
     }
-    else terms.push_back(rate + "Shear");
-    if (rate == "gradient") terms.back() = "velocityGradientShear";
+    else terms.push_back(rate == "gradient" ? "velocityGradientShear" : "correctedGradientShear");
     terms.push_back("phillipsFlux");
 }
 

@@ -23,12 +23,12 @@ struct PhaseParticles
 /// What the sum over the phase is divided by.
 enum class Normalisation
 {
-    none,      ///< nothing: erratum HL12's sum as it stands; the surface bends away from walls, where half the kernel is empty
+    none,      ///< nothing: the sum as it stands; the surface bends away from walls, where half the kernel is empty
     walls,     ///< the part of the kernel that lies in the fluid's space: for a liquid whose gas is left out
     particles, ///< the sum over all particles (Shepard): where each phase is there
 };
 
-/// Barker et al. (2012), section "Spherical Packing", with C_i^l and the factor V_i that the print lacks (erratum HL12),
+/// Barker et al. (2012), section "Spherical Packing", with C_i^l and the factor V_i that the print lacks,
 /// normalised:
 ///
 ///   C(x) = sum_j V_j C_j^l W(|x - x_j|) / D(x),   D = 1,  int_fluid W(|x - y|) dy  or  sum_j V_j W(|x - x_j|)

@@ -5,10 +5,11 @@
 ///
 /// n [-] normal and d [m] distance of the wall, gamma_sk [N/m] its tension with the particle's phase k, rho_k [kg/m^3] that phase's rest
 /// density. Phi [1/m] integrates to 1 over the fluid's side of a plane; J, the fluid's area at d over that at the wall, makes it do so over
-/// spheres and cylinders of the curvatures k_1 and k_2 [1/m] (Shape.hpp): covered by phase k they store gamma_sk. Without J grains of 8 to 16
-/// spacings a radius had 5 to 20 % too much. Where the curvature varies along the surface J is 1: a force along the normal alone would do work
-/// on a closed way. Phi is flat at the wall and at H: no step in the force, and ghosts need no rule of their own. d is that of the nearest
-/// place of each body, its edges included: the force of a box is the gradient of one potential, and a liquid around its corner is at rest.
+/// spheres and cylinders of the curvatures k_1 and k_2 [1/m] (Shape.hpp): covered by phase k they store gamma_sk. Without J grains of 8 to
+/// 16 spacings a radius had 5 to 20 % too much. Where the curvature varies along the surface J is 1: a force along the normal alone would
+/// do work on a closed way. Phi is flat at H, and at the wall where that is plane: no step in the force, and ghosts need no rule of their
+/// own. d is that of the nearest place of each body, its edges included: the force of a box is the gradient of one potential, and a liquid
+/// around its corner is at rest.
 ///
 /// The force has an energy whatever the particles' arrangement: liquid bodies of a few spacings stay on the wall, where the stress
 /// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The interface must bend within H of the wall: the curvature form

@@ -5,7 +5,7 @@
 /// n [-] normal and d [m] distance of the wall, gamma_sk [N/m] its tension with the particle's phase k, w_1 [1/m] the kernel's marginal:
 /// 2 w_1 integrates to 1 over the fluid's side, so that a wall covered by phase k carries gamma_sk. With gamma_sl - gamma_sg =
 /// -gamma cos(theta), ghosts of their parents' phase and their parents' stress mirrored, fluid plus image carries no shear across the wall:
-/// Young's law is then the tangential momentum balance itself (NUMERICS). 2 w_1(d) n is what the sum over the ghosts of a plane wall gives
+/// Young's law is then the tangential momentum balance itself. 2 w_1(d) n is what the sum over the ghosts of a plane wall gives
 /// for its colour gradient; taken from the wall itself it needs no sum, has no noise, and keeps two walls apart whose ghosts meet in
 /// the pinch between grains, where the summed normal means nothing.
 #pragma once

@@ -23,7 +23,7 @@ template<int dim> void SecondOrderVelocity<dim>::bind()
 
 template<int dim> void SecondOrderVelocity<dim>::filter()
 {
-    const double share = 0.1; // 0.1, 0.3 and 1 were stable (NUMERICS); 0.1 keeps sound waves out of the wall
+    const double share = 0.1; // 0.1, 0.3 and 1 were stable; 0.1 keeps sound waves out of the wall
     const auto a_p = store_.pointers(PressureAcceleration{});
     const std::size_t n = store_.owned();
     #pragma omp parallel for schedule(static)

@@ -17,7 +17,7 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
-/// Second-order no slip (NUMERICS, "mode 4"): the smooth continuation of the flow through the wall, from its momentum balance there.
+/// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
 ///   v_g = v_w - (v - v_w)/sqrt(w) - d^2/nu (a_p + g - dv_w/dt)_t
 ///
@@ -44,7 +44,7 @@ private:
     std::array<double*, dim> a_{};
 };
 
-/// Hydrostatic continuation of the pressure through the wall (what HL15 of the errata finds missing in the paper):
+/// Hydrostatic continuation of the pressure through the wall (Barker et al. 2012 do not say what they took):
 ///
 ///   p_g = p - 2 d rho n.(g + f/rho)
 ///

@@ -15,7 +15,7 @@ Damaged inText()
     return Damaged(
         []() -> const TestCase&
         {
-            static const auto made = channelRun("ascii");
+            static const auto made = firstWriteOf(channelCase(), "ascii");
             return *made;
         }());
 }

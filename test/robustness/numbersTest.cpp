@@ -60,7 +60,7 @@ TEST(Numbers, Huge)
 
 TEST(Numbers, HugeInFieldsOfARestart)
 {
-    static const auto inText = channelRun("ascii");
+    static const auto inText = firstWriteOf(channelCase(), "ascii");
     for (const char* field : {"U", "positions"})
         for (const char* number : {"1e300", "-1e20"})
         {

@@ -8,10 +8,9 @@
 namespace sph::test
 {
 
-/// The channel of smallCases, packed, with walls, run to 0.02 and written in `format`.
-inline std::unique_ptr<const TestCase> channelRun(const std::string& format)
+/// A case of smallCases, packed, with walls, run to 0.02 and written in `format`.
+inline std::unique_ptr<const TestCase> firstWriteOf(Files files, const std::string& format)
 {
-    auto files = channelCase();
     auto& control = files["system/controlDict"];
     control.replace(control.find("0.08"), 4, "0.02");
     control.replace(control.find("binary"), 6, format);
@@ -26,7 +25,7 @@ inline std::unique_ptr<const TestCase> channelRun(const std::string& format)
 /// The same in binary, made once.
 inline const TestCase& goodChannel()
 {
-    static const auto made = channelRun("binary");
+    static const auto made = firstWriteOf(channelCase(), "binary");
     return *made;
 }
 

@@ -7,22 +7,9 @@ namespace sph::test
 namespace
 {
 
-/// A suspension run to its first write time.
 const TestCase& goodSuspension()
 {
-    static const auto made = []
-    {
-        auto files = suspensionCase();
-        auto& control = files["system/controlDict"];
-        control.replace(control.find("0.08"), 4, "0.02");
-        control.replace(control.find("binary"), 6, "ascii");
-        auto c = std::make_unique<TestCase>(files);
-        c->runWell("packParticles");
-        c->runWell("meshToGhost");
-        c->runWell("sphFoamLike");
-        c->replace("system/controlDict", "endTime 0.02", "endTime 0.04");
-        return c;
-    }();
+    static const auto made = firstWriteOf(suspensionCase(), "ascii");
     return *made;
 }
 

@@ -24,8 +24,8 @@ constexpr double mostCompression = 4;
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
 
-/// Energy held over the most that the scene can have supplied, beyond which the log warns, and beyond which a solution is rubbish; looked at every
-/// so many steps, for it takes a loop over pairs.
+/// Energy held over the most that the scene can have supplied, beyond which the log warns, and beyond which a solution is rubbish; looked
+/// at every so many steps, for it takes a loop over pairs.
 constexpr double suspectEnergy = 1.5, mostEnergy = 5;
 constexpr long energySteps = 100;
 

@@ -108,7 +108,7 @@ TEST(VolumeFactor, isTheJacobianOfTheMirrorImage)
         }
 }
 
-// Signs of erratum HL6: images behind a wall that curves around the fluid are larger, behind one that curves away smaller.
+// Signs: images behind a wall that curves around the fluid are larger, behind one that curves away smaller.
 TEST(VolumeFactor, exceedsOneOnlyWhereTheCentreOfCurvatureIsOnTheFluidSide)
 {
     const Vector<3> x{0.9, 0, 0}, y{1.1, 0, 0};

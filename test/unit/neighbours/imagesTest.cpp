@@ -232,8 +232,8 @@ TEST(Images, OfGrainsAcrossAPeriodicFaceEqualThoseOfThreePeriods)
     }
 }
 
-// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more (NUMERICS,
-// packing). The chain ends after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
+// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more.
+// The chain ends after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
 TEST(Images, OfAPinchHoldTheSecondReflection)
 {
     const Vector<3> a{-1.05, 0, 0}, b{1.05, 0, 0};

@@ -256,8 +256,8 @@ template<int dim> void transportVelocity()
 TEST(PlainLoop, TransportVelocityIn2D) { transportVelocity<2>(); }
 TEST(PlainLoop, TransportVelocityIn3D) { transportVelocity<3>(); }
 
-/// Root mean square of what the stress of v = (sin kx cos ky, -cos kx sin ky) carried by w = (cos ky, sin kx)/5 is off div(v w), n to the period, each
-/// particle up to `jitter` spacings off its place. div w = 0, so that div(v w) = w . grad v.
+/// Root mean square of what the stress of v = (sin kx cos ky, -cos kx sin ky) carried by w = (cos ky, sin kx)/5 is off div(v w), n to the
+/// period, each particle up to `jitter` spacings off its place. div w = 0, so that div(v w) = w . grad v.
 double errorOfTransportStress(int n, double jitter)
 {
     auto c = firstPhases(threePhases(2, 1.0 / n, 3), 1);

@@ -20,8 +20,8 @@ struct Known
     double gap, volume, contactAngle, halfFilling, curvature, neck, force;
 };
 
-/// Lattice particles between two solids of radius 1 and a gap of 1 along y; the bridge is all within `radius` of the line of centres, at the given
-/// pressure.
+/// Lattice particles between two solids of radius 1 and a gap of 1 along y; the bridge is all within `radius` of the line of centres, at
+/// the given pressure.
 Particles straightBridge(int dimension, double radius, double pressure)
 {
     Particles particles(dimension, {-1.5, 0, -1.5}, {1.5, 3, 1.5}, 1.0/16);

@@ -1,6 +1,6 @@
 /// What a run holds in energy and what its scene can have supplied.
 #include "Simulation.hpp"
-#include "smallCases.hpp"
+#include "periodicSquare.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -10,15 +10,6 @@ namespace
 {
 
 constexpr double spacing = 0.05, gamma = 3;
-
-Geometry periodicSquare()
-{
-    Geometry g;
-    g.dimension = 2;
-    g.high = {1, 1, 0};
-    g.periodic = {true, true, false};
-    return g;
-}
 
 /// A lattice that moves as a whole; the lower half is of the second phase where there are two.
 Cloud lattice(Vector<3> U, bool twoPhases)
@@ -40,17 +31,13 @@ Cloud lattice(Vector<3> U, bool twoPhases)
     return cloud;
 }
 
-Settings settingsOf(const std::string& phaseProperties, const std::string& more)
+Settings settingsOfPhases(const std::string& phaseProperties, const std::string& more)
 {
     auto files = channelCase();
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme symplecticEuler; }\n" + more;
     files["constant/phaseProperties"] = phaseProperties;
     files.erase("constant/g");
-    const TestCase folder(files);
-    const Case c(folder.folder());
-    auto settings = readSettings(c, periodicSquare());
-    c.diagnostics().throwIfAny();
-    return settings;
+    return settingsOf(files);
 }
 
 const std::string twoPhases = "phases (water air);\nwater { rho 1000; mu 0; soundSpeed 10; }\nair { rho 1; mu 0; soundSpeed 10; }\nsigma ( (water air) 3 );\n";
@@ -59,7 +46,7 @@ const std::string twoPhases = "phases (water air);\nwater { rho 1000; mu 0; soun
 TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
 {
     // Two interfaces of length 1 between strips. The sum over pairs on a lattice of three spacings to the support is 5.6 % below the integral.
-    const auto settings = settingsOf(twoPhases, "");
+    const auto settings = settingsOfPhases(twoPhases, "");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, true), {});
     EXPECT_NEAR(simulation->energy().held, 2*gamma, 0.06*2*gamma);
@@ -68,7 +55,7 @@ TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
 
 TEST(EnergyBalance, KnowsNoInterfaceWithoutTension)
 {
-    const auto settings = settingsOf(twoPhases, "surfaceTension none; pressureGradient densityWeighted;");
+    const auto settings = settingsOfPhases(twoPhases, "surfaceTension none; pressureGradient densityWeighted;");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 2, 0}, true), {});
     EXPECT_NEAR(simulation->energy().held, 0.5*(500 + 0.5)*4, 1e-9);
@@ -77,7 +64,7 @@ TEST(EnergyBalance, KnowsNoInterfaceWithoutTension)
 TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
 {
     // A fluid that falls freely and as a whole: what it gains is what the force has done, step by step, to round-off.
-    const auto settings = settingsOf("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\nbodyForce (5000 -2000 0);\n", "");
+    const auto settings = settingsOfPhases("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\nbodyForce (5000 -2000 0);\n", "");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0.1, 0, 0}, false), {});
     const auto before = simulation->energy();
@@ -91,7 +78,7 @@ TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
 TEST(EnergyBalance, AllowsForSoundOfAHundredthOfItsSpeed)
 {
     // Nothing moves, nothing can: what is left is 1/2 M (c/100)^2.
-    const auto settings = settingsOf("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\n", "");
+    const auto settings = settingsOfPhases("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\n", "");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, false), {});
     EXPECT_EQ(simulation->energy().held, 0);

@@ -247,7 +247,7 @@ TEST(Settings, SemiImplicitTakesItsEntries)
     auto inviscid = with("");
     auto& phases = inviscid["constant/phaseProperties"];
     phases.replace(phases.find("mu"), phases.find(';', phases.find("mu")) - phases.find("mu") + 1, "");
-    expectError(inviscid, "semiImplicit solves for viscosity, and there is none");
+    expectError(inviscid, "semiImplicit and quasiSteady solve for viscosity, and there is none");
 }
 
 TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
@@ -364,6 +364,7 @@ TEST(Settings, MistakesOfASuspensionHaveFileAndLine)
     expectError(with("a radius", "a radus"), "constant/transportProperties:9: ");
     expectError(with("a radius;", ""), "\"a\"");
     expectError(edited(suspensionCase(), "constant/phaseProperties", "mu 10;", ""), "needs the viscosity `mu` of its binder");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "quasiSteady"), "moves particles, which quasiSteady leaves where they are");
 }
 
 // 10 sqrt(100 kPa/(1000 kg/m^3)): the scale that compresses a stiff fluid is a stress, not a speed.

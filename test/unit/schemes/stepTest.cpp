@@ -3,7 +3,7 @@
 #include "DivergedError.hpp"
 #include "Plane.hpp"
 #include "Simulation.hpp"
-#include "smallCases.hpp"
+#include "periodicSquare.hpp"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -14,15 +14,6 @@ namespace sph::test
 {
 namespace
 {
-
-Geometry periodicSquare()
-{
-    Geometry g;
-    g.dimension = 2;
-    g.high = {1, 1, 0};
-    g.periodic = {true, true, false};
-    return g;
-}
 
 /// 20 x 20 particles in a doubly periodic square, a Taylor-Green vortex between two viscous phases or in one.
 Cloud vortex(bool twoPhases)
@@ -46,15 +37,6 @@ Cloud vortex(bool twoPhases)
             phase.component[0].push_back(twoPhases && b < 10);
         }
     return cloud;
-}
-
-Settings settingsOf(const Files& files)
-{
-    const TestCase folder(files);
-    const Case c(folder.folder());
-    auto settings = readSettings(c, periodicSquare());
-    c.diagnostics().throwIfAny();
-    return settings;
 }
 
 Files vortexCase(const std::string& integrator)
@@ -198,7 +180,8 @@ TEST(Start, AtAGivenPressure)
     EXPECT_THROW(makeSimulation(settings, g, cloud, {}), CaseError) << "no density has this pressure";
 }
 
-/// The vortex in two inviscid liquids with surface tension between them, masses numbering the particles. Steps have as many parts as they may.
+/// The vortex in two inviscid liquids with surface tension between them, masses numbering the particles. Steps have as many parts as they
+/// may.
 Settings capillarySettings(const std::string& integrator)
 {
     auto files = vortexCase(integrator + "; soundFactor 0.01");
