@@ -155,7 +155,8 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud, bool restar
         if (!copy(PowderFraction{}, PowderFraction::info.name))
         {
             if (restarted) throw CaseError("the time folder that the run goes on from has no field phi: where the powder is, is lost");
-            if (!suspension.phi) throw CaseError({"constant/transportProperties", 0}, "has no `phi`, the powder's volume fraction, and nor has the time folder");
+            if (!suspension.phi)
+                throw CaseError({"constant/transportProperties", 0}, "has no `phi`, the powder's volume fraction, and nor has the time folder");
             std::fill_n(phi, owned_, *suspension.phi);
         }
         for (std::size_t i = 0; i < owned_; ++i)

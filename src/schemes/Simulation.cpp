@@ -15,7 +15,8 @@ namespace sph
 namespace
 {
 
-/// Of the speed along walls; packings of pipes have 0.12 at 9 across and 0.04 at 19 (tutorials/powderMoulding/circularPipe), a jittered lattice 0.8.
+/// Of the speed along walls; packings of pipes have 0.12 at 9 across and 0.04 at 19 (tutorials/powderMoulding/circularPipe), a lattice jittered by
+/// a tenth of a spacing 0.8.
 constexpr double mostThroughWalls = 0.5;
 
 /// Largest speed through the walls over the largest along them, of particles within a spacing of one. In a steady flow no fluid goes through walls;
@@ -57,9 +58,10 @@ template<int dim> class Simulation final : public AnySimulation
         particles_.solveSteadyFlow();
         if (const double share = shareThroughWalls(particles_, geometry_, settings_); share > mostThroughWalls)
             throw CaseError({"system/sphSchemes", 0},
-                            fmt::format("scheme quasiSteady leaves particles where they are, and the flow beside the walls goes into them, with {:.2g} of its "
-                                        "speed along them: it is driven by particles that lie unevenly, or by a force that only pressure could balance. "
-                                        "Start from an even lattice, with a force along the walls, or take semiImplicit", share));
+                            fmt::format("scheme quasiSteady leaves particles where they are, and the flow beside the walls goes into them, "
+                                        "with {:.2g} of its speed along them: it is driven by particles that lie unevenly, or by a force that "
+                                        "only pressure could balance. Start from an even lattice, with a force along the walls, or take "
+                                        "semiImplicit", share));
         particles_.evaluateMigration();
         summary_ = summarise(particles_, settings_);
     }

@@ -72,7 +72,7 @@ TEST(Suspensions, MisspeltAndMissingEntries)
     empty.isRefused("sphFoamLike", {"constant/transportProperties", "suspension"});
 }
 
-// Particles that stay where they are cannot build up a pressure: uneven ones drive a flow, 30 m/s in a channel at rest, and a force against a wall one
+// Particles that stay where they are cannot build up a pressure: uneven ones drive a flow, of 19 m/s in a channel at rest, and a force against a wall one
 // through it.
 TEST(Suspensions, CreepingFlowThroughWalls)
 {
