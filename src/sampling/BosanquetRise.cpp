@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sph
@@ -31,7 +32,9 @@ double BosanquetRise::height(double t) const
     const auto sum = [](const State& a, double s, const State& b) { return State{a[0] + s * b[0], a[1] + s * b[1]}; };
 
     // Fourth order of Runge and Kutta; the steps resolve the viscous time rho w^2/(12 mu) and the swinging of the column.
-    const int steps = 2000 + int(20 * t * (12 * mu / (rho * width * width) + std::sqrt(g / heightAtRest())));
+    const double wanted = 20 * t * (12 * mu / (rho * width * width) + std::sqrt(g / heightAtRest())), most = 1e7;
+    if (!(wanted <= most)) return std::numeric_limits<double>::quiet_NaN();
+    const int steps = 2000 + int(wanted);
     const double dt = t / steps;
     State q{immersion * immersion, 0};
     for (int k = 0; k < steps; ++k)

@@ -25,7 +25,7 @@ struct BosanquetRise
     double width, immersion, reservoirWidth, pull;  ///< [m], [m], [m] (0: endless), [Pa]
     double slipLength = 0;                          ///< [m]; 0: Bosanquet's equation as it stands. Else immersion and reservoirWidth are not 0
 
-    /// h [m] at t [s] after a start from rest with both levels equal.
+    /// h [m] at t [s] after a start from rest with both levels equal. NaN where that takes more than 10^7 steps.
     double height(double t) const;
     double heightAtRest() const { return (2 * gamma * cosTheta / width - pull) / (deltaRho * g); }
 };

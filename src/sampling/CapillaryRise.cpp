@@ -26,7 +26,8 @@ CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, cons
       foot_(d.get("foot", units::m)),
       start_(d.get("level", units::m)),
       angle_(d.get("contactAngle", units::none)),
-      slipLength_(d.getNonNegative("slipLength", units::m, 0))
+      slipLength_(d.getNonNegative("slipLength", units::m, 0)),
+      where_(d.where("name"))
 {
     if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
@@ -40,6 +41,8 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
 {
     Measurement result;
     const double rho_0 = view.restDensity[phase_];
+    if (!(view.surfaceTension > 0)) throw CaseError(where_, "a liquid rises by surface tension, and constant/phaseProperties gives no sigma");
+    if (rho_0 < view.restDensity[1 - phase_]) throw CaseError(where_, "the phase that rises in the slit must be the denser one");
     const auto level = [&](const Box& box)
     {
         double volume = 0;
@@ -58,6 +61,7 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
                              w, start_ - foot_, W, gamma * cosTheta / W, slipLength_};
     result.value = level(slit_) - level(reservoir_);
     result.reference = rise.height(view.time);
+    if (std::isnan(result.reference)) result.note = "Bosanquet's equation is too stiff to be followed to this time";
     return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "CaseError.hpp"
 #include "Geometry.hpp"
 #include "Measurement.hpp"
 
@@ -15,10 +16,12 @@ class CapillaryRise
     std::size_t phase_;
     Box slit_, reservoir_;
     double foot_, start_, angle_, slipLength_; ///< [m] heights of the slit's lower end and of the levels at the start; [degrees]; [m]
+    Location where_;
 
 public:
     /// phase (the first); slit { min; max; }; reservoir { min; max; }; foot; level; contactAngle; slipLength (0). 2-D, gravity along -y.
     CapillaryRise(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
+    /// CaseError without surface tension, and of a liquid that is lighter than the gas.
     Measurement operator()(const ParticleView&) const;
 };
 

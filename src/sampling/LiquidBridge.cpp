@@ -1,5 +1,4 @@
 #include "LiquidBridge.hpp"
-#include "CapillaryBridge.hpp"
 #include "SampledField.hpp"
 #include "VolumeFraction.hpp"
 #include <fmt/format.h>
@@ -39,7 +38,10 @@ double volumeOf(const ParticleView& view, std::size_t phase)
 }
 
 LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), radius_(d.getPositive("radius", units::m)), angle_(d.get("contactAngle", units::none))
+    : phase_(readPhase(d, "phase", phases)),
+      radius_(d.getPositive("radius", units::m)),
+      angle_(d.get("contactAngle", units::none)),
+      where_(d.where("centres"))
 {
     if (phases.size() != 2) d.error("name", "the bridge is one of liquid in a gas: the scene must have two phases");
     if (!(angle_ >= 0 && angle_ < 180)) d.error("contactAngle", "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees");
@@ -57,10 +59,23 @@ LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const 
     middle_ = (centres[0] + centres[1])/2;
 }
 
+CapillaryBridge LiquidBridge::atRest(const ParticleView& view) const
+{
+    if (!(view.surfaceTension > 0)) throw CaseError(where_, "a bridge has surface tension, and constant/phaseProperties gives no sigma");
+    try
+    {
+        return {view.dimension, radius_, gap_, volumeOf(view, phase_), angle_};
+    }
+    catch (const CaseError& e)
+    {
+        throw CaseError(where_, e.what());
+    }
+}
+
 Measurement BridgeNeck::operator()(const ParticleView& view) const
 {
     Measurement result;
-    result.reference = CapillaryBridge(view.dimension, radius_, gap_, volumeOf(view, phase_), angle_).neck();
+    result.reference = atRest(view).neck();
     const VolumeFraction fraction(view, phase_);
     const double reach = mag(view.geometry->high - view.geometry->low);
     double sum = 0;
@@ -83,7 +98,7 @@ Measurement BridgeNeck::operator()(const ParticleView& view) const
 Measurement BridgePressure::operator()(const ParticleView& view) const
 {
     Measurement result;
-    result.reference = view.surfaceTension*CapillaryBridge(view.dimension, radius_, gap_, volumeOf(view, phase_), angle_).curvature();
+    result.reference = view.surfaceTension*atRest(view).curvature();
     const VolumeFraction fraction(view, phase_);
     const SampledField p(view, "p", {});
     double inside = 0, insideVolume = 0, outside = 0, outsideVolume = 0;

@@ -1,4 +1,6 @@
 #pragma once
+#include "CapillaryBridge.hpp"
+#include "CaseError.hpp"
 #include "Geometry.hpp"
 #include "Measurement.hpp"
 
@@ -13,6 +15,10 @@ protected:
     std::size_t phase_;
     Vector<3> middle_, axis_;                    ///< midway between the centres; along the line of centres, of unit length
     double radius_, gap_ = 0, angle_;            ///< [m], [m], [degrees]
+    Location where_;
+
+    /// CaseError where there is no surface tension, or no such bridge.
+    CapillaryBridge atRest(const ParticleView&) const;
 
 public:
     /// phase (the first); centres ((x y z) (x y z)) of the solids, with the bridge inside the domain and not across a periodic face;

@@ -8,14 +8,15 @@ namespace sph
 {
 
 MigrationBalance::MigrationBalance(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
-    : r_(1/d.getPositive("ratio", units::none)), leastStress_(d.getNonNegative("leastStress", units::none, 0))
+    : r_(1/d.getPositive("ratio", units::none)), leastStress_(d.getNonNegative("leastStress", units::none, 0)),
+      where_(d.where("name"))
 {
     if (leastStress_ >= 1) d.error("leastStress", "is a fraction of the largest shear stress: at 1 no particle would be left");
 }
 
 Measurement MigrationBalance::operator()(const ParticleView& view) const
 {
-    const SampledField phi(view, "phi", {}), gammaDot(view, "gammaDot", {}), mu(view, "eta", {});
+    const SampledField phi(view, "phi", where_), gammaDot(view, "gammaDot", where_), mu(view, "eta", where_);
     double largest = 0;
     for (std::size_t i = 0; i < view.n; ++i) largest = std::max(largest, mu(0, i)*gammaDot(0, i));
     std::vector<double> potential;

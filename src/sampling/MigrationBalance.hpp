@@ -17,6 +17,7 @@ namespace sph
 class MigrationBalance
 {
     double r_, leastStress_;
+    Location where_;
 
 public:
     MigrationBalance(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);

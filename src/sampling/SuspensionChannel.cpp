@@ -1,6 +1,7 @@
 #include "SuspensionChannel.hpp"
 #include "readDirection.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace sph
 {
@@ -34,6 +35,8 @@ SuspensionChannel::SuspensionChannel(const Dictionary& d)
     if (pipe_) speedScale_ *= 0.5;
     const double mean = d.getPositive("phi", units::none), ratio = d.getPositive("ratio", units::none);
     if (ratio >= 1) d.error("ratio", "D_c/D_eta must be less than 1: from there on there is no steady state");
+    if (phiMax_ > 1) d.error("phiMax", fmt::format("{:.6g} is no volume fraction", phiMax_));
+    if (!pipe_ && std::abs(dot(direction_, normal_)) > 1e-6) d.error("normal", "normal must be at right angles to direction, along which the flow goes");
     if (mean >= phiMax_) d.error("phi", "must be less than phiMax");
     n_ = exponent_*(1/std::min(ratio, 0.999) - 1);
     // The mean grows with the value at the walls.

@@ -2,6 +2,7 @@
 #include "SampledField.hpp"
 #include "readDirection.hpp"
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace sph
@@ -46,9 +47,15 @@ double WallDropTime::wallValue(const ParticleView& view) const
 
 Measurement WallDropTime::operator()(const ParticleView& view)
 {
-    times_.push_back(view.time);
-    values_.push_back(wallValue(view));
     Measurement result{std::numeric_limits<double>::quiet_NaN(), reference_, view.n, "nothing has changed yet"};
+    const double value = wallValue(view);
+    if (std::isnan(value))
+    {
+        result.note = "of the three rows of particles beside the wall one is empty";
+        return result;
+    }
+    times_.push_back(view.time);
+    values_.push_back(value);
     const double way = values_.back() - values_.front();
     for (std::size_t k = 1; k < times_.size() && way != 0; ++k)
     {

@@ -152,7 +152,13 @@ template<int dim> void ParticleSystem<dim>::load(const Cloud& cloud, bool restar
     {
         double* const phi = store_.component(PowderFraction::info.name, 0);
         const auto& suspension = *coefficients_.suspension;
-        if (!copy(PowderFraction{}, PowderFraction::info.name)) std::fill_n(phi, owned_, suspension.phi);
+        if (!copy(PowderFraction{}, PowderFraction::info.name))
+        {
+            if (restarted) throw CaseError("the time folder that the run goes on from has no field phi: where the powder is, is lost");
+            if (!suspension.phi)
+                throw CaseError({"constant/transportProperties", 0}, "has no `phi`, the powder's volume fraction, and nor has the time folder");
+            std::fill_n(phi, owned_, *suspension.phi);
+        }
         for (std::size_t i = 0; i < owned_; ++i)
             if (!(phi[i] >= 0 && (phi[i] < suspension.phiMax || restarted)))
                 throw CaseError(fmt::format("particle {} at {} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}", i,

@@ -19,8 +19,9 @@ struct Choices
     std::string transportPressure;
 };
 
-Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
+Choices choose(const Dictionary& dict, const Settings& settings, const Geometry& geometry)
 {
+    const bool walls = !geometry.patches.empty();
     const Words schemes{"suite", "paper"};
     const bool paper = dict.choose("scheme", schemes, "suite") == "paper";
     const auto& c = settings.coefficients;
@@ -73,6 +74,12 @@ Choices choose(const Dictionary& dict, const Settings& settings, bool walls)
                                                "{}; take wallStress or wallPotential", choice.tension));
     if (choice.contactAngle == "wallAdhesion" && byStress)
         dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
+    const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets; });
+    if (dict.found("contactAngle") && (choice.tension == "none" || !wets))
+        dict.error("contactAngle", fmt::format("does nothing without {}; give that, or leave this out",
+                                               wets ? "surface tension between two phases" : "a wall that has a contactAngle in constant/geometry"));
+    if (choice.viscosity == "none" && settings.suspension())
+        dict.error("viscosity", "none leaves out the viscosity that powder migrates by; take harmonic or cleary");
     if (choice.viscosity == "none" && settings.solvesForVelocity())
         dict.error("integration", "semiImplicit and quasiSteady solve for viscosity, and there is none");
     if (integrated && !settings.predicts())
@@ -162,6 +169,13 @@ void readMigration(const Dictionary& dict, Settings& settings)
     terms.push_back("phillipsFlux");
 }
 
+int readCount(const Dictionary& dict, const char* key, int fallback)
+{
+    const int count = dict.get<int>(key, fallback);
+    if (count < 1) dict.error(key, fmt::format("{} is a number of steps, at least 1, not {}", key, count));
+    return count;
+}
+
 void readIntegration(const Dictionary& schemes, Settings& settings)
 {
     const auto dict = schemes.subDictOrEmpty("integration");
@@ -176,7 +190,7 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
         solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
         settings.reasons.push_back(fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
                                                solve.theta, solve.tolerance));
-        solve.maxIter = int(dict.getPositive("maxIter", units::none, solve.maxIter));
+        solve.maxIter = readCount(dict, "maxIter", solve.maxIter);
     }
     settings.maxSubSteps = dict.get<int>("maxSubSteps", 1);
     if (settings.maxSubSteps < 1 || settings.maxSubSteps%2 == 0)
@@ -185,7 +199,7 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     {
         auto& solve = settings.implicitSolve;
         solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
-        solve.maxIter = int(dict.getPositive("maxIter", units::none, solve.maxIter));
+        solve.maxIter = readCount(dict, "maxIter", solve.maxIter);
         if (!settings.suspension()) dict.error("scheme", "quasiSteady follows the migration of powder, and there is no suspension");
         settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
                                                "powder's migration", solve.tolerance));
@@ -209,8 +223,7 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     if (settings.suspension())
     {
         f.migration = dict.getPositive("migrationFactor", units::none, f.migration);
-        settings.migrationSteps = int(dict.getPositive("migrationSteps", units::none, settings.migrationSteps));
-        if (settings.migrationSteps < 1) dict.error("migrationSteps", "counts steps of the powder to one of the flow, and is at least 1");
+        settings.migrationSteps = readCount(dict, "migrationSteps", settings.migrationSteps);
     }
     const double all = dict.getPositive("stepFactor", units::none, 1);
     for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force, &f.migration}) *factor *= all;
@@ -250,7 +263,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.transportVelocity = dict.getNonNegative("transportVelocity", units::none, 0);
     c.artificialViscosity = dict.getNonNegative("artificialViscosity", units::none, 0);
     c.diffusion = dict.getNonNegative("densityDiffusion", units::none, 0);
-    const auto choice = choose(dict, settings, !geometry.patches.empty());
+    const auto choice = choose(dict, settings, geometry);
     settings.integratedDensity = choice.density == "continuity";
     for (int k = 0; k < geometry.dimension; ++k)
         if (geometry.periodic[k] && geometry.length(k) < c.support + c.spacing)

@@ -34,9 +34,9 @@ Suspension readSuspension(const Dictionary& d)
     s.phiCritical = d.getPositive("phiCritical", units::none, 0.99*s.phiMax);
     if (s.phiCritical >= s.phiMax)
         d.error("phiCritical", fmt::format("{:.6g} must be less than phiMax, {:.6g}: there the viscosity is infinite", s.phiCritical, s.phiMax));
-    s.phi = d.getNonNegative("phi", units::none, 0);
-    if (s.phi >= s.phiMax)
-        d.error("phi", fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", s.phi, s.phiMax));
+    if (d.found("phi")) s.phi = d.getNonNegative("phi", units::none, 0);
+    if (s.phi && *s.phi >= s.phiMax)
+        d.error("phi", fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", *s.phi, s.phiMax));
     const double a = readLength(d), Dc = d.getPositive("Dc", units::none), Deta = d.getPositive("Deta", units::none);
     s.Dc_a2 = Dc*sqr(a);
     s.Deta_a2 = Deta*sqr(a);
@@ -55,14 +55,16 @@ void readTransport(const Case& theCase, Settings& settings)
 {
     if (!theCase.has("constant/transportProperties")) return;
     const auto dict = theCase.dictionary("constant/transportProperties");
-    settings.coefficients.suspension = readSuspension(dict.subDict("suspension"));
+    const auto d = dict.subDict("suspension");
+    settings.coefficients.suspension.emplace();
+    if (!dict.found("suspension")) return;
+    settings.coefficients.suspension = readSuspension(d);
     if (settings.multiphase()) dict.error("suspension", "goes with one phase alone; constant/phaseProperties lists several");
     if (!(settings.coefficients.viscosity[0] > 0)) dict.error("suspension", "needs the viscosity `mu` of its binder in constant/phaseProperties");
     const auto& s = *settings.coefficients.suspension;
     const double packed = settings.coefficients.viscosity[0]*std::pow(1 - s.phiCritical/s.phiMax, -s.exponent)*std::exp(s.exponent);
-    if (!(packed < largestViscosity))
-        dict.subDict("suspension")
-            .error("exponent", fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
+    if (s.phiCritical < s.phiMax && !(packed < largestViscosity))
+        d.error("exponent", fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
                                            "smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
     dict.reportUnused();
 }

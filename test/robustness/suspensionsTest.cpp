@@ -59,6 +59,40 @@ TEST(Suspensions, MisspeltAndMissingEntries)
     empty.isRefused("sphFoamLike", {"constant/transportProperties", "suspension"});
 }
 
+// Particles that stay where they are cannot build up a pressure: uneven ones drive a flow, of 19 m/s in a channel at rest, and a force against a wall one
+// through it.
+TEST(Suspensions, CreepingFlowThroughWalls)
+{
+    const auto with = [](const std::string& packing, const std::string& force)
+    {
+        Damaged c(goodSuspension());
+        std::filesystem::remove_all(c.folder()/"0.02");
+        c.replace("system/sphSchemes", "semiImplicit", "quasiSteady");
+        c.replace("system/packParticlesDict", "jitter 0.1; velocity { type taylorGreen; U 1; L 1; }", packing);
+        c.replace("constant/g", "(1 0 0)", force);
+        c.runWell("packParticles");
+        return c.run("sphFoamLike");
+    };
+    for (const auto& outcome : {with("jitter 0.1;", "(1 0 0)"), with("", "(0 1 0)")})
+    {
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_NE(outcome.err.find("system/sphSchemes: scheme quasiSteady leaves particles where they are"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(with("", "(1 0 0)").code, 0);
+    EXPECT_EQ(with("", "(0 0 0)").code, 0);
+}
+
+TEST(Suspensions, WithoutPowder)
+{
+    Damaged lost(goodSuspension());
+    std::filesystem::remove(lost.folder()/"0.02/lagrangian/sph/phi");
+    lost.isRefused("sphFoamLike", {"has no field phi: where the powder is, is lost"});
+    Damaged never(goodSuspension());
+    std::filesystem::remove_all(never.folder()/"0.02");
+    never.replace("constant/transportProperties", "phi 0.4;", "");
+    never.isRefused("sphFoamLike", {"constant/transportProperties: has no `phi`"});
+}
+
 // What a restart reads: powder of a negative amount is no result of any run; more than packed may be, by the capped branch.
 TEST(Suspensions, PowderOfARestart)
 {

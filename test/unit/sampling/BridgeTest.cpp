@@ -149,4 +149,10 @@ TEST(LiquidBridge, MistakesAreNamed)
     EXPECT_EQ(mistake("radius 1; contactAngle 60;\ncentres ((0 0 0));"), "system/controlDict:2: a bridge has two centres, not 1");
     EXPECT_EQ(mistake("centres ((0 0 0) (0 3 0)); radius 1;\ncontactAngle 190;"),
               "system/controlDict:2: a liquid forms a bridge where its contact angle lies between 0 and 180 degrees");
+    // What only the particles tell: too little liquid for the gap, and no tension at all.
+    EXPECT_EQ(mistake("centres ((0 0 0) (0 30 0)); radius 1; contactAngle 60;").find("system/controlDict:1: no bridge of "), 0u);
+    auto slack = particles;
+    slack.surfaceTension = 0;
+    EXPECT_THROW(measure(slack, "bridgeNeck"), CaseError);
+    EXPECT_THROW(measure(slack, "bridgePressure"), CaseError);
 }

@@ -269,6 +269,15 @@ TEST(SuspensionChannel, agreesWithTheTabulatedProfiles)
     for (const double s : {0.0, 0.3, 0.9}) EXPECT_NEAR(channel.phi(s), 0.68 * 0.45 / (0.45 + s * (0.68 - 0.45)), 1e-7);
 }
 
+TEST(SuspensionChannel, mistakesNameFileAndLine)
+{
+    auto diagnostics = std::make_shared<Diagnostics>();
+    SuspensionChannel(Dictionary::parse("width 2; phi 0.4; exponent 1; ratio 0.2;\nphiMax 5;\nnormal (1 1 0);", "system/controlDict", diagnostics));
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:2: 5 is no volume fraction\n"
+                                      "system/controlDict:3: normal must be at right angles to direction, along which the flow goes\n"
+                                      "2 errors");
+}
+
 // In a pipe: the mean over the section by itself, and half the speed of the plates' integral; the axis is where phi is largest.
 TEST(SuspensionChannel, OfAPipeHasItsMeanOverTheSection)
 {

@@ -386,6 +386,34 @@ TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
     EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
 }
 
+TEST(CapillaryRise, needsTensionAndTheDenserPhase)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.02);
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.y < 0.5 ? 0 : 1; });
+    particles.g = {0, -1e-3, 0};
+    particles.time = 1;
+    const std::string boxes = "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;";
+    EXPECT_THROW(measure(particles, "capillaryRise", boxes), CaseError);
+    particles.surfaceTension = 1;
+    EXPECT_GT(measure(particles, "capillaryRise", boxes).reference, 0);
+    EXPECT_THROW(measure(particles, "capillaryRise", boxes + "phase air;"), CaseError);
+    // A slit of a nanometre: 10^14 steps, which wrapped round to a reference of 0.
+    const auto narrow = measure(particles, "capillaryRise",
+                                "slit { min (0 0 0); max (1e-9 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+    EXPECT_TRUE(std::isnan(narrow.reference));
+    EXPECT_EQ(narrow.note, "Bosanquet's equation is too stiff to be followed to this time");
+}
+
+TEST(WallDropTime, saysWhereNoParticlesAre)
+{
+    Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.1);
+    particles.setP([](Vector<3>) { return 1; });
+    const auto m = measure(particles, "wallDropTime", "field p; start 2; share 0.5; time 0.7; origin (0 5 0);");
+    EXPECT_TRUE(std::isnan(m.value));
+    EXPECT_EQ(m.note, "of the three rows of particles beside the wall one is empty");
+}
+
 // The wall value falls as 1 - (1 - exp(-t)) and is a parabola of the distance, which three rows extrapolate exactly; half of the way to the last
 // value is gone at -ln((1 + exp(-6))/2), within the interpolation between samples 0.01 apart.
 TEST(WallDropTime, isWhenAShareOfTheWayIsGone)

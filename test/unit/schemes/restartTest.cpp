@@ -79,7 +79,7 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
 {
     auto files = with(suspensionCase(), "quasiSteady", "semiImplicit");
     files = with(files, "shifting 0", "shifting 2");
-    files["system/packParticlesDict"] = "lattice cubic; jitter 0.1;\nfill ( { region all; phase feedstock; } );\n";
+    files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }

@@ -244,6 +244,8 @@ TEST(Settings, SemiImplicitTakesItsEntries)
     EXPECT_TRUE(selects(settings, "singlePhaseViscousRate"));
     EXPECT_FALSE(selects(reading(channelCase()).settings, "singlePhaseViscousRate"));
     expectError(with("; theta 0.4"), "is 1/2 (Crank-Nicolson) to 1 (Euler)");
+    expectError(with("; maxIter 0"), "maxIter is a number of steps, at least 1, not 0");
+    expectError(with("; maxIter 0.5"), "\"maxIter\" must be an integer");
     auto inviscid = with("");
     auto& phases = inviscid["constant/phaseProperties"];
     phases.replace(phases.find("mu"), phases.find(';', phases.find("mu")) - phases.find("mu") + 1, "");
@@ -307,6 +309,13 @@ TEST(Settings, ASolidPhaseNeedsTheInterfaceStress)
     expectError(edited(dropCase(), "system/sphSchemes", "integration", "contactAngle papr; integration"), "Did you mean \"paper\"?");
 }
 
+TEST(Settings, AContactAngleNeedsTensionAndAWallThatHasIt)
+{
+    for (const auto& files : {channelCase(), dropCase()})
+        expectError(edited(files, "system/sphSchemes", "integration", "\ncontactAngle wallAdhesion;\nintegration"),
+                    "does nothing without a wall that has a contactAngle in constant/geometry");
+}
+
 TEST(Settings, OfASuspensionAreRead)
 {
     const auto r = reading(suspensionCase());
@@ -354,6 +363,14 @@ TEST(Settings, MistakesOfASuspensionHaveFileAndLine)
     expectError(with("phi 0.4;", "phi -0.1;"), "constant/transportProperties:3: ");
     expectError(with("phiMax 0.68", "phiMax 1.2"), "constant/transportProperties:4: 1.2 is no volume fraction");
     expectError(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;"), "constant/transportProperties:4: 0.7 must be less than phiMax, 0.68");
+    EXPECT_EQ(reading(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;")).errors.find("-nan"), std::string::npos);
+    EXPECT_EQ(reading(with("suspension", "suspenson")).errors.find("errors"), std::string::npos);
+    for (const char* steps : {"0", "-1"})
+        expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "semiImplicit; migrationSteps " + std::string(steps)),
+                    "migrationSteps is a number of steps, at least 1");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "semiImplicit; migrationSteps 3e9"), "\"migrationSteps\" must be an integer");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "predictorCorrector; } viscosity none; moving {"),
+                "none leaves out the viscosity that powder migrates by");
     expectError(with("exponent 1.82", "exponent 0"), "constant/transportProperties:5: ");
     expectError(with("Dc 0.4", "Dc -1"), "constant/transportProperties:6: ");
     expectError(with("Deta 0.62", "Deta 0.4"), "constant/transportProperties:7: Dc/Deta is 1: from 1 on there is no steady state");
