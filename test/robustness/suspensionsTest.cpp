@@ -68,6 +68,7 @@ TEST(Suspensions, CreepingFlowThroughWalls)
         Damaged c(goodSuspension());
         std::filesystem::remove_all(c.folder()/"0.02");
         c.replace("system/sphSchemes", "semiImplicit", "quasiSteady");
+        c.replace("system/sphSchemes", "shifting 2", "shifting 0");
         c.replace("system/packParticlesDict", "jitter 0.1; velocity { type taylorGreen; U 1; L 1; }", packing);
         c.replace("constant/g", "(1 0 0)", force);
         c.runWell("packParticles");
