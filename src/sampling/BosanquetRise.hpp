@@ -12,11 +12,12 @@ namespace sph
 /// [kg/m^3] density less that of the gas. At rest h is Jurin's height. Neglected: the flow below the slit's foot and in the reservoir, the inertia
 /// and viscosity of the gas, the time in which the meniscus forms, and the change of the contact angle with speed.
 ///
-/// A `slipLength` lambda [m] takes in what of this is friction, and the inertia of the reservoir, whose column is l_r = l_0 - (l - l_0) w/W long:
+/// A `slipLength` lambda [m] takes in what of this is friction, and the inertia of the reservoir, whose column is
+/// l_r = l_0 - (l - l_0) w/W long:
 ///
-///   l v -> (l + l_r w/W) v                                     on the left
-///   l   -> l + l_r (w/W)^3 + 4 w/(3 pi) (1 + (w/W)^2)          in the last term: flow in the reservoir, creeping flow into two slits (Hasimoto 1958)
-///   theta^3 -> theta^3 + 9 (mu v/gamma) ln(w/(2 lambda))       viscous bending of the interface at a moving line of contact (Cox 1986)
+///   l v -> (l + l_r w/W) v                              on the left
+///   l   -> l + l_r (w/W)^3 + 4 w/(3 pi) (1 + (w/W)^2)   in the last term: flow in the reservoir, creeping flow into two slits (Hasimoto 1958)
+///   theta^3 -> theta^3 + 9 (mu v/gamma) ln(w/(2 lambda))   viscous bending of the interface at a moving line of contact (Cox 1986)
 ///
 /// On a wall without slip no line of contact could move; particles have lambda of about half a spacing.
 struct BosanquetRise
