@@ -2,7 +2,10 @@
 #pragma once
 #include "Dictionary.hpp"
 #include "Shape.hpp"
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,8 @@ struct WallProperties
     std::string name;
     double contactAngle = 90; ///< [degrees], through the first-named phase of each pair
     bool wets = false;        ///< true where the dictionary gives a contact angle
+    /// Of the contact angle; 0 without one.
+    double cosine() const { return wets ? std::cos(contactAngle*std::numbers::pi/180) : 0; }
     Vector<3> velocity;       ///< [m/s] of the wall as a rigid body
     Vector<3> origin, omega;  ///< rotation about `origin` [rad/s]
     Location where;
@@ -49,6 +54,8 @@ struct Geometry
     bool inFluid(const Vector<3>& x) const;
     /// Of the wall as a rigid body: velocity + omega x (x - origin) [m/s].
     Vector<3> wallVelocity(int wall, const Vector<3>& x) const;
+    /// True where some wall has a contact angle.
+    bool wets() const { return std::any_of(walls.begin(), walls.end(), [](const WallProperties& w) { return w.wets; }); }
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
 };

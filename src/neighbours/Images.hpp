@@ -116,8 +116,14 @@ public:
         {
             Vector<dim> x;
             fetch(x, [&](int c) { return position[c][i]; });
-            for (const int p : wallsNear(x)) f(i, geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p]);
+            forEachWallNear(x, [&](const Foot& foot, const Patch& patch) { f(i, foot, patch); });
         }
+    }
+
+    /// The same for one place: f(foot, patch).
+    template<class F> void forEachWallNear(Vector<dim> x, const F& f) const
+    {
+        for (const int p : wallsNear(x)) f(geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p]);
     }
 
     /// Patches that may be within reach of a point.

@@ -8,19 +8,16 @@
 ///
 /// V [m^3], lambda [1], n [1/m]. Verified by test/unit/passes (plain loop; rows below a surface).
 #pragma once
-#include "fieldTags.hpp"
+#include "GradientCorrection.hpp"
 
 namespace sph
 {
 
-struct SurfaceDetection
+struct SurfaceDetection : MomentTensor
 {
     static constexpr auto name = "surfaceDetection";
     using Provides = LeastEigenvalue;
-    using Reads = Fields<Volume>;
-    static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return -j.V*ij.dWdrOverR*outer(ij.x); }
     auto finish(const auto&, const auto& B) const { return leastEigenvalue(B); }
 };
 

@@ -10,15 +10,20 @@
 namespace sph
 {
 
-struct GradientCorrection
+/// B_i
+struct MomentTensor
+{
+    using Reads = Fields<Volume>;
+    static constexpr bool ofRawGradient = true;
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return -j.V*ij.dWdrOverR*outer(ij.x); }
+};
+
+struct GradientCorrection : MomentTensor
 {
     static constexpr auto name = "gradientCorrection";
     using Provides = CorrectionTensor;
-    using Reads = Fields<Volume>;
-    static constexpr bool ofRawGradient = true;
     static constexpr double least = 0.1;
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return -j.V*ij.dWdrOverR*outer(ij.x); }
     auto finish(const auto&, const auto& B) const { return leastEigenvalue(B) > least ? 1/determinant(B)*adjugate(B) : identity(B); }
 };
 

@@ -1,4 +1,5 @@
 #include "BosanquetRise.hpp"
+#include "rungeKutta.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,19 +30,14 @@ double BosanquetRise::height(double t) const
         }
         return State{2 * lv, 2 * gamma * cosine / width - pull - deltaRho * g * h - 12 * mu * lv * longer / (width * width)};
     };
-    const auto sum = [](const State& a, double s, const State& b) { return State{a[0] + s * b[0], a[1] + s * b[1]}; };
 
-    // Fourth order of Runge and Kutta; the steps resolve the viscous time rho w^2/(12 mu) and the swinging of the column.
+    // The steps resolve the viscous time rho w^2/(12 mu) and the swinging of the column.
     const double wanted = 20 * t * (12 * mu / (rho * width * width) + std::sqrt(g / heightAtRest())), most = 1e7;
     if (!(wanted <= most)) return std::numeric_limits<double>::quiet_NaN();
     const int steps = 2000 + int(wanted);
     const double dt = t / steps;
     State q{immersion * immersion, 0};
-    for (int k = 0; k < steps; ++k)
-    {
-        const auto a = rate(q), b = rate(sum(q, dt / 2, a)), c = rate(sum(q, dt / 2, b)), d = rate(sum(q, dt, c));
-        for (std::size_t i = 0; i < 2; ++i) q[i] += dt / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
-    }
+    for (int k = 0; k < steps; ++k) q = rungeKuttaStep(q, dt, rate);
     return (column(q) - immersion) * sinks;
 }
 

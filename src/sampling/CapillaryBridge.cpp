@@ -1,5 +1,6 @@
 #include "CapillaryBridge.hpp"
 #include "CaseError.hpp"
+#include "rungeKutta.hpp"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -42,15 +43,10 @@ double CapillaryBridge::integrate(double beta, double curvature)
         const double across = round ? std::cos(q[1])/q[0] : 0, section = round ? pi*q[0]*q[0] : 2*q[0];
         return State{std::tan(q[1]), (across - curvature)/std::cos(q[1]), section};
     };
-    const auto sum = [](const State& a, double s, const State& b) { return State{a[0] + s*b[0], a[1] + s*b[1], a[2] + s*b[2]}; };
     const int steps = 400;
     const double dz = -contactHeight(beta)/steps;
     State q{contactRadius(beta), slopeAtContact(beta), 0};
-    for (int k = 0; k < steps; ++k)
-    {
-        const auto a = rate(q), b = rate(sum(q, dz/2, a)), c = rate(sum(q, dz/2, b)), d = rate(sum(q, dz, c));
-        for (std::size_t i = 0; i < q.size(); ++i) q[i] += dz/6*(a[i] + 2*b[i] + 2*c[i] + d[i]);
-    }
+    for (int k = 0; k < steps; ++k) q = rungeKuttaStep(q, dz, rate);
     const double c = std::cos(beta), R = radius_;
     const double ofSolid = round ? pi*R*R*R*(2 - 3*c + c*c*c)/3 : R*R*(beta - std::sin(beta)*c);
     neck_ = q[0];

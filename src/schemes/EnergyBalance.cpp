@@ -105,18 +105,15 @@ template<int dim> double EnergyBalance<dim>::walls(const ParticleSystem<dim>& pa
     double wetting = 0, fastest = 0;
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
-        const auto x = in3D(at(i));
-        for (const int p : particles.images().wallsNear(at(i)))
+        particles.images().forEachWallNear(at(i), [&](const Foot& foot, const Patch& patch)
         {
-            const auto foot = geometry.patches[std::size_t(p)].shape->foot(x);
-            if (foot.distance > c.spacing) continue; // the row at the wall
-            const int wall = geometry.patches[std::size_t(p)].wall;
-            fastest = std::max(fastest, mag(geometry.wallVelocity(wall, x - foot.distance*foot.normal)));
-            if (c.wallTension.empty()) continue;
-            const auto of = c.wallTension.begin() + long(std::size_t(wall)*n);
+            if (foot.distance > c.spacing) return; // the row at the wall
+            fastest = std::max(fastest, mag(geometry.wallVelocity(patch.wall, in3D(at(i)) - foot.distance*foot.normal)));
+            if (c.wallTension.empty()) return;
+            const auto of = c.wallTension.begin() + long(std::size_t(patch.wall)*n);
             const auto [least, most] = std::minmax_element(of, of + long(n));
             wetting += (*most - *least)*V[i]/c.spacing;
-        }
+        });
     }
     return wetting + 0.5*std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0)*sqr(fastest);
 }

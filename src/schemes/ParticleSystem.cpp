@@ -280,18 +280,22 @@ template<int dim> void ParticleSystem<dim>::evaluate()
 {
     if (travelled_ > 0.5*skin_) rebuild();
     else images_.move(store_);
-    if (wallTension_ && !slow_) wallTension_->evaluate(images_, store_);
-    if (wallAdhesion_ && !slow_) wallAdhesion_->evaluate(images_, store_);
+    if (!slow_) evaluateWalls();
     if (implicit_ || slow_ || migration_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
     else plan_.evaluate(store_, images_, lists_, kernel_);
     if (wallPotential_ && !slow_) wallPotential_->addAcceleration(images_, store_);
 }
 
+template<int dim> void ParticleSystem<dim>::evaluateWalls()
+{
+    if (wallTension_) wallTension_->evaluate(images_, store_);
+    if (wallAdhesion_) wallAdhesion_->evaluate(images_, store_);
+}
+
 template<int dim> void ParticleSystem<dim>::evaluateSlow()
 {
     if (!slow_) return;
-    if (wallTension_) wallTension_->evaluate(images_, store_);
-    if (wallAdhesion_) wallAdhesion_->evaluate(images_, store_);
+    evaluateWalls();
     slow_->evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::kept);
     if (wallPotential_) inPlaceOfAll([&] { wallPotential_->addAcceleration(images_, store_); });
 }

@@ -71,6 +71,8 @@ private:
 
     void load(const Cloud&, bool restarted);
     void keepInside();
+    /// What the terms of surface tension read of the walls.
+    void evaluateWalls();
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();

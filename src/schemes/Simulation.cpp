@@ -30,16 +30,14 @@ template<int dim> double shareThroughWalls(ParticleSystem<dim>& particles, const
         Vector<dim> x_i, v_i;
         fetch(x_i, [&](int c) { return x[c][i]; });
         fetch(v_i, [&](int c) { return v[c][i]; });
-        for (const int p : particles.images().wallsNear(x_i))
+        particles.images().forEachWallNear(x_i, [&](const Foot& foot, const Patch& patch)
         {
-            const auto& patch = geometry.patches[std::size_t(p)];
-            const auto foot = patch.shape->foot(in3D(x_i));
-            if (foot.distance > settings.coefficients.spacing) continue;
+            if (foot.distance > settings.coefficients.spacing) return;
             const auto relative = in3D(v_i) - geometry.wallVelocity(patch.wall, in3D(x_i) - foot.distance*foot.normal);
             const double normal = dot(relative, foot.normal);
             through = std::max(through, std::fabs(normal));
             along = std::max(along, mag(relative - normal*foot.normal));
-        }
+        });
     }
     return through/along;
 }
@@ -102,7 +100,7 @@ public:
             solveSteadyFlow();
             return;
         }
-        const int parts = partsOf(deltaT, settings_, stepLimits());
+        const int parts = settings_.maxSubSteps > 1 ? partsOf(deltaT, settings_, stepLimits()) : 1;
         for (int part = 0; part < parts; ++part) stepOfPart(time + part*deltaT/parts, deltaT/parts, 2*part + 1 == parts ? deltaT : 0);
     }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace sph
 {
@@ -103,7 +102,7 @@ void setContactAngles(const Geometry& geometry, Settings& settings)
     for (const auto& wall : geometry.walls)
         for (std::size_t k = 0; k < n; ++k)
         {
-            const double cosine = wall.wets ? std::cos(wall.contactAngle*std::numbers::pi/180) : 0;
+            const double cosine = wall.cosine();
             const std::size_t other = k == 0 ? 1 : 0;
             const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
             c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*cosine);

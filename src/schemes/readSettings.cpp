@@ -74,10 +74,9 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
                                                "{}; take wallStress or wallPotential", choice.tension));
     if (choice.contactAngle == "wallAdhesion" && byStress)
         dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
-    const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets; });
-    if (dict.found("contactAngle") && (choice.tension == "none" || !wets))
+    if (dict.found("contactAngle") && (choice.tension == "none" || !geometry.wets()))
         dict.error("contactAngle", fmt::format("does nothing without {}; give that, or leave this out",
-                                               wets ? "surface tension between two phases" : "a wall that has a contactAngle in constant/geometry"));
+                                               geometry.wets() ? "surface tension between two phases" : "a wall that has a contactAngle in constant/geometry"));
     if (choice.viscosity == "none" && settings.suspension())
         dict.error("viscosity", "none leaves out the viscosity that powder migrates by; take harmonic or cleary");
     if (choice.viscosity == "none" && settings.solvesForVelocity())
@@ -182,24 +181,24 @@ void readIntegration(const Dictionary& schemes, Settings& settings)
     const Words names{"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit", "quasiSteady"};
     const auto name = dict.choose("scheme", names, "predictorCorrector");
     settings.integrator = Integrator(std::find(names.begin(), names.end(), name) - names.begin());
+    auto& solve = settings.implicitSolve;
+    if (settings.solvesForVelocity())
+    {
+        solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
+        solve.maxIter = readCount(dict, "maxIter", solve.maxIter);
+    }
     if (settings.integrator == Integrator::semiImplicit)
     {
-        auto& solve = settings.implicitSolve;
         solve.theta = dict.getPositive("theta", units::none, solve.theta);
         if (solve.theta < 0.5 || solve.theta > 1) dict.error("theta", "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
-        solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
         settings.reasons.push_back(fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
                                                solve.theta, solve.tolerance));
-        solve.maxIter = readCount(dict, "maxIter", solve.maxIter);
     }
     settings.maxSubSteps = dict.get<int>("maxSubSteps", 1);
     if (settings.maxSubSteps < 1 || settings.maxSubSteps%2 == 0)
         dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     if (settings.integrator == Integrator::quasiSteady)
     {
-        auto& solve = settings.implicitSolve;
-        solve.tolerance = dict.getPositive("tolerance", units::none, solve.tolerance);
-        solve.maxIter = readCount(dict, "maxIter", solve.maxIter);
         if (!settings.suspension()) dict.error("scheme", "quasiSteady follows the migration of powder, and there is no suspension");
         settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
                                                "powder's migration", solve.tolerance));
@@ -287,8 +286,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();
     if (settings.wallPotential) settings.reasons.push_back("contact angles by the potential of the walls, added to dU/dt after the passes");
     // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
-    if (choice.contactAngle == "paper" && choice.tension == "interfaceStress" &&
-        std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets; }))
+    if (choice.contactAngle == "paper" && choice.tension == "interfaceStress" && geometry.wets())
     {
         c.wallTension.resize(geometry.walls.size()*c.phases.size());
         settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");

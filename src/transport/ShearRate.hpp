@@ -8,6 +8,12 @@
 namespace sph
 {
 
+/// sqrt(S:S/2) of a sum S = grad v + (grad v)^T, or of that times mu.
+struct OfTensor
+{
+    static double finish(const auto&, const auto& S) { return std::sqrt(0.5*doubleDot(S, S)); }
+};
+
 /// From the stress, with the pair viscosity and the corrected gradient:
 ///
 ///   S_i = sum_j V_j 2 mu_i mu_j/(mu_i + mu_j) ((v_j - v_i) L_i gradW_ij + transposed),    tau_i = sqrt(S_i:S_i/2),    gammaDot_i = tau_i/mu_i
@@ -16,7 +22,7 @@ namespace sph
 /// gradient of velocities smears it. With the stress four fifths of the error of phi in steady plane channel flow go
 /// (tutorials/powderMoulding/channel9). mu [Pa s], V [m^3], v [m/s], L [1] the gradient's correction (operators/GradientCorrection.hpp),
 /// tau [Pa]. Exact for linear velocities and one viscosity on disordered particles. Verified by test/unit/transport.
-struct ViscousShearStress
+struct ViscousShearStress : OfTensor
 {
     static constexpr auto name = "viscousShearStress";
     using Provides = ShearStress;
@@ -28,7 +34,6 @@ struct ViscousShearStress
     {
         return j.V*2*i.mu*j.mu/(i.mu + j.mu)*twiceSymm(j.v - i.v, i.L*ij.gradW);
     }
-    double finish(const auto&, const auto& S) const { return std::sqrt(0.5*doubleDot(S, S)); }
 };
 
 struct ResolvedShear
@@ -64,7 +69,7 @@ struct SubParticleShear
 };
 
 /// Kauzlaric et al. (2011), eq. (3.5): D_i of grad v_i = sum_j V_j (v_j - v_i) gradW_ij; the print has the other sign.
-struct VelocityGradientShear
+struct VelocityGradientShear : OfTensor
 {
     static constexpr auto name = "velocityGradientShear";
     using Provides = ShearRate;
@@ -72,11 +77,10 @@ struct VelocityGradientShear
     static constexpr bool ofRawGradient = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*twiceSymm(j.v - i.v, ij.gradW); }
-    double finish(const auto&, const auto& S) const { return std::sqrt(0.5*doubleDot(S, S)); }
 };
 
 /// The same with the gradient corrected.
-struct CorrectedGradientShear
+struct CorrectedGradientShear : OfTensor
 {
     static constexpr auto name = "correctedGradientShear";
     using Provides = ShearRate;
@@ -85,7 +89,6 @@ struct CorrectedGradientShear
     static constexpr bool ofRawGradient = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*twiceSymm(j.v - i.v, i.L*ij.gradW); }
-    double finish(const auto&, const auto& S) const { return std::sqrt(0.5*doubleDot(S, S)); }
 };
 
 }

@@ -1,13 +1,12 @@
 #include "WallAdhesion.hpp"
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 namespace sph
 {
 
 template<int dim> WallAdhesion<dim>::WallAdhesion(const Geometry& geometry, double support) : reach_(5.0/6*support)
 {
-    for (const auto& wall : geometry.walls) cosTheta_.push_back(wall.wets ? std::cos(wall.contactAngle*std::numbers::pi/180) : 0);
+    for (const auto& wall : geometry.walls) cosTheta_.push_back(wall.cosine());
 }
 
 template<int dim> void WallAdhesion<dim>::evaluate(const Images<dim>& images, FieldStore<dim>& store) const

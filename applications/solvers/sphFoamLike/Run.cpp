@@ -269,7 +269,6 @@ void Run::solve()
         const double deltaT = time_.nextDeltaT(limit.deltaT);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
-        if (time_.index()%energySteps == 0) checkEnergy();
         if (stopRequested) time_.stopNow();
         if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
@@ -281,6 +280,7 @@ void Run::solve()
             checkEnergy();
             write();
         }
+        else if (time_.index()%energySteps == 0) checkEnergy();
         sample(writeTime, end);
         // Steps are many and cheap: one report a second, and one for each time folder.
         if (const double now = clock_.clockTime(); writeTime || end || now - lastReport >= 1)
