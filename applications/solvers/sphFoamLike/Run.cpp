@@ -200,10 +200,19 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     if (settings_.suspension())
         powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3, changed by {:.2g}, {} steps of migration\n", s.minPhi,
                              s.maxPhi, s.minViscosity, s.maxViscosity, s.powderVolume, simulation_->powderDrift(), simulation_->migrationSteps());
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
+    std::string openings;
+    for (const auto& flow : simulation_->flows())
+        openings += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
+                                settings_.suspension() ? fmt::format(" with {:.10g} m^3 of powder", flow.powder) : "");
+    if (!openings.empty())
+    {
+        const auto off = simulation_->imbalance();
+        openings += fmt::format("balance: mass off by {:.2g}{}\n", off.mass, settings_.suspension() ? fmt::format(", powder by {:.2g}", off.powder) : "");
+    }
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
                         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-                        simulation_->rebuilds(), solver, phases, powder, Clock::executionTime(), clock, expected);
+                        simulation_->rebuilds(), solver, phases, powder, openings, Clock::executionTime(), clock, expected);
     log_.flush();
 }
 
