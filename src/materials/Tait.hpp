@@ -13,6 +13,8 @@
 namespace sph
 {
 
+inline double unlessParted(double p, double p_min) { return std::fmax(p, std::fmin(0.0, 2*p_min - p)); }
+
 struct Tait
 {
     static constexpr auto name = "tait";
@@ -23,7 +25,7 @@ struct Tait
     explicit Tait(const Coefficients& c)
         : restDensity(c.restDensity[0]), B(c.stiffness[0]), n(c.exponent[0]), p_b(c.backgroundPressure), p_min(c.leastPressure)
     {}
-    auto operator()(const auto& i) const { return std::fmax(B*(std::pow(i.rho/restDensity, n) - 1) + p_b, p_min); }
+    auto operator()(const auto& i) const { return unlessParted(B*(std::pow(i.rho/restDensity, n) - 1) + p_b, p_min); }
 };
 
 /// The same, but for particles that an opening holds, whose pressure it gives.
@@ -51,7 +53,7 @@ struct TaitOfPhase
     auto operator()(const auto& i) const
     {
         const int k = int(i.phase);
-        return std::fmax(B[k]*(std::pow(i.rho/restDensity[k], n[k]) - 1) + p_b, p_min);
+        return unlessParted(B[k]*(std::pow(i.rho/restDensity[k], n[k]) - 1) + p_b, p_min);
     }
 };
 

@@ -198,8 +198,9 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
     std::string powder;
     if (settings_.suspension())
-        powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3, changed by {:.2g}, {} steps of migration\n", s.minPhi,
-                             s.maxPhi, s.minViscosity, s.maxViscosity, s.powderVolume, simulation_->powderDrift(), simulation_->migrationSteps());
+        powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n", s.minPhi, s.maxPhi,
+                             s.minViscosity, s.maxViscosity, s.powderVolume,
+                             settings_.openings.empty() ? fmt::format(", changed by {:.2g}", simulation_->powderDrift()) : "", simulation_->migrationSteps());
     std::string openings;
     for (const auto& flow : simulation_->flows())
         openings += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
