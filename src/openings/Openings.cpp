@@ -48,7 +48,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
         if (found != restored.end()) value = found->second;
         return found != restored.end();
     };
-    started_ = restore("openingsStartMass", startMass_);
+    restored_ = restore("openingsStartMass", startMass_);
     restore("openingsStartPowder", startPowder_);
     restore("openingsHeldPowder", heldPowder_);
     for (auto& gate : gates_)
@@ -132,7 +132,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     {
         const auto x_i = in3D(at<dim>(x, i));
         const int before = int(holder[i]), now = holderOf(x_i);
-        if (started_ && before != now)
+        if (counts_ && before != now)
         {
             auto& gate = gates_[std::size_t(std::max(before, now)) - 1];
             const double sign = now == 0 ? 1 : -1;
@@ -151,13 +151,13 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     store.resize(owned);
     for (std::size_t k = 0; k < gates_.size(); ++k)
         if (gates_[k].opening.inlet) insert(store, owned, int(k));
-    if (!started_)
+    if (!restored_ && !counts_)
     {
         const auto amount = free(store);
         startMass_ = amount.mass;
         startPowder_ = amount.powder;
-        started_ = true;
     }
+    counts_ = true;
     return owned;
 }
 
@@ -215,7 +215,6 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
     double* const pressure = store.component(HeldPressure::info.name, 0);
-    const double* const m = store.component(Mass::info.name, 0);
     held_.clear();
     for (auto& gate : gates_)
     {
@@ -236,9 +235,11 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
             if (const double s = gate.opening.distance(x_i); s >= 0 && s < coefficients_.support && belongs(gate, x_i))
             {
                 gate.near.push_back(int(i));
-                gate.inflow += m[i]/coefficients_.restDensity[0]*dot(in3D(at<dim>(v, i)), gate.opening.normal)/coefficients_.support;
+                gate.inflow += dot(in3D(at<dim>(v, i)), gate.opening.normal);
             }
     }
+    for (auto& gate : gates_)
+        if (!gate.near.empty()) gate.inflow *= gate.section.area()/double(gate.near.size());
 }
 
 template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const

@@ -75,7 +75,7 @@ private:
         double most, speed;                    ///< U of an inlet: its limit, and now
         double pressure, slope;                ///< a and b
         double mass = 0, powder = 0;           ///< passed
-        double inflow = 0;                     ///< of what is near, when last located [m^3/s]
+        double inflow = 0;                     ///< of what is near, when last located, through all of the section [m^3/s]
         std::vector<int> near = {};            ///< free particles within H
     };
     std::vector<Gate> gates_;
@@ -84,7 +84,7 @@ private:
     double depth_;                             ///< of the held particles beyond a plane [m]
     std::vector<int> held_;
     double startMass_ = 0, startPowder_ = 0, heldPowder_ = 0;
-    bool started_ = false;
+    bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
     bool belongs(const Gate&, const Vector<3>& x) const;

@@ -82,6 +82,7 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
     files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
+TEST(Restart, OfASceneWithAnInletAndAnOutlet) { restartEqualsTheWhole(openCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 
 // Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.
