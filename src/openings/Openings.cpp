@@ -220,14 +220,16 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     {
         gate.near.clear();
         gate.inflow = 0;
+        gate.held = 0;
     }
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto x_i = in3D(at<dim>(x, i));
         if (holder[i] > 0)
         {
-            const auto& gate = gates_[std::size_t(holder[i]) - 1];
+            auto& gate = gates_[std::size_t(holder[i]) - 1];
             held_.push_back(int(i));
+            ++gate.held;
             pressure[i] = heldPressure(gate, gate.opening.distance(x_i));
             continue;
         }
@@ -332,8 +334,8 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
 {
     std::vector<Flow> flows;
     for (const auto& gate : gates_)
-        flows.push_back({gate.opening.name, gate.mass, gate.powder, gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow,
-                         gate.pressure - coefficients_.backgroundPressure});
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.powder,
+                         gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
     return flows;
 }
 

@@ -261,6 +261,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
                                         ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
                                         : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
     if (dict.found("pMin")) c.leastPressure = dict.get("pMin", units::pressure);
+    if (c.leastPressure > 0) dict.error("pMin", fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
     if (settings.integrator == Integrator::quasiSteady && geometry.patches.empty())
         dict.subDict("integration").error("scheme", "quasiSteady needs walls: nothing else holds a flow without inertia");
 
