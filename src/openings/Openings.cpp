@@ -125,7 +125,13 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     const auto x = store.pointers(Position{});
     double* const holder = store.component(Holder::info.name, 0);
     const double* const m = store.component(Mass::info.name, 0);
-    const double* const phi = store.has(PowderFraction{}) ? store.component(PowderFraction::info.name, 0) : nullptr;
+    double* const phi = store.has(PowderFraction{}) ? store.component(PowderFraction::info.name, 0) : nullptr;
+    const auto pass = [&](int gate, double sign, std::size_t i)
+    {
+        if (gate == 0) return;
+        gates_[std::size_t(gate) - 1].mass += sign*m[i];
+        if (phi) gates_[std::size_t(gate) - 1].powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
+    };
     std::vector<int> kept;
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
@@ -134,14 +140,16 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         const int before = int(holder[i]), now = holderOf(x_i);
         if (counts_ && before != now)
         {
-            auto& gate = gates_[std::size_t(std::max(before, now)) - 1];
-            const double sign = now == 0 ? 1 : -1;
-            gate.mass += sign*m[i];
-            if (phi) gate.powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
+            pass(before, 1, i);
+            pass(now, -1, i);
         }
         holder[i] = now;
-        const bool gone = now > 0 && !gates_[std::size_t(now) - 1].opening.inlet && gates_[std::size_t(now) - 1].opening.distance(x_i) < -depth_;
-        if (!gone) kept.push_back(int(i));
+        if (now == 0 || gates_[std::size_t(now) - 1].opening.inlet)
+        {
+            if (now > 0 && phi && !restored_ && !counts_) phi[i] = gates_[std::size_t(now) - 1].opening.phi;
+            kept.push_back(int(i));
+        }
+        else if (gates_[std::size_t(now) - 1].opening.distance(x_i) >= -depth_) kept.push_back(int(i));
     }
     if (kept.size() < owned)
     {
