@@ -1,6 +1,6 @@
 #include "WallLayers.hpp"
 #include "CaseError.hpp"
-#include "Images.hpp"
+#include "PatchGrid.hpp"
 #include "components.hpp"
 #include <fmt/format.h>
 
@@ -27,8 +27,7 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
             const Patch& patch = geometry.patches[std::size_t(k)];
             const Foot foot = patch.shape->foot(x);
             if (foot.distance >= 0 || p.walls == dim) continue;
-            const auto surface = x - foot.distance*foot.normal;
-            walls_.push_back({k, -foot.distance, in<dim>(foot.normal), in<dim>(geometry.wallVelocity(patch.wall, surface))});
+            walls_.push_back({k, patch.wall, foot, x - foot.distance*foot.normal});
             ++p.walls;
         }
         if (p.walls == 0)
@@ -61,7 +60,7 @@ template<int dim> void WallLayers<dim>::place(FieldStore<dim>& store, std::size_
         const Particle& p = particles_[k];
         sph::store(p.x, [&](int c, double q) { x[c][first + k] = q; });
         if (weight) weight[first + k] = p.weight;
-        if (wall) wall[first + k] = 1 + geometry_.patches[std::size_t(wallsOf(p).back().patch)].wall;
+        if (wall) wall[first + k] = 1 + wallsOf(p).back().wall;
     }
 }
 
@@ -102,11 +101,8 @@ template<int dim> void WallLayers<dim>::evaluatePressure(FieldStore<dim>& store,
                 if (r >= kernel.H) continue;
                 double p_j = p[i];
                 if (rule)
-                    for (const Behind& wall : wallsOf(particle))
-                    {
-                        const double between = 0.5*(distance(wall.patch, x_i) + wall.distance);
-                        p_j = (*rule)(p_j, std::size_t(i), {between, 1, wall.normal, geometry_.patches[std::size_t(wall.patch)].wall, {}});
-                    }
+                    for (const Behind& behind : wallsOf(particle))
+                        p_j = (*rule)(p_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance));
                 const double W = kernel.W(r);
                 sum += W*p_j;
                 weight += W;

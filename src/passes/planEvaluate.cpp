@@ -103,7 +103,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStor
             {
                 stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, k,
                              pass.readsKernel, null);
-                if (layers) layers->continueInto(stencil, pass.columns, pass.sources, pass.factors.scale);
+                if (layers) layers->continueInto(stencil, images.ghostVelocity(), pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
                 if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);

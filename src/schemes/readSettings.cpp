@@ -28,7 +28,7 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
     const auto& c = settings.coefficients;
     const bool tension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const bool second = !paper && walls && viscous && !settings.variableViscosity() && !settings.wallLayers;
+    const bool second = !paper && walls && viscous && !settings.variableViscosity();
     Choices choice;
     choice.density = dict.choose("density", Words{"numberDensity", "continuity"}, "numberDensity");
     const bool integrated = choice.density == "continuity";
@@ -46,8 +46,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "wallAdhesion", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
-    if (settings.wallLayers && dict.found("wallVelocity"))
-        dict.error("wallVelocity", "is what a mirrored ghost has; particles in layers continue the fluid's velocity. Leave this out, or take walls reflected");
+    if (settings.wallLayers && choice.wall == "freeSlip")
+        dict.error("wallVelocity", "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.volume == "continuity" ? "none" : "secondMoment");
