@@ -24,6 +24,7 @@
 #include "Kernel.hpp"
 #include "NeighbourLists.hpp"
 #include "Stencil.hpp"
+#include <algorithm>
 #include <concepts>
 #include <optional>
 #include <span>
@@ -95,9 +96,9 @@ private:
     /// The pair as the rules of ghosts know it. The weight is that of a mirror image where d_j = d_i.
     static Reflection<dim> reflection(const Behind& b, double d_i)
     {
-        const double d_j = -b.foot.distance;
-        return {d_i, (1 + b.foot.k1*d_j)*(1 + b.foot.k2*d_j)/((1 - b.foot.k1*d_i)*(1 - b.foot.k2*d_i)), in<dim>(b.foot.normal), b.wall, b.surface,
-                d_j/d_i};
+        const double d_j = -b.foot.distance, k1 = b.foot.k1, k2 = b.foot.k2;
+        const bool flat = k1 == 0 && k2 == 0;
+        return {d_i, flat ? 1 : (1 + k1*d_j)*(1 + k2*d_j)/((1 - k1*d_i)*(1 - k2*d_i)), in<dim>(b.foot.normal), b.wall, b.surface, d_j/d_i};
     }
 };
 
@@ -142,20 +143,22 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
     if (found == 0) return;
 
     const auto i = std::size_t(stencil.i);
+    const auto isSeenByWalls = [](Image image) { return image != Image::copied && image != Image::placed && image != Image::pressure; };
+    const bool seenByWalls = std::any_of(columns.begin(), columns.end(), [&](const auto& f) { return isSeenByWalls(f.info.image); });
     std::optional<Feet> feet;
+    std::array<Reflection<dim>, dim> at;
     for (int t = 0; t < stencil.n; ++t)
     {
         if (!isWall(stencil.j[t])) continue;
         const Particle& particle = particles_[std::size_t(stencil.j[t] - first)];
-        if (!feet)
+        if (!feet && seenByWalls)
         {
             Vector<dim> x_ij;
             fetch(x_ij, [&](int c) { return stencil.x[c][t]; });
             feet.emplace(*this, particle.x + x_ij);
         }
         const auto walls = wallsOf(particle);
-        std::array<Reflection<dim>, dim> at;
-        for (std::size_t k = 0; k < walls.size(); ++k) at[k] = reflection(walls[k], feet->on(walls[k]).distance);
+        for (std::size_t k = 0; seenByWalls && k < walls.size(); ++k) at[k] = reflection(walls[k], feet->on(walls[k]).distance);
 
         /// v_i + Delta, where each wall behind the first multiplies Delta = v_g - v_i by 1 + d_j/d_i
         const auto continued = [&](Vector<dim> v_i, Vector<dim> v_g)
@@ -187,7 +190,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
             };
             if (f.info.image == Image::copied)
                 for (int c = 0; c < f.components; ++c) stencil.field[column + c][t] = own[std::size_t(column + c)][i];
-            else if (f.info.image != Image::placed && f.info.image != Image::pressure)
+            else if (isSeenByWalls(f.info.image))
             {
                 if (f.components == dim) see(Vector<dim>{});
                 else see(SymmTensor<dim>{});
