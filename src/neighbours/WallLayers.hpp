@@ -6,8 +6,8 @@
 ///   q_j = q_i, mirrored at the wall where q is a vector      volume, density, viscosity, phi, stress ...
 ///
 /// d_i, d_j [m] distances from the wall, v_w [m/s] its velocity. The factor d_j/d_i is not limited to 1.5, as it is in print: limited, the
-/// fluid slips, by 9 % of the velocity in the middle of a channel that powder migrates in. d_i is taken for a quarter of a spacing where it
-/// is less, which no row at a wall is.
+/// fluid slips, and steady plane Poiseuille flow by the first rule has an error of 1.16 and 0.41 % at 16 and 32 across, not 0.69 and 0.18 %
+/// (order 2). d_i is taken for a quarter of a spacing where it is less, which no row at a wall is.
 ///
 /// Behind n walls at once, in a corner, v_j - v_w = (1 - prod_k (1 + d_jk/d_ik)) (v_i - v_w), which for one wall is the above. A pair knows
 /// nothing of how v changes along the wall; over one wall those errors are even and cancel in the viscous sum, and with this continuation
@@ -160,7 +160,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
         const auto walls = wallsOf(particle);
         for (std::size_t k = 0; seenByWalls && k < walls.size(); ++k) at[k] = reflection(walls[k], feet->on(walls[k]).distance);
 
-        /// v_i + Delta, where each wall behind the first multiplies Delta = v_g - v_i by 1 + d_j/d_i
+        // v_i + Delta, where each wall behind the first multiplies Delta = v_g - v_i by 1 + d_j/d_i
         const auto continued = [&](Vector<dim> v_i, Vector<dim> v_g)
         {
             auto Delta = v_g - v_i;
