@@ -61,6 +61,8 @@ struct PowderRate          { static constexpr FieldInfo info{"dphidt", "1/s"};  
 struct ShearRate           { static constexpr FieldInfo info{"gammaDot", "1/s"};                        template<int dim> struct At { double gammaDot; }; };
 struct ShearStress         { static constexpr FieldInfo info{"tau", "Pa"};                              template<int dim> struct At { double tau; }; };
 struct RelativeViscositySlope { static constexpr FieldInfo info{"viscositySlope", "1"};                 template<int dim> struct At { double slope; }; };
+struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};                             template<int dim> struct At { double holder; }; };
+struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim> struct At { double p_h; }; };
 struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).

@@ -5,7 +5,7 @@
 namespace sph
 {
 
-template<int dim> Catalogue<dim> materialsTerms() { return catalogue<dim, Tait, TaitOfPhase, Krieger, KriegerSlope>(); }
+template<int dim> Catalogue<dim> materialsTerms() { return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, Krieger, KriegerSlope>(); }
 
 template Catalogue<2> materialsTerms<2>();
 template Catalogue<3> materialsTerms<3>();

@@ -1,9 +1,11 @@
 #include "BedHydrodynamics.hpp"
 #include "Conservation.hpp"
 #include "Errors.hpp"
+#include "Filling.hpp"
 #include "FunctionContext.hpp"
 #include "Probes.hpp"
 #include "Profile.hpp"
+#include "VolFieldValue.hpp"
 #include "knownWord.hpp"
 #include "words.hpp"
 #include <algorithm>
@@ -35,6 +37,8 @@ const std::vector<Type>& catalogue()
         {"conservation", make<Conservation>},
         {"bedHydrodynamics", make<BedHydrodynamics>},
         {"errors", make<Errors>},
+        {"filling", make<Filling>},
+        {"volFieldValue", make<VolFieldValue>},
     };
     return types;
 }

@@ -56,9 +56,9 @@ ImplicitViscosity<dim>::ImplicitViscosity(const Settings& settings, const Catalo
 
 template<int dim>
 void ImplicitViscosity<dim>::solve(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
-                                   double deltaT)
+                                   double deltaT, std::span<const int> held)
 {
-    conjugateGradients(store, images, lists, kernel, 1, deltaT);
+    conjugateGradients(store, images, lists, kernel, 1, deltaT, held);
     const auto a = store.pointers(Acceleration{});
     #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < store.owned(); ++i)
@@ -78,13 +78,20 @@ void ImplicitViscosity<dim>::solveSteady(FieldStore<dim>& store, const Images<di
 /// (inertia - theta dt L) dv = dt a
 template<int dim>
 void ImplicitViscosity<dim>::conjugateGradients(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists,
-                                                const Kernel<dim>& kernel, double inertia, double deltaT)
+                                                const Kernel<dim>& kernel, double inertia, double deltaT, std::span<const int> held)
 {
     const std::size_t n = store.owned();
     const double *m = store.component("m", 0), *lambda = store.component(ViscousRate::info.name, 0);
     const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{}),
                Lp = store.pointers(ViscousResponse{});
     const double implicit = settings_.theta*deltaT;
+    // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
+    const auto holdIn = [&](const std::array<double*, dim>& q)
+    {
+        for (double* component : q)
+            for (const int i : held) component[i] = 0;
+    };
+    holdIn(a);
     std::array<double*, dim> dv, r;
     for (int c = 0; c < dim; ++c)
     {
@@ -121,6 +128,7 @@ void ImplicitViscosity<dim>::conjugateGradients(FieldStore<dim>& store, const Im
                                             "tolerance {:.3g}. Choose a smaller step, or a larger `maxIter` or `tolerance` in `integration`",
                                             iterations_, std::sqrt(now.rr/now.vv), settings_.tolerance));
         plan_.evaluate(store, images, lists, kernel, Plan<dim>::Candidates::kept);
+        holdIn(Lp);
         const double pAp = sumOver(n, [&](std::size_t i)
         {
             double sum = 0;

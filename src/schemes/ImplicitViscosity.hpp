@@ -31,7 +31,8 @@ public:
 
     /// Replaces dU/dt = a(v_0) by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2); throws DivergedError after `maxIter` iterations.
-    void solve(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT);
+    /// The `held` particles keep their velocities.
+    void solve(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT, std::span<const int> held = {});
 
     /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.
     void solveSteady(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
@@ -47,7 +48,8 @@ private:
     std::array<Array, dim> change_, residual_;   ///< dv and r of the owned particles
     int iterations_ = 0;
 
-    void conjugateGradients(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double inertia, double deltaT);
+    void conjugateGradients(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double inertia, double deltaT,
+                            std::span<const int> held = {});
 };
 
 }

@@ -85,19 +85,27 @@ void Migration<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images,
 }
 
 template<int dim>
-void Migration<dim>::advance(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel, double deltaT)
+double Migration<dim>::advance(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel, double deltaT,
+                               std::span<const int> held)
 {
     const std::size_t n = store.owned();
     double* const phi = store.component(PowderFraction::info.name, 0);
-    const double* const rate = store.component(PowderRate::info.name, 0);
+    double* const rate = store.component(PowderRate::info.name, 0);
+    const double* const m = store.component(Mass::info.name, 0);
+    double intoHeld = 0;
     evaluate(store, images, lists, kernel);
     for (steps_ = 1;; ++steps_)
     {
         // What is left is cut into equal parts, so that no last one is a sliver.
         const double parts = std::max(1.0, std::ceil(deltaT/limit_ - 1e-9)), part = deltaT/parts;
+        for (const int i : held)
+        {
+            intoHeld += part*rate[i]*m[i]/settings_.coefficients.restDensity[0];
+            rate[i] = 0;
+        }
         #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i) phi[i] += part*rate[i];
-        if (parts == 1) return;
+        if (parts == 1) return intoHeld;
         if (steps_ == mostSteps)
             throw DivergedError(fmt::format("{} steps of the powder's migration, at most {:.3g} s each, have not made up one of the flow: phi is no longer "
                                             "physical. Choose a smaller `migrationFactor` in `integration`", steps_, limit_));

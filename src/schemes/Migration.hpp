@@ -24,8 +24,8 @@ public:
 
     /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
     void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
-    /// phi after `deltaT` [s].
-    void advance(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT);
+    /// phi after `deltaT` [s]. The `held` particles keep theirs; returns the powder that has gone into them nonetheless [m^3].
+    double advance(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT, std::span<const int> held = {});
 
     /// Of one step, at the last evaluation [s].
     double limit() const { return limit_; }

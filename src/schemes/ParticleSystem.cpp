@@ -35,6 +35,7 @@ std::set<std::string> stateOf(const Settings& settings)
     if (settings.integratedDensity) state.insert(Density::info.name);
     if (settings.coefficients.transportVelocity > 0) state.insert(TransportVelocity::info.name);
     if (settings.suspension()) state.insert(PowderFraction::info.name);
+    if (!settings.openings.empty()) state.insert({Holder::info.name, HeldPressure::info.name});
     state.insert(WallStress::info.name); // by WallTension, before an evaluation
     state.insert({WallNormal::info.name, WallCosine::info.name}); // by WallAdhesion, likewise
     state.insert(GhostWall::info.name);  // by the images
@@ -78,6 +79,12 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
     }
     if (settings.coefficients.transportVelocity > 0) store_.allocateState(TransportVelocity{});
     if (settings.suspension()) store_.allocateState(PowderFraction{});
+    if (!settings.openings.empty())
+    {
+        store_.allocateState(Holder{});
+        store_.allocate(HeldPressure{});
+        openings_.emplace(settings.openings, geometry_, coefficients_, restored);
+    }
     if (settings.predicts()) store_.allocateState(StartVelocity{});
     if (settings.solvesForVelocity()) implicit_.emplace(settings, catalogue_, store_);
     if (settings.suspension()) migration_.emplace(settings, catalogue_, store_);
@@ -240,6 +247,7 @@ template<int dim> void ParticleSystem<dim>::keepInside()
 
 template<int dim> void ParticleSystem<dim>::rebuild()
 {
+    if (openings_) owned_ = openings_->exchange(store_, owned_);
     keepInside();
     const auto pointers = [&] { const auto p = store_.pointers(Position{}); std::array<const double*, dim> x; std::copy(p.begin(), p.end(), x.begin()); return x; };
     cells_.build(pointers(), owned_, 0.5*(settings_.resolution.H() + skin_));
@@ -249,6 +257,7 @@ template<int dim> void ParticleSystem<dim>::rebuild()
     images_.listLayers(lists_);
     images_.bindRules();
     bindPlans();
+    if (openings_) openings_->locate(store_, owned_);
     travelled_ = 0;
     ++rebuilds_;
 }
@@ -287,6 +296,13 @@ template<int dim> void ParticleSystem<dim>::evaluate()
     if (implicit_ || slow_ || migration_) plan_.evaluate(store_, images_, lists_, kernel_, Plan<dim>::Candidates::listedAndKept);
     else plan_.evaluate(store_, images_, lists_, kernel_);
     if (wallPotential_ && !slow_) wallPotential_->addAcceleration(images_, store_);
+    if (openings_) openings_->hold(store_);
+}
+
+template<int dim> void ParticleSystem<dim>::migrate(double deltaT)
+{
+    const double intoHeld = migration_->advance(store_, images_, lists_, kernel_, deltaT, held());
+    if (openings_) openings_->addHeldPowder(intoHeld);
 }
 
 template<int dim> void ParticleSystem<dim>::evaluateWalls()
@@ -303,9 +319,22 @@ template<int dim> void ParticleSystem<dim>::evaluateSlow()
     if (wallPotential_) inPlaceOfAll([&] { wallPotential_->addAcceleration(images_, store_); });
 }
 
-/// Scales the number density so that its mean is exact: the kernel sum over a packing is 0.7 to 1 % off by itself.
+/// Scales the number density so that its mean is exact: the kernel sum over a packing is 0.7 to 1 % off by itself. Where some particles lack
+/// neighbours a square or cubic lattice stands for the packing.
 template<int dim> void ParticleSystem<dim>::normaliseDensity()
 {
+    if (settings_.endsInside())
+    {
+        const double dx = coefficients_.spacing;
+        const int n = int(coefficients_.support/dx) + 1;
+        double sum = 0;
+        for (int i = -n; i <= n; ++i)
+            for (int k = -n; k <= n; ++k)
+                for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l) sum += kernel_.W(dx*std::sqrt(double(i*i + k*k + l*l)));
+        coefficients_.densityScale = 1/(std::pow(dx, dim)*sum);
+        bindPlans();
+        return evaluate();
+    }
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);
     const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
     double sum = 0;

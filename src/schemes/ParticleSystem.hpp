@@ -3,6 +3,7 @@
 #include "Images.hpp"
 #include "ImplicitViscosity.hpp"
 #include "Migration.hpp"
+#include "Openings.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include "Simulation.hpp"
@@ -24,12 +25,17 @@ public:
     /// After an evaluation, at the same state: the accelerations of what acts once in a step of several parts.
     void evaluateSlow();
     /// After an evaluation: makes of dU/dt one that has viscosity act at the end of a step of `deltaT` [s] (integrator semiImplicit).
-    void solveViscosity(double deltaT) { implicit_->solve(store_, images_, lists_, kernel_, deltaT); }
+    void solveViscosity(double deltaT) { implicit_->solve(store_, images_, lists_, kernel_, deltaT, held()); }
     /// The same, with U that of creeping flow (integrator quasiSteady).
     void solveSteadyFlow() { implicit_->solveSteady(store_, images_, lists_, kernel_); }
     /// Of a suspension, after an evaluation: viscosity, shear rate and the rate of phi; phi after `deltaT` [s].
     void evaluateMigration() { migration_->evaluate(store_, images_, lists_, kernel_); }
-    void migrate(double deltaT) { migration_->advance(store_, images_, lists_, kernel_, deltaT); }
+    void migrate(double deltaT);
+    /// After the kick of a step: pressures and velocities of what openings hold.
+    void drive(double deltaT)
+    {
+        if (openings_) openings_->drive(store_, deltaT);
+    }
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
@@ -44,6 +50,7 @@ public:
     const Plan<dim>* slowPlan() const { return slow_ ? &*slow_ : nullptr; }
     const ImplicitViscosity<dim>* implicitViscosity() const { return implicit_ ? &*implicit_ : nullptr; }
     const Migration<dim>* migration() const { return migration_ ? &*migration_ : nullptr; }
+    const Openings<dim>* openings() const { return openings_ ? &*openings_ : nullptr; }
     const NeighbourLists<dim>& lists() const { return lists_; }
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
@@ -62,6 +69,7 @@ private:
     std::optional<Plan<dim>> slow_;
     std::optional<ImplicitViscosity<dim>> implicit_;
     std::optional<Migration<dim>> migration_;
+    std::optional<Openings<dim>> openings_;
     std::optional<WallTension<dim>> wallTension_;
     std::optional<WallPotential<dim>> wallPotential_;
     std::optional<WallAdhesion<dim>> wallAdhesion_;
@@ -71,6 +79,7 @@ private:
 
     void load(const Cloud&, bool restarted);
     void keepInside();
+    std::span<const int> held() const { return openings_ ? openings_->held() : std::span<const int>{}; }
     /// What the terms of surface tension read of the walls.
     void evaluateWalls();
     void checkApart() const;

@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Coefficients.hpp"
 #include "Geometry.hpp"
+#include "Opening.hpp"
 #include <string>
 #include <vector>
 
@@ -60,6 +61,7 @@ struct Settings
     bool wallPotential = false;                ///< contact angles by WallPotential; else by terms of the plan
     double shifting = 0;                       ///< C of particle shifting; 0: none
     bool shiftsByLargestSpeed = false;         ///< else by the particle's own
+    std::vector<Opening> openings;             ///< inlets and outlets
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
     std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
 
@@ -67,6 +69,8 @@ struct Settings
     bool predicts() const { return integrator == Integrator::predictorCorrector || integrator == Integrator::leapfrog; }
     bool multiphase() const { return coefficients.phases.size() > 1; }
     bool suspension() const { return coefficients.suspension.has_value(); }
+    /// Whether some particles lack neighbours: beyond a free surface, or where those end that openings hold.
+    bool endsInside() const { return coefficients.leastPressure > -1e299 || !openings.empty(); }
     /// Whether viscosity is a field.
     bool variableViscosity() const { return multiphase() || suspension(); }
     bool solvesForVelocity() const { return integrator == Integrator::semiImplicit || integrator == Integrator::quasiSteady; }

@@ -118,6 +118,7 @@ public:
         if (predicts) correct(particles_, deltaT);
         else kick(particles_, deltaT);
         if (slow) kickSlowly(particles_, slowDeltaT);
+        particles_.drive(deltaT);
         if (settings_.suspension()) particles_.migrate(deltaT);
         if (time < settings_.dampedUntil) damp(particles_, std::exp(-settings_.dampingRate*deltaT));
         drift(particles_, 0.5*deltaT);
@@ -126,6 +127,7 @@ public:
         const double power = summary_.power;
         summary_ = summarise(particles_, settings_);
         energy_.addWork(0.5*(power + summary_.power)*deltaT);
+        if (const auto* openings = particles_.openings()) energy_.addWork(openings->power()*deltaT);
         particles_.moved(0.5*deltaT*summary_.maxSpeed);
     }
 
@@ -196,6 +198,7 @@ public:
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
         if (settings_.suspension()) numbers["powderVolume"] = initialPowderVolume_;
+        if (const auto* openings = particles_.openings()) numbers.merge(openings->state());
         return numbers;
     }
 
@@ -206,6 +209,8 @@ public:
         out << "Plan of the powder's migration:\n";
         particles_.migration()->printPasses(out);
     }
+    std::vector<Flow> flows() const override { return particles_.openings() ? particles_.openings()->flows() : std::vector<Flow>{}; }
+    Imbalance imbalance() const override { return particles_.openings() ? particles_.openings()->imbalance(particles_.store()) : Imbalance{}; }
     int migrationSteps() const override { return particles_.migration() ? particles_.migration()->steps() : 0; }
     double powderDrift() const override { return initialPowderVolume_ > 0 ? summary_.powderVolume/initialPowderVolume_ - 1 : 0; }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
@@ -226,7 +231,7 @@ public:
 
 std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
 {
-    if (cloud.size() == 0) throw CaseError("there are no particles: has packParticles been run?");
+    if (cloud.size() == 0 && settings.openings.empty()) throw CaseError("there are no particles: has packParticles been run?");
     if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);
     return std::make_unique<Simulation<3>>(settings, geometry, cloud, restored);
 }

@@ -1,6 +1,7 @@
 /// The particles of a case and the step that moves them.
 #pragma once
 #include "Cloud.hpp"
+#include "Openings.hpp"
 #include "Plan.hpp"
 #include "RunTime.hpp"
 #include "Settings.hpp"
@@ -62,6 +63,10 @@ public:
     virtual StateNumbers state() const = 0;
 
     virtual void printPlan(std::ostream&) const = 0;
+    /// What has come in and gone out; empty in a closed scene.
+    virtual std::vector<Flow> flows() const = 0;
+    /// By how much mass and powder miss what `flows` says, relative.
+    virtual Imbalance imbalance() const = 0;
     virtual int pairPasses() const = 0;
     /// Of the last step's implicit viscosity; 0 without.
     virtual int solverIterations() const = 0;

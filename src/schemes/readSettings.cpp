@@ -99,7 +99,7 @@ Words termsOf(const Choices& choice, Settings& settings)
     const auto add = [&](const std::string& name) { terms.push_back(name); };
     add(choice.volume == "continuity" ? "integratedVolume" : "numberDensity");
     add(choice.density == "continuity" ? "continuity" : "summedDensity");
-    add(multiphase ? "taitOfPhase" : "tait");
+    add(multiphase ? "taitOfPhase" : settings.openings.empty() ? "tait" : "taitOrHeld");
     if (choice.wall == "secondOrder") { add("separateHuAdamsPressure"); add("addPressure"); }
     else add(choice.pressure + "Pressure");
     if (choice.viscosity == "harmonic") add(variable ? "harmonicViscosity" : "singlePhaseViscosity");
@@ -264,6 +264,14 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     readTransport(theCase, settings);
     readIntegration(dict, settings);
     if (settings.suspension()) readMigration(dict, settings);
+    settings.openings = readOpenings(theCase, geometry, c);
+    for (const auto& opening : settings.openings)
+        if (settings.multiphase() || settings.integrator == Integrator::quasiSteady)
+            theCase.diagnostics().error(opening.where, fmt::format("opening \"{}\" needs {}", opening.name, settings.multiphase()
+                                        ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
+                                        : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
+    if (dict.found("pMin")) c.leastPressure = dict.get("pMin", units::pressure);
+    if (c.leastPressure > 0) dict.error("pMin", fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
     if (settings.integrator == Integrator::quasiSteady && geometry.patches.empty())
         dict.subDict("integration").error("scheme", "quasiSteady needs walls: nothing else holds a flow without inertia");
 

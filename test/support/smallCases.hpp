@@ -61,6 +61,17 @@ inline Files suspensionCase()
     return files;
 }
 
+/// A suspension that comes into a channel through an inlet and leaves it through an outlet.
+inline Files openCase()
+{
+    auto files = suspensionCase();
+    files["constant/geometry"] = "dimension 2; domain { min (-0.2 0 0); max (1.2 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
+                                 "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
+    files["constant/openings"] = "gate\n{\n    type inlet;\n    point (0 0 0);\n    normal (1 0 0);\n    velocity 3;\n    pressure 3e4;\n    profile developed;\n    phi "
+                                 "0.45;\n}\nvent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
+    return files;
+}
+
 /// A grain in a periodic box: curved wall, integrated density with diffusion, shifting.
 inline Files grainCase()
 {

@@ -106,6 +106,9 @@ void Run::reportPlan() const
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s, sound speed {:.4g} m/s\n", c.phases[k],
                             simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
+    for (const auto& flow : simulation_->flows())
+        log_ << fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane\n", flow.name, flow.inlet ? "inlet" : "outlet", flow.area,
+                            geometry_.dimension == 3 ? "m^2" : "m", flow.held);
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
     std::string limits;
@@ -201,12 +204,22 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
     std::string powder;
     if (settings_.suspension())
-        powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3, changed by {:.2g}, {} steps of migration\n", s.minPhi,
-                             s.maxPhi, s.minViscosity, s.maxViscosity, s.powderVolume, simulation_->powderDrift(), simulation_->migrationSteps());
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
+        powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n", s.minPhi, s.maxPhi,
+                             s.minViscosity, s.maxViscosity, s.powderVolume,
+                             settings_.openings.empty() ? fmt::format(", changed by {:.2g}", simulation_->powderDrift()) : "", simulation_->migrationSteps());
+    std::string openings;
+    for (const auto& flow : simulation_->flows())
+        openings += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
+                                settings_.suspension() ? fmt::format(" with {:.10g} m^3 of powder", flow.powder) : "");
+    if (!openings.empty())
+    {
+        const auto off = simulation_->imbalance();
+        openings += fmt::format("balance: mass off by {:.2g}{}\n", off.mass, settings_.suspension() ? fmt::format(", powder by {:.2g}", off.powder) : "");
+    }
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
                         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-                        simulation_->rebuilds(), solver, phases, powder, Clock::executionTime(), clock, expected);
+                        simulation_->rebuilds(), solver, phases, powder, openings, Clock::executionTime(), clock, expected);
     log_.flush();
 }
 

@@ -92,6 +92,7 @@ TEST(Restart, OfWallsByLayers)
         restartEqualsTheWhole(*files);
     }
 }
+TEST(Restart, OfASceneWithAnInletAndAnOutlet) { restartEqualsTheWhole(openCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 
 // Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.

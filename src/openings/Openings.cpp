@@ -1,0 +1,393 @@
+#include "Openings.hpp"
+#include "CaseError.hpp"
+#include "components.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+/// Room beyond twice the support, for what particles travel before lists are rebuilt [spacings].
+constexpr double spareDepth = 1;
+
+template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
+{
+    Vector<dim> q;
+    fetch(q, [&](int c) { return a[c][i]; });
+    return q;
+}
+template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vector<dim> q)
+{
+    store(q, [&](int c, double value) { a[c][i] = value; });
+}
+}
+
+template<int dim>
+Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients,
+                        const std::map<std::string, double>& restored)
+    : geometry_(geometry), coefficients_(coefficients), depth_(2*coefficients.support + spareDepth*coefficients.spacing)
+{
+    for (const auto& opening : openings)
+    {
+        const Section section(opening, geometry, coefficients.spacing);
+        check(opening, section);
+        const double most = opening.velocity   ? *opening.velocity
+                            : opening.flowRate ? *opening.flowRate/section.area()
+                                               : std::numeric_limits<double>::infinity();
+        const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
+        gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
+
+    }
+    const auto restore = [&](const std::string& name, double& value)
+    {
+        const auto found = restored.find(name);
+        if (found != restored.end()) value = found->second;
+        return found != restored.end();
+    };
+    restored_ = restore("openingsStartMass", startMass_);
+    restore("openingsStartPowder", startPowder_);
+    restore("openingsHeldPowder", heldPowder_);
+    for (auto& gate : gates_)
+    {
+        const auto& name = gate.opening.name;
+        restore(name + "Mass", gate.mass);
+        restore(name + "Powder", gate.powder);
+        restore(name + "Speed", gate.speed);
+        restore(name + "Pressure", gate.pressure);
+        restore(name + "Slope", gate.slope);
+    }
+}
+
+template<int dim> std::map<std::string, double> Openings<dim>::state() const
+{
+    std::map<std::string, double> numbers{
+        {"openingsStartMass", startMass_}, {"openingsStartPowder", startPowder_}, {"openingsHeldPowder", heldPowder_}};
+    for (const auto& gate : gates_)
+    {
+        const auto& name = gate.opening.name;
+        numbers[name + "Mass"] = gate.mass;
+        numbers[name + "Powder"] = gate.powder;
+        numbers[name + "Speed"] = gate.speed;
+        numbers[name + "Pressure"] = gate.pressure;
+        numbers[name + "Slope"] = gate.slope;
+    }
+    return numbers;
+}
+
+template<int dim> void Openings<dim>::check(const Opening& opening, const Section& section) const
+{
+    const auto fail = [&](const std::string& what) { throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what)); };
+    const auto& lines = section.lines();
+    if (lines.empty()) fail("has no fluid in its plane: it lies inside a wall, or outside the domain");
+    if (section.width() < coefficients_.support)
+        fail(fmt::format("is {:.4g} m wide, less than the support of the kernel, {:.4g} m: choose a finer resolution", section.width(),
+                         coefficients_.support));
+    for (const auto& line : lines)
+        for (double s = 0; s < depth_; s += coefficients_.spacing)
+        {
+            const auto x = line.foot - s*opening.normal;
+            for (int k = 0; k < dim; ++k)
+                if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - coefficients_.support ||
+                                                                            x.*c > geometry_.high.*c + coefficients_.support))
+                    fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there", depth_ - coefficients_.support));
+            if (geometry_.distance(x) < 0.2*coefficients_.spacing)
+                fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x, x.y, x.z,
+                                 depth_));
+        }
+}
+
+template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
+{
+    const auto& box = gate.opening.extent;
+    const auto onPlane = x - gate.opening.distance(x)*gate.opening.normal;
+    for (int k = 0; k < dim; ++k)
+        if (const auto c = component(k); onPlane.*c < box.low.*c || onPlane.*c > box.high.*c) return false;
+    return true;
+}
+
+/// 1 + the opening beyond whose plane a point lies; 0 in the scene.
+template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
+{
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+    {
+        const double s = gates_[k].opening.distance(x);
+        if (s < 0 && s > -2*depth_ && belongs(gates_[k], x)) return int(k) + 1;
+    }
+    return 0;
+}
+
+template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned)
+{
+    const auto x = store.pointers(Position{});
+    double* const holder = store.component(Holder::info.name, 0);
+    const double* const m = store.component(Mass::info.name, 0);
+    double* const phi = store.has(PowderFraction{}) ? store.component(PowderFraction::info.name, 0) : nullptr;
+    const auto pass = [&](int gate, double sign, std::size_t i)
+    {
+        if (gate == 0) return;
+        gates_[std::size_t(gate) - 1].mass += sign*m[i];
+        if (phi) gates_[std::size_t(gate) - 1].powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
+    };
+    std::vector<int> kept;
+    kept.reserve(owned);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(at<dim>(x, i));
+        const int before = int(holder[i]), now = holderOf(x_i);
+        if (counts_ && before != now)
+        {
+            pass(before, 1, i);
+            pass(now, -1, i);
+        }
+        holder[i] = now;
+        if (now == 0 || gates_[std::size_t(now) - 1].opening.inlet)
+        {
+            if (now > 0 && phi && !restored_ && !counts_) phi[i] = gates_[std::size_t(now) - 1].opening.phi;
+            kept.push_back(int(i));
+        }
+        else if (gates_[std::size_t(now) - 1].opening.distance(x_i) >= -depth_) kept.push_back(int(i));
+    }
+    if (kept.size() < owned)
+    {
+        store.sortState(kept);
+        owned = kept.size();
+    }
+    store.resize(owned);
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+        if (gates_[k].opening.inlet) insert(store, owned, int(k));
+    if (!restored_ && !counts_)
+    {
+        const auto amount = free(store);
+        startMass_ = amount.mass;
+        startPowder_ = amount.powder;
+    }
+    counts_ = true;
+    return owned;
+}
+
+/// Fills up the lines of an inlet from behind.
+template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
+{
+    const auto& gate = gates_[std::size_t(k)];
+    const auto& opening = gate.opening;
+    const auto& lines = gate.section.lines();
+    const double row = gate.section.rowSpacing();
+    std::vector<double> last(lines.size(), 0.5*row); // the first stands half a row behind the plane
+    auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        if (int(holder[i]) != k + 1) continue;
+        const auto x_i = in3D(at<dim>(x, i));
+        if (const int line = gate.section.lineAt(x_i); line >= 0) last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
+    }
+    std::vector<Vector<3>> places;
+    std::vector<double> profile;
+    for (std::size_t l = 0; l < lines.size(); ++l)
+        for (double s = last[l] - row; s > -depth_; s -= row)
+        {
+            places.push_back(lines[l].foot + s*opening.normal);
+            profile.push_back(lines[l].profile);
+        }
+    if (places.empty()) return;
+
+    store.resize(owned + places.size()); // what is new is 0
+    x = store.pointers(Position{});
+    const auto v = store.pointers(Velocity{});
+    const double mass = coefficients_.restDensity[0]*std::pow(coefficients_.spacing, dim);
+    const auto fill = [&](auto tag, std::size_t i, double value)
+    {
+        if (store.has(tag)) store.component(decltype(tag)::info.name, 0)[i] = value;
+    };
+    for (std::size_t q = 0; q < places.size(); ++q)
+    {
+        const std::size_t i = owned + q;
+        put<dim>(x, i, in<dim>(places[q]));
+        put<dim>(v, i, in<dim>(gate.speed*profile[q]*opening.normal));
+        if (store.has(StartVelocity{})) put<dim>(store.pointers(StartVelocity{}), i, at<dim>(v, i));
+        fill(Mass{}, i, mass);
+        fill(Density{}, i, coefficients_.restDensity[0]);
+        fill(StartDensity{}, i, coefficients_.restDensity[0]);
+        fill(PowderFraction{}, i, opening.phi);
+        fill(Holder{}, i, k + 1);
+    }
+    owned += places.size();
+}
+
+template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t owned)
+{
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    double* const pressure = store.component(HeldPressure::info.name, 0);
+    held_.clear();
+    for (auto& gate : gates_)
+    {
+        gate.near.clear();
+        gate.inflow = 0;
+        gate.held = 0;
+    }
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(at<dim>(x, i));
+        if (holder[i] > 0)
+        {
+            auto& gate = gates_[std::size_t(holder[i]) - 1];
+            held_.push_back(int(i));
+            ++gate.held;
+            pressure[i] = heldPressure(gate, gate.opening.distance(x_i));
+            continue;
+        }
+        for (auto& gate : gates_)
+            if (const double s = gate.opening.distance(x_i); s >= 0 && s < coefficients_.support && belongs(gate, x_i))
+            {
+                gate.near.push_back(int(i));
+                gate.inflow += dot(in3D(at<dim>(v, i)), gate.opening.normal);
+            }
+    }
+    for (auto& gate : gates_)
+        if (!gate.near.empty()) gate.inflow *= gate.section.area()/double(gate.near.size());
+}
+
+template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
+{
+    const auto clear = [&](auto tag)
+    {
+        if (!store.has(tag)) return;
+        for (double* a : store.pointers(tag))
+            for (const int i : held_) a[i] = 0;
+    };
+    clear(Acceleration{});
+    clear(DensityRate{});
+    clear(ShiftDirection{});
+    clear(TransportAcceleration{});
+}
+
+/// p = a + b s by least squares.
+template<int dim> void Openings<dim>::fitPressure(FieldStore<dim>& store, Gate& gate) const
+{
+    const auto x = store.pointers(Position{});
+    const double* const p = store.component(Pressure::info.name, 0);
+    double n = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
+    for (const int i : gate.near)
+    {
+        const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i))));
+        n += 1;
+        s1 += s;
+        s2 += s*s;
+        p0 += p[i];
+        p1 += s*p[i];
+    }
+    const double spread = n*s2 - s1*s1;
+    const bool enough = n > 2 && spread > sqr(0.25*coefficients_.spacing*n); // more than a row
+    if (gate.opening.inlet)
+    {
+        gate.slope = enough ? (n*p1 - s1*p0)/spread : 0;
+        gate.pressure = n > 0 ? (p0 - gate.slope*s1)/n : coefficients_.backgroundPressure;
+    }
+    else gate.slope = enough ? (p1 - gate.pressure*s1)/s2 : 0;
+}
+
+/// Along the normal, of each line [m/s]; infinite where an outlet's particles keep what they have, for none comes along behind them.
+template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
+{
+    const auto& lines = gate.section.lines();
+    std::vector<double> sum(lines.size(), 0), count(lines.size(), 0);
+    if (gate.opening.inlet)
+    {
+        for (std::size_t l = 0; l < lines.size(); ++l) sum[l] = gate.speed*lines[l].profile;
+        return sum;
+    }
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    for (const int i : gate.near)
+        if (const int line = gate.section.lineAt(in3D(at<dim>(x, std::size_t(i)))); line >= 0)
+        {
+            sum[std::size_t(line)] += dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+            ++count[std::size_t(line)];
+        }
+    for (std::size_t l = 0; l < sum.size(); ++l)
+        sum[l] = count[l] > 0 ? std::min(0.0, sum[l]/count[l]) : std::numeric_limits<double>::infinity();
+    return sum;
+}
+
+template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
+{
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    double* const pressure = store.component(HeldPressure::info.name, 0);
+    for (auto& gate : gates_)
+    {
+        fitPressure(store, gate);
+        if (!gate.opening.inlet || !gate.opening.pressure) continue;
+        const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
+        gate.speed = std::clamp(gate.speed + deltaT*(behind - gate.pressure)/(coefficients_.restDensity[0]*depth_), 0.0, gate.most);
+    }
+    std::vector<std::vector<double>> velocity;
+    for (const auto& gate : gates_) velocity.push_back(velocities(store, gate));
+    for (const int i : held_)
+    {
+        const std::size_t k = std::size_t(holder[i]) - 1;
+        const auto& gate = gates_[k];
+        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        pressure[i] = heldPressure(gate, gate.opening.distance(x_i));
+        if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(velocity[k][std::size_t(line)]))
+            put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)]*gate.opening.normal));
+    }
+}
+
+template<int dim> std::vector<Flow> Openings<dim>::flows() const
+{
+    std::vector<Flow> flows;
+    for (const auto& gate : gates_)
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.powder,
+                         gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
+    return flows;
+}
+
+template<int dim> typename Openings<dim>::Amount Openings<dim>::free(const FieldStore<dim>& store) const
+{
+    const auto& fields = store.fields();
+    const auto array = [&](const char* name) { return fields.at(name).component[0].data(); };
+    const double *m = array(Mass::info.name), *holder = array(Holder::info.name);
+    const double* const phi = store.has(PowderFraction{}) ? array(PowderFraction::info.name) : nullptr;
+    Amount amount;
+    for (std::size_t i = 0; i < store.owned(); ++i)
+    {
+        if (holder[i] > 0) continue;
+        amount.mass += m[i];
+        if (phi) amount.powder += phi[i]*m[i]/coefficients_.restDensity[0];
+    }
+    return amount;
+}
+
+template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& store) const
+{
+    const auto now = free(store);
+    double mass = startMass_, powder = startPowder_ - heldPowder_, mostMass = std::max(startMass_, now.mass), mostPowder = std::max(startPowder_, now.powder);
+    for (const auto& gate : gates_)
+    {
+        mass += gate.mass;
+        powder += gate.powder;
+        mostMass = std::max(mostMass, std::abs(gate.mass));
+        mostPowder = std::max(mostPowder, std::abs(gate.powder));
+    }
+    return {mostMass > 0 ? (now.mass - mass)/mostMass : 0, mostPowder > 0 ? (now.powder - powder)/mostPowder : 0};
+}
+
+template<int dim> double Openings<dim>::power() const
+{
+    double sum = 0;
+    for (const auto& gate : gates_)
+        if (gate.opening.inlet)
+            sum += gate.speed*gate.section.area()*
+                   std::max(0.0, gate.pressure - coefficients_.backgroundPressure + 0.5*coefficients_.restDensity[0]*sqr(gate.speed));
+    return sum;
+}
+
+template class Openings<2>;
+template class Openings<3>;
+
+}

@@ -1,0 +1,93 @@
+#include "Filling.hpp"
+#include "SampledField.hpp"
+#include "components.hpp"
+#include "readBox.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+Filling::Filling(const Dictionary& d, const FunctionContext& context)
+    : context_(context), box_(readBox(d, context.geometry)), level_(d.getPositive("level", units::none, 0.99))
+{
+    if (level_ > 1) d.error("level", fmt::format("{} is more than the whole cavity", level_));
+}
+
+Vector<3> Filling::centre(int i, int k, int l, double spacing) const
+{
+    return box_.low + spacing*Vector<3>{i + 0.5, k + 0.5, context_.geometry.dimension == 3 ? l + 0.5 : 0};
+}
+
+void Filling::findCavity(double spacing)
+{
+    for (int c = 0; c < context_.geometry.dimension; ++c)
+        n_[c] = std::max(1, int(std::lround((box_.high.*component(c) - box_.low.*component(c))/spacing)));
+    cavity_.resize(std::size_t(n_[0])*n_[1]*n_[2]);
+    std::size_t at = 0;
+    for (int l = 0; l < n_[2]; ++l)
+        for (int k = 0; k < n_[1]; ++k)
+            for (int i = 0; i < n_[0]; ++i, ++at) cavity_[at] = context_.geometry.distance(centre(i, k, l, spacing)) > 0;
+    samples_ = double(std::count(cavity_.begin(), cavity_.end(), true));
+}
+
+double Filling::shareReached(const ParticleView& view) const
+{
+    std::vector<bool> reached(cavity_.size(), false);
+    const bool flat = context_.geometry.dimension == 2;
+    for (std::size_t p = 0; p < view.n; ++p)
+    {
+        const auto q = (position(view, p) - box_.low)/view.spacing;
+        const int i_p = int(std::floor(q.x)), k_p = int(std::floor(q.y)), l_p = flat ? 0 : int(std::floor(q.z));
+        for (int l = flat ? 0 : l_p - 1; l <= (flat ? 0 : l_p + 1); ++l)
+            for (int k = k_p - 1; k <= k_p + 1; ++k)
+                for (int i = i_p - 1; i <= i_p + 1; ++i)
+                {
+                    if (i < 0 || k < 0 || l < 0 || i >= n_[0] || k >= n_[1] || l >= n_[2]) continue;
+                    auto by = position(view, p) - centre(i, k, l, view.spacing);
+                    if (flat) by.z = 0;
+                    if (mag(by) <= view.spacing) reached[(std::size_t(l)*n_[1] + k)*n_[0] + i] = true;
+                }
+    }
+    double count = 0;
+    for (std::size_t at = 0; at < cavity_.size(); ++at) count += cavity_[at] && reached[at];
+    return count/samples_;
+}
+
+void Filling::execute(const ParticleView& view)
+{
+    if (cavity_.empty()) findCavity(view.spacing);
+    const FieldView* const phi = view.find("phi");
+    double volume = 0;
+    leastPhi_ = std::numeric_limits<double>::infinity();
+    mostPhi_ = -leastPhi_;
+    for (std::size_t i = 0; i < view.n; ++i)
+    {
+        if (!contains(box_, position(view, i), context_.geometry.dimension)) continue;
+        volume += view.mass[i]/view.restDensity[phaseOf(view, i)];
+        if (!phi) continue;
+        leastPhi_ = std::min(leastPhi_, phi->component[0][i]);
+        mostPhi_ = std::max(mostPhi_, phi->component[0][i]);
+    }
+    filled_ = volume/(samples_*std::pow(view.spacing, context_.geometry.dimension));
+    reached_ = shareReached(view);
+    if (!fillTime_ && reached_ >= level_) fillTime_ = view.time;
+    std::vector<std::string> columns{"filled", "reached"}, cells{cell(filled_), cell(reached_)};
+    if (phi)
+    {
+        columns.insert(columns.end(), {"minPhi", "maxPhi"});
+        cells.insert(cells.end(), {cell(leastPhi_), cell(mostPhi_)});
+    }
+    if (!table_) table_.emplace(context_.file("filling.dat"), std::vector<std::string>{fmt::format("share of the cavity, {:.6g} samples", samples_)}, columns);
+    table_->row(view.time, cells);
+}
+
+std::string Filling::report() const
+{
+    const auto ended = fillTime_ ? fmt::format("filled to {} at {:.6g} s", level_, *fillTime_) : "not filled yet";
+    const auto powder = mostPhi_ >= leastPhi_ ? fmt::format(", phi {:.4g} .. {:.4g}", leastPhi_, mostPhi_) : "";
+    return fmt::format("{}: {:.4f} of the cavity by volume, {:.4f} reached, {}{}", context_.name, filled_, reached_, ended, powder);
+}
+
+}

@@ -1,0 +1,39 @@
+#pragma once
+#include "FunctionContext.hpp"
+#include <limits>
+#include <optional>
+
+namespace sph
+{
+
+/// How far a cavity is filled, and with how much powder.
+///
+///     type filling;  min (0 -1e-3 0);  max (1e-3 1e-3 2e-4);  level 0.99;      // the box: all of the domain unless given
+///
+/// The cavity is what walls leave of the box, sampled on a lattice of the particles' spacing. `filled` is the volume of the fluid in it,
+/// sum m/rho_0, over that of the cavity; `reached` the share of the samples that have a particle within a spacing. Where a part has
+/// stopped short `reached` stays below 1. The fill time is the first time at which it was `level`; a run that ends before has
+/// made a short shot. Columns of filling.dat: filled, reached, and of a suspension the least and largest phi in the box.
+class Filling : public FunctionObject
+{
+    FunctionContext context_;
+    Box box_;
+    double level_;
+    std::vector<bool> cavity_;             ///< of the lattice's cells, x fastest
+    std::array<int, 3> n_{1, 1, 1};
+    double samples_ = 0;
+    std::optional<double> fillTime_;
+    double filled_ = 0, reached_ = 0, leastPhi_ = 0, mostPhi_ = 0;
+    std::optional<OutputTable> table_;
+
+    void findCavity(double spacing);
+    Vector<3> centre(int i, int k, int l, double spacing) const;
+    double shareReached(const ParticleView&) const;
+
+public:
+    Filling(const Dictionary&, const FunctionContext&);
+    void execute(const ParticleView&) override;
+    std::string report() const override;
+};
+
+}

@@ -1,0 +1,247 @@
+/// What openings hold, let in and take away, and the account of it.
+#include "CaseError.hpp"
+#include "Duct.hpp"
+#include "Openings.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+namespace
+{
+
+constexpr double dx = 0.1, H = 0.25, depth = 2*H + dx;
+
+Coefficients coefficients()
+{
+    Coefficients c;
+    c.dimension = 2;
+    c.spacing = dx;
+    c.support = H;
+    c.restDensity = {2};
+    c.suspension.emplace();
+    return c;
+}
+
+struct Scene
+{
+    Coefficients c = coefficients();
+    Geometry geometry = channel(1);
+    FieldStore<2> store;
+    std::size_t owned = 0;
+
+    Scene()
+    {
+        const auto state = [&](auto... tags) { (store.allocateState(tags), ...); };
+        state(Position{}, Velocity{}, Mass{}, PowderFraction{}, Holder{});
+        store.allocate(HeldPressure{});
+        store.allocate(Pressure{});
+        store.allocate(Acceleration{});
+        store.resize(0);
+    }
+    void exchange(Openings<2>& openings)
+    {
+        owned = openings.exchange(store, owned);
+        openings.locate(store, owned);
+    }
+    /// Moves all by their velocities.
+    void drift(double deltaT)
+    {
+        for (int k = 0; k < 2; ++k)
+            for (std::size_t i = 0; i < owned; ++i) store.component("positions", k)[i] += deltaT*store.component("U", k)[i];
+    }
+    /// A square lattice with velocity (u 0) between two x.
+    void fill(double from, double to, double u, double phi)
+    {
+        for (double x = from + dx/2; x < to; x += dx)
+            for (double y = dx/2; y < 1; y += dx)
+            {
+                store.resize(owned + 1);
+                store.component("positions", 0)[owned] = x;
+                store.component("positions", 1)[owned] = y;
+                store.component("U", 0)[owned] = u;
+                store.component("m", 0)[owned] = c.restDensity[0]*dx*dx;
+                store.component("phi", 0)[owned++] = phi;
+            }
+    }
+    double freeMass()
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < owned; ++i)
+            if (store.component("heldBy", 0)[i] == 0) sum += store.component("m", 0)[i];
+        return sum;
+    }
+};
+
+Opening outlet(double pressure)
+{
+    Opening opening;
+    opening.name = "vent";
+    opening.inlet = false;
+    opening.point = {1, 0, 0};
+    opening.normal = {-1, 0, 0};
+    opening.pressure = pressure;
+    return opening;
+}
+
+TEST(Openings, FillAnEmptyDuctAndLetInWhatTheyAreTold)
+{
+    Scene scene;
+    auto gate = inlet();
+    gate.velocity = 0.5;
+    gate.phi = 0.3;
+    Openings<2> openings({gate}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    ASSERT_EQ(scene.owned, 60u); // six rows of ten
+    EXPECT_EQ(openings.held().size(), 60u);
+    EXPECT_EQ(scene.freeMass(), 0);
+    for (std::size_t i = 0; i < scene.owned; ++i)
+    {
+        EXPECT_LT(scene.store.component("positions", 0)[i], 0);
+        EXPECT_EQ(scene.store.component("U", 0)[i], 0.5);
+        EXPECT_EQ(scene.store.component("phi", 0)[i], 0.3);
+    }
+    double time = 0;
+    for (int step = 0; step < 200; ++step)
+    {
+        scene.drift(0.01);
+        time += 0.01;
+        scene.exchange(openings);
+        openings.drive(scene.store, 0.01);
+    }
+    // rho U A t, to within a row
+    EXPECT_NEAR(scene.freeMass(), 2*0.5*time, 2*dx);
+    const auto flow = openings.flows().at(0);
+    EXPECT_NEAR(flow.mass, scene.freeMass(), 1e-13);
+    EXPECT_NEAR(flow.powder, 0.3*scene.freeMass()/2, 1e-13);
+    EXPECT_NEAR(flow.flowRate, 0.5, 1e-12);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).powder), 1e-13);
+}
+
+TEST(Openings, TakeAwayWhatHasLeft)
+{
+    Scene scene;
+    scene.fill(0, 1, 1, 0.2);
+    Openings<2> openings({outlet(0)}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    for (int step = 0; step < 50; ++step)
+    {
+        scene.drift(0.01);
+        scene.exchange(openings);
+        openings.drive(scene.store, 0.01);
+    }
+    EXPECT_NEAR(scene.freeMass(), 2*0.5, 1e-12);
+    EXPECT_NEAR(openings.flows().at(0).mass, -2*0.5, 1e-12);
+    EXPECT_EQ(openings.held().size(), 50u); // none is further than the outlet reaches yet
+    for (int step = 0; step < 30; ++step)
+    {
+        scene.drift(0.01);
+        scene.exchange(openings);
+        openings.drive(scene.store, 0.01);
+    }
+    EXPECT_EQ(scene.owned, 20u + 60u);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).powder), 1e-14);
+}
+
+// Particles beyond the planes continue a linear pressure, and the outlet's own pressure is that at its plane.
+TEST(Openings, ContinueThePressure)
+{
+    Scene scene;
+    scene.fill(-0.6, 1.6, 1, 0);
+    Openings<2> openings({inlet(), outlet(5)}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    const auto pressureAt = [](double x) { return 5 + 8*(1 - x); };
+    for (std::size_t i = 0; i < scene.owned; ++i) scene.store.component("p", 0)[i] = pressureAt(scene.store.component("positions", 0)[i]);
+    openings.drive(scene.store, 0.01);
+    EXPECT_EQ(openings.held().size(), 120u);
+    for (const int i : openings.held())
+        EXPECT_NEAR(scene.store.component("heldPressure", 0)[i], pressureAt(scene.store.component("positions", 0)[i]), 1e-12);
+    EXPECT_NEAR(openings.flows().at(0).pressure, 13, 1e-12);
+    EXPECT_NEAR(openings.flows().at(1).flowRate, -1, 1e-12);
+}
+
+// dU/dt = (p_in - a)/(rho l), never beyond the given velocity, never backwards.
+TEST(Openings, AreDrivenByPressure)
+{
+    Scene scene;
+    auto gate = inlet();
+    gate.velocity = 0.4;
+    gate.pressure = 6;
+    Openings<2> openings({gate}, scene.geometry, scene.c, {});
+    scene.fill(0, 1, 0, 0);
+    scene.exchange(openings);
+    const auto speed = [&] { return openings.flows().at(0).flowRate; };
+    EXPECT_EQ(speed(), 0);
+    openings.drive(scene.store, 0.01);
+    EXPECT_NEAR(speed(), 0.01*6/(2*depth), 1e-12);
+    for (int step = 0; step < 100; ++step) openings.drive(scene.store, 0.01);
+    EXPECT_NEAR(speed(), 0.4, 1e-12);
+    std::fill_n(scene.store.component("p", 0), scene.owned, 10.0);
+    openings.drive(scene.store, 0.06);
+    EXPECT_NEAR(speed(), 0.4 - 0.06*4/(2*depth), 1e-9);
+    for (int step = 0; step < 100; ++step) openings.drive(scene.store, 0.01);
+    EXPECT_EQ(speed(), 0);
+}
+
+TEST(Openings, HoldWhatIsBeyondThem)
+{
+    Scene scene;
+    scene.fill(-0.6, 1, 0, 0);
+    Openings<2> openings({inlet()}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    for (double* a : scene.store.pointers(Acceleration{})) std::fill_n(a, scene.owned, 3.0);
+    openings.hold(scene.store);
+    for (std::size_t i = 0; i < scene.owned; ++i)
+        EXPECT_EQ(scene.store.component("dUdt", 0)[i], scene.store.component("positions", 0)[i] < 0 ? 0 : 3);
+}
+
+TEST(Openings, GoOnFromTheNumbersOfTheirState)
+{
+    Scene scene;
+    scene.fill(0, 1, 0, 0.25);
+    auto gate = inlet();
+    gate.phi = 0.3;
+    Openings<2> first({gate}, scene.geometry, scene.c, {});
+    scene.exchange(first);
+    first.addHeldPowder(0.01);
+    scene.drift(0.3);
+    scene.exchange(first);
+    Openings<2> second({gate}, scene.geometry, scene.c, first.state());
+    std::fill_n(scene.store.component("heldBy", 0), scene.owned, 0.0); // is not on disk
+    scene.exchange(second);
+    EXPECT_GT(first.flows().at(0).mass, 0);
+    EXPECT_EQ(second.flows().at(0).mass, first.flows().at(0).mass);
+    EXPECT_EQ(second.imbalance(scene.store).mass, first.imbalance(scene.store).mass);
+    EXPECT_EQ(second.state(), first.state());
+}
+
+void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)
+{
+    try
+    {
+        Openings<2>({opening}, geometry, coefficients(), {});
+        FAIL() << "no error with " << word;
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    }
+}
+
+TEST(Openings, MustFitTheirScene)
+{
+    auto inWall = inlet();
+    inWall.extent = {{-1, 1.2, -1}, {1, 1.5, 1}};
+    refuses(inWall, channel(1), "inside a wall");
+    refuses(inlet(), channel(0.2), "less than the support of the kernel");
+    auto atTheEdge = inlet();
+    atTheEdge.point = {-0.9, 0, 0};
+    refuses(atTheEdge, channel(1), "of domain beyond its plane");
+    auto oblique = inlet();
+    oblique.normal = unitVector(Vector<3>{1, 0.5, 0});
+    refuses(oblique, channel(1), "must go on straight");
+}
+
+}
+}
