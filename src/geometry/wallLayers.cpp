@@ -40,6 +40,18 @@ class Layering
         const long more = g_.periodic[c] ? 0 : long(std::ceil(margin_/step));
         return {low + (0.5 - double(more))*step, step, n + 2*more};
     }
+    /// From face to face of a box; from the one face that is within sight of the domain; or the domain's layers.
+    Row along(int c, double low, double high) const
+    {
+        const Row all = across(c);
+        const double first = all.first - 0.5*all.step, last = first + double(all.n)*all.step;
+        if (g_.periodic[c] ? std::isfinite(high - low) : low >= first && high <= last) return between(low, high, spacing_);
+        if (g_.periodic[c]) return all;
+        if (low >= first) return {low + 0.5*all.step, all.step, std::max(0l, std::lround(std::ceil((last - low)/all.step)))};
+        if (high > last) return all;
+        const long n = std::max(0l, std::lround(std::ceil((high - first)/all.step)));
+        return {high - (double(n) - 0.5)*all.step, all.step, n};
+    }
     static Row between(double low, double high, double spacing)
     {
         const long n = std::max(1l, std::lround((high - low)/spacing));
@@ -147,12 +159,11 @@ class Layering
         for (int c = 0; c < 3; ++c)
         {
             const double a = low.*component(c), b = high.*component(c);
-            const bool ends = std::isfinite(a) && std::isfinite(b);
             if (isFlat(c)) continue;
-            if (ends && b - a < 2*H_)
+            if (b - a < 2*H_)
                 diagnostics.error(where, fmt::format("the box is {:.4g} m thick, less than two kernel supports, {:.4g} m: layers of particles behind its faces "
                                                      "overlap. Refine, or take `walls reflected;`", b - a, 2*H_));
-            row[c] = ends ? between(a, b, spacing_) : across(c);
+            row[c] = along(c, a, b);
             volume *= row[c].step;
         }
         for (long i = 0; i < row[0].n; ++i)

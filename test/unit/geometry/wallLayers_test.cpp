@@ -111,6 +111,23 @@ TEST(WallLayers, OfCurvedWallsHaveTheVolumeOfTheSolid)
     EXPECT_NEAR(box.volume(h * h), 0.4 * 0.45 - 0.1 * 0.15, 1e-12);
 }
 
+// Of a box that goes on far beyond the domain only what the fluid can see is filled, from its faces inwards.
+TEST(WallLayers, EndBeyondTheDomain)
+{
+    const double h = 0.05;
+    const auto step = layersOf(square + "walls { step { type box; min (-1000 -1000 0); max (0.4 0.3 0); fluid outside; } }", h);
+    EXPECT_EQ(step.errors, "");
+    EXPECT_EQ(places(step.particles, h).size(), step.particles.size());
+    double inside = 0;
+    for (const auto& p : step.particles)
+    {
+        EXPECT_GT(std::max(p.x.x - 0.4, p.x.y - 0.3), -0.15);
+        EXPECT_NEAR(std::remainder(p.x.x - 0.4, h), std::copysign(0.5 * h, std::remainder(p.x.x - 0.4, h)), 1e-9);
+        if (p.x.x > 0 && p.x.y > 0) inside += h * h * p.volumeFactor;
+    }
+    EXPECT_NEAR(inside, 0.4 * 0.3 - 0.25 * 0.15, 1e-12);
+}
+
 // A slanted plane has a lattice of its own: the solid between it and the depth of the layers, in the middle of the domain.
 TEST(WallLayers, OfASlantedPlaneAreAsDenseAsTheFluid)
 {

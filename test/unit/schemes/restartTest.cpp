@@ -85,8 +85,8 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
 }
 TEST(Restart, OfWallsByLayers)
 {
-    auto channel = channelCase(), grain = grainCase(), powder = suspensionCase();
-    for (auto* files : {&channel, &grain, &powder})
+    auto channel = channelCase(), grain = grainCase(), powder = suspensionCase(), open = openCase();
+    for (auto* files : {&channel, &grain, &powder, &open})
     {
         (*files)["system/sphSchemes"] += "walls layers;\n";
         restartEqualsTheWhole(*files);
