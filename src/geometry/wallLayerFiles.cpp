@@ -57,12 +57,14 @@ std::vector<LayerParticle> readWallLayers(const std::filesystem::path& caseFolde
         const double w = wall->second.component[0][i], f = factor->second.component[0][i];
         if (!(w >= 0 && w < double(walls)))
         {
-            diagnostics.error({folder + "wall", 0}, fmt::format("particle {} belongs to wall {}, and there are {}: run meshToGhost again", i, w, walls));
+            diagnostics.error({folder + "wall", 0},
+                              fmt::format("particle {} belongs to wall {}, and there are {}: run meshToGhost again", i, w, walls));
             return {};
         }
         if (!(f > 0))
         {
-            diagnostics.error({folder + "volumeFactor", 0}, fmt::format("particle {} has the factor {}, which must be greater than 0: run meshToGhost again", i, f));
+            diagnostics.error({folder + "volumeFactor", 0},
+                              fmt::format("particle {} has the factor {}, which must be greater than 0: run meshToGhost again", i, f));
             return {};
         }
         layers.push_back({{cloud.x[i], cloud.y[i], cloud.z[i]}, f, int(w)});

@@ -161,8 +161,8 @@ class Layering
             const double a = low.*component(c), b = high.*component(c);
             if (isFlat(c)) continue;
             if (b - a < 2*H_)
-                diagnostics.error(where, fmt::format("the box is {:.4g} m thick, less than two kernel supports, {:.4g} m: layers of particles behind its faces "
-                                                     "overlap. Refine, or take `walls reflected;`", b - a, 2*H_));
+                diagnostics.error(where, fmt::format("the box is {:.4g} m thick, less than two kernel supports, {:.4g} m: layers of particles behind its "
+                                                     "faces overlap. Refine, or take `walls reflected;`", b - a, 2*H_));
             row[c] = along(c, a, b);
             volume *= row[c].step;
         }
@@ -245,8 +245,8 @@ public:
         else if (d.type == "cylinder") fillCylinder(patch, vector("point"), vector("axis"), d.scalars[0].second, d.fluid);
         else if (d.type == "sphere") fillSphere(patch, vector("centre"), d.scalars[0].second, d.fluid);
         else
-            diagnostics.error(where, fmt::format("there are no layers of particles behind a {}: they are made of planes, boxes, cylinders and spheres. "
-                                                 "Take `walls reflected;` in system/sphSchemes", d.type));
+            diagnostics.error(where, fmt::format("there are no layers of particles behind a {}: they are made of planes, boxes, cylinders and "
+                                                 "spheres. Take `walls reflected;` in system/sphSchemes", d.type));
     }
     std::vector<LayerParticle> particles() { return std::move(particles_); }
 };

@@ -14,7 +14,7 @@ template<int dim> struct Reflection
     Vector<dim> normal;
     int wall;
     Vector<3> foot;
-    double ratio = 1; ///< distance of the ghost from the wall over that of the source: other than 1 where it is no mirror image (WallLayers.hpp)
+    double ratio = 1; ///< distance of the ghost from the wall over that of the source: not 1 where it is no mirror image (WallLayers.hpp)
 };
 
 /// How the velocity of a ghost follows from its source's: a wall model.

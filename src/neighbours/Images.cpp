@@ -181,7 +181,8 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 
 template<int dim> std::size_t Images<dim>::bytes() const
 {
-    return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) + feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
+    return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) +
+           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
 }
 
 template class Images<2>;

@@ -1,5 +1,6 @@
 /// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
-/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` there also constant/lagrangian/wallLayers.
+/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` also
+/// constant/lagrangian/wallLayers.
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
