@@ -13,6 +13,8 @@ namespace
 {
 /// Room beyond twice the support, for what particles travel before lists are rebuilt [spacings].
 constexpr double spareDepth = 1;
+/// Of (rho/rho_0)^n, which a pressure far below 0 would make negative.
+constexpr double leastRatio = 1e-3;
 
 template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
 {
@@ -40,8 +42,13 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
                                                : std::numeric_limits<double>::infinity();
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
-
     }
+    for (const auto& a : gates_)
+        for (const auto& b : gates_)
+            if (&a != &b && meet(a, b))
+                throw CaseError(b.opening.where,
+                                fmt::format("opening \"{}\" overlaps \"{}\": the particles that one holds must be out of the other's sight, {:.4g} m "
+                                            "before its plane and {:.4g} m behind", b.opening.name, a.opening.name, coefficients.support, depth_));
     const auto restore = [&](const std::string& name, double& value)
     {
         const auto found = restored.find(name);
@@ -109,6 +116,18 @@ template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>&
     return true;
 }
 
+/// Whether b holds what a sees.
+template<int dim> bool Openings<dim>::meet(const Gate& a, const Gate& b) const
+{
+    for (const auto& line : a.section.lines())
+        for (double s = coefficients_.support; s > -depth_; s -= coefficients_.spacing)
+        {
+            const auto x = line.foot + s*a.opening.normal;
+            if (const double beyond = b.opening.distance(x); beyond < 0 && beyond > -depth_ && belongs(b, x)) return true;
+        }
+    return false;
+}
+
 /// 1 + the opening beyond whose plane a point lies; 0 in the scene.
 template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
 {
@@ -118,6 +137,20 @@ template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
         if (s < 0 && s > -2*depth_ && belongs(gates_[k], x)) return int(k) + 1;
     }
     return 0;
+}
+
+/// Whether a point lies in the duct beyond a plane, further than is held there: the plane is in sight along its normal.
+template<int dim> bool Openings<dim>::farBeyond(const Vector<3>& x) const
+{
+    return std::ranges::any_of(gates_, [&](const Gate& gate)
+    {
+        const auto& n = gate.opening.normal;
+        const double s = gate.opening.distance(x);
+        if (s > -2*depth_ || !belongs(gate, x)) return false;
+        for (double by = 0; by < -s; by += coefficients_.spacing)
+            if (geometry_.distance(x + by*n) < 0) return false;
+        return true;
+    });
 }
 
 template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned)
@@ -144,12 +177,11 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
             pass(now, -1, i);
         }
         holder[i] = now;
-        if (now == 0 || gates_[std::size_t(now) - 1].opening.inlet)
-        {
-            if (now > 0 && phi && !restored_ && !counts_) phi[i] = gates_[std::size_t(now) - 1].opening.phi;
-            kept.push_back(int(i));
-        }
-        else if (gates_[std::size_t(now) - 1].opening.distance(x_i) >= -depth_) kept.push_back(int(i));
+        const bool starts = !restored_ && !counts_;
+        const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
+        const bool gone = by ? (starts || !by->inlet) && by->distance(x_i) < -depth_ : starts && farBeyond(x_i);
+        if (starts && by && by->inlet && phi) phi[i] = by->phi;
+        if (!gone) kept.push_back(int(i));
     }
     if (kept.size() < owned)
     {
@@ -220,14 +252,12 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
 
 template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t owned)
 {
-    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
-    double* const pressure = store.component(HeldPressure::info.name, 0);
     held_.clear();
     for (auto& gate : gates_)
     {
         gate.near.clear();
-        gate.inflow = 0;
         gate.held = 0;
     }
     for (std::size_t i = 0; i < owned; ++i)
@@ -235,21 +265,15 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
         const auto x_i = in3D(at<dim>(x, i));
         if (holder[i] > 0)
         {
-            auto& gate = gates_[std::size_t(holder[i]) - 1];
             held_.push_back(int(i));
-            ++gate.held;
-            pressure[i] = heldPressure(gate, gate.opening.distance(x_i));
+            ++gates_[std::size_t(holder[i]) - 1].held;
+            impose(store, i, x_i);
             continue;
         }
         for (auto& gate : gates_)
             if (const double s = gate.opening.distance(x_i); s >= 0 && s < coefficients_.support && belongs(gate, x_i))
-            {
                 gate.near.push_back(int(i));
-                gate.inflow += dot(in3D(at<dim>(v, i)), gate.opening.normal);
-            }
     }
-    for (auto& gate : gates_)
-        if (!gate.near.empty()) gate.inflow *= gate.section.area()/double(gate.near.size());
 }
 
 template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
@@ -266,23 +290,25 @@ template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
     clear(TransportAcceleration{});
 }
 
-/// p = a + b s by least squares.
-template<int dim> void Openings<dim>::fitPressure(FieldStore<dim>& store, Gate& gate) const
+/// What passes through the section, and p = a + b s by least squares.
+template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
 {
-    const auto x = store.pointers(Position{});
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const p = store.component(Pressure::info.name, 0);
-    double n = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
+    double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
     for (const int i : gate.near)
     {
-        const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i))));
-        n += 1;
-        s1 += s;
-        s2 += s*s;
-        p0 += p[i];
-        p1 += s*p[i];
+        const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i)))), w = weight(s);
+        n += w;
+        v0 += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        s1 += w*s;
+        s2 += w*s*s;
+        p0 += w*p[i];
+        p1 += w*s*p[i];
     }
+    gate.inflow = n > 0 ? gate.section.area()*v0/n : 0;
     const double spread = n*s2 - s1*s1;
-    const bool enough = n > 2 && spread > sqr(0.25*coefficients_.spacing*n); // more than a row
+    const bool enough = gate.near.size() > 2 && spread > sqr(0.25*coefficients_.spacing*n); // more than a row
     if (gate.opening.inlet)
     {
         gate.slope = enough ? (n*p1 - s1*p0)/spread : 0;
@@ -303,24 +329,37 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
     }
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     for (const int i : gate.near)
-        if (const int line = gate.section.lineAt(in3D(at<dim>(x, std::size_t(i)))); line >= 0)
-        {
-            sum[std::size_t(line)] += dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
-            ++count[std::size_t(line)];
-        }
+    {
+        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        const int line = gate.section.lineAt(x_i);
+        if (line < 0) continue;
+        const double w = weight(gate.opening.distance(x_i));
+        sum[std::size_t(line)] += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        count[std::size_t(line)] += w;
+    }
     for (std::size_t l = 0; l < sum.size(); ++l)
         sum[l] = count[l] > 0 ? std::min(0.0, sum[l]/count[l]) : std::numeric_limits<double>::infinity();
     return sum;
+}
+
+/// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
+template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
+{
+    const auto& gate = gates_[std::size_t(store.component(Holder::info.name, 0)[i]) - 1];
+    const double p = gate.pressure + gate.slope*gate.opening.distance(x_i);
+    store.component(HeldPressure::info.name, 0)[i] = p;
+    if (!store.has(StartDensity{})) return;
+    const double ratio = 1 + (p - coefficients_.backgroundPressure)/coefficients_.stiffness[0];
+    store.component(Density::info.name, 0)[i] = coefficients_.restDensity[0]*std::pow(std::max(leastRatio, ratio), 1/coefficients_.exponent[0]);
 }
 
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
-    double* const pressure = store.component(HeldPressure::info.name, 0);
     for (auto& gate : gates_)
     {
-        fitPressure(store, gate);
+        measure(store, gate);
         if (!gate.opening.inlet || !gate.opening.pressure) continue;
         const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
         gate.speed = std::clamp(gate.speed + deltaT*(behind - gate.pressure)/(coefficients_.restDensity[0]*depth_), 0.0, gate.most);
@@ -332,7 +371,7 @@ template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double delta
         const std::size_t k = std::size_t(holder[i]) - 1;
         const auto& gate = gates_[k];
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
-        pressure[i] = heldPressure(gate, gate.opening.distance(x_i));
+        impose(store, std::size_t(i), x_i);
         if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(velocity[k][std::size_t(line)]))
             put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)]*gate.opening.normal));
     }

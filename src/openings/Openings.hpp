@@ -6,11 +6,12 @@
 ///   inlet    v = U u n                  U mean velocity [m/s], u profile of the section (Section.hpp), n normal
 ///   outlet   v = (v_l.n) n, v_l the mean of the free particles within H of the plane that come along the same line l, never inwards
 ///   both     p = a + b s                s [m] distance from the plane, < 0; a, b fitted to the fluid within H of the plane, at an outlet
-///                                       with a the given pressure
+///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///
 /// An inlet that has a pressure p_in moves by the balance of forces on the plug of length l that it holds, and not faster than its velocity,
 /// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle that passes an inlet's plane is free, and lines are filled up from behind; one
-/// that passes an outlet's is held, and taken away at the end. That happens when neighbour lists are rebuilt.
+/// that passes an outlet's is held, and taken away at the end. That happens when neighbour lists are rebuilt. What is packed further beyond a
+/// plane than is held there is taken away at the start.
 ///
 /// Counts what passes: what is free has grown by as much, to round-off. Powder that migrates between held and free particles counts too.
 /// Verified by test/unit/openings and tutorials/verification/openChannel.
@@ -18,6 +19,7 @@
 #include "FieldStore.hpp"
 #include "Opening.hpp"
 #include "Section.hpp"
+#include <algorithm>
 #include <map>
 #include <span>
 #include <vector>
@@ -47,7 +49,8 @@ template<int dim> class Openings
 {
 public:
     /// Throws CaseError where an opening does not fit the scene: inside a wall, narrower than the kernel's support, with a duct that is not
-    /// straight, or out of the domain as far as the held particles reach. `restored` holds the numbers that `state` gave.
+    /// straight, out of the domain as far as the held particles reach, or where another one holds particles. `restored` holds the numbers that
+    /// `state` gave.
     Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const std::map<std::string, double>& restored);
 
     /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now.
@@ -78,7 +81,7 @@ private:
         double most, speed;                    ///< U of an inlet: its limit, and now
         double pressure, slope;                ///< a and b
         double mass = 0, powder = 0;           ///< passed
-        double inflow = 0;                     ///< of what is near, when last located, through all of the section [m^3/s]
+        double inflow = 0;                     ///< of what is near, through all of the section [m^3/s]
         std::size_t held = 0;
         std::vector<int> near = {};            ///< free particles within H
     };
@@ -91,11 +94,15 @@ private:
     bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
+    /// Of a free particle at a distance s from a plane: what comes into reach and leaves it does so gradually.
+    double weight(double s) const { return std::max(0.0, s*(coefficients_.support - s)); }
     bool belongs(const Gate&, const Vector<3>& x) const;
+    bool meet(const Gate& a, const Gate& b) const;
     int holderOf(const Vector<3>& x) const;
+    bool farBeyond(const Vector<3>& x) const;
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
-    double heldPressure(const Gate& gate, double s) const { return gate.pressure + gate.slope*s; }
-    void fitPressure(FieldStore<dim>&, Gate&) const;
+    void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
+    void measure(FieldStore<dim>&, Gate&) const;
     std::vector<double> velocities(FieldStore<dim>&, const Gate&) const;
     struct Amount
     {

@@ -15,7 +15,7 @@ void readInlet(const Dictionary& d, const Coefficients& c, Opening& opening)
     if (d.found("velocity")) opening.velocity = d.getPositive("velocity", units::mPerS);
     if (d.found("flowRate")) opening.flowRate = d.getPositive("flowRate", units::mPerS*area);
     if (d.found("pressure")) opening.pressure = d.get("pressure", units::pressure);
-    if (opening.velocity && opening.flowRate) d.error("flowRate", "is given, and velocity too: keep one of them");
+    if (opening.velocity && opening.flowRate) d.error("flowRate", "flowRate is given, and velocity too: keep one of them");
     if (!opening.velocity && !opening.flowRate && !opening.pressure)
         d.error("velocity", "what drives the flow is missing: give a velocity, a flowRate or a pressure");
     opening.developed = d.choose("profile", Words{"uniform", "developed"}, "uniform") == "developed";
@@ -46,8 +46,14 @@ Opening readOpening(const Dictionary& d, const Geometry& g, const Coefficients& 
         if (g.periodic[k] && opening.normal.*component(k) != 0)
             d.error("normal", fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
                                           coordinateNames[k]));
-    if (d.found("min")) opening.extent.low = d.getVector("min", units::m) - c.spacing*Vector<3>{1, 1, 1};
-    if (d.found("max")) opening.extent.high = d.getVector("max", units::m) + c.spacing*Vector<3>{1, 1, 1};
+    if (d.found("min")) opening.extent.low = d.getVector("min", units::m);
+    if (d.found("max")) opening.extent.high = d.getVector("max", units::m);
+    for (int k = 0; k < g.dimension; ++k)
+        if (const auto a = component(k); opening.extent.high.*a < opening.extent.low.*a)
+            d.error("max", fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k], opening.extent.high.*a,
+                                       opening.extent.low.*a));
+    opening.extent.low -= c.spacing*Vector<3>{1, 1, 1};
+    opening.extent.high += c.spacing*Vector<3>{1, 1, 1};
     if (opening.inlet) readInlet(d, c, opening);
     else opening.pressure = d.get("pressure", units::pressure, 0);
     return opening;

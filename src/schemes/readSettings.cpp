@@ -298,7 +298,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.hydrostaticGhosts = choice.wallPressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     settings.detachingGhosts = settings.hydrostaticGhosts && choice.wallPressure == "detaching";
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
-                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
+                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.surfaceTension = choice.tension != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
     settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();

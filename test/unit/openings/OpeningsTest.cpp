@@ -144,6 +144,35 @@ TEST(Openings, TakeAwayWhatHasLeft)
     EXPECT_LT(std::abs(openings.imbalance(scene.store).powder), 1e-14);
 }
 
+// A domain that goes on beyond what is held: the rest of the duct is emptied at the start, and does not count.
+TEST(Openings, EmptyTheDuctFarBeyond)
+{
+    Scene scene;
+    scene.fill(-3, 4, 0, 0);
+    Openings<2> openings({inlet(), outlet(0)}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    EXPECT_EQ(scene.owned, 220u); // ten rows, and six beyond each plane
+    EXPECT_EQ(openings.held().size(), 120u);
+    EXPECT_EQ(openings.imbalance(scene.store).mass, 0);
+    EXPECT_EQ(openings.flows().at(1).mass, 0);
+}
+
+// Where density is integrated, that of Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).
+TEST(Openings, HoldTheDensityOfTheirPressure)
+{
+    Scene scene;
+    scene.store.allocateState(Density{});
+    scene.store.allocateState(StartDensity{});
+    scene.c.stiffness = {40};
+    scene.c.exponent = {7};
+    scene.fill(-0.6, 1.6, 1, 0);
+    Openings<2> openings({outlet(5)}, scene.geometry, scene.c, {});
+    scene.exchange(openings);
+    const double expected = 2*std::pow(1 + 5/40.0, 1/7.0);
+    EXPECT_EQ(openings.held().size(), 60u);
+    for (const int i : openings.held()) EXPECT_NEAR(scene.store.component("rho", 0)[i], expected, 1e-12);
+}
+
 // Particles beyond the planes continue a linear pressure, and the outlet's own pressure is that at its plane.
 TEST(Openings, ContinueThePressure)
 {
@@ -241,6 +270,9 @@ TEST(Openings, MustFitTheirScene)
     auto oblique = inlet();
     oblique.normal = unitVector(Vector<3>{1, 0.5, 0});
     refuses(oblique, channel(1), "must go on straight");
+    auto close = outlet(0);
+    close.point = {H/2, 0, 0};
+    EXPECT_THROW(Openings<2>({inlet(), close}, channel(1), coefficients(), {}), CaseError);
 }
 
 }
