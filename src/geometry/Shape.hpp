@@ -26,7 +26,18 @@ struct Foot
     /// False where x has no mirror image in this surface: the nearest point lies on an edge, a vertex or an apex, or is not
     /// unique (centre of a sphere, axis of a torus). Whoever makes images leaves such a point out.
     bool smooth = true;
+    /// By how much the mirror image lies nearer to this face than to the next one of its body [m]: negative beyond the bisector of a convex edge,
+    /// -infinite where the nearest place is an edge or a vertex.
+    double margin = std::numeric_limits<double>::infinity();
 };
+
+/// Share of a mirror image that belongs to the face it was mirrored in. It fades from 1 to 0 over a width across the bisector of an edge, on
+/// whose other side the image of the other face fades in: what is behind an edge is filled once, and nothing comes or goes at once.
+constexpr double faceShare(const Foot& f, double width)
+{
+    const double s = f.margin/width + 0.5;
+    return s <= 0 ? 0 : s >= 1 ? 1 : s*s*(3 - 2*s);
+}
 
 /// V'/V of the mirror image of a particle at distance d: prod_i (1 + k_i d)/(1 - k_i d), eq. (18) with signed curvatures.
 /// At most 0 where the image does not exist (d beyond a centre of curvature).
@@ -74,6 +85,8 @@ public:
     virtual double smallestRadius() const = 0;
     /// True where the principal curvatures are the same all over the surface.
     virtual bool uniformlyCurved() const { return false; }
+    /// True where two faces meet in a convex edge.
+    virtual bool hasEdges() const { return false; }
     virtual std::unique_ptr<Shape> shifted(const Vector<3>& by) const = 0;
 
     virtual ShapeDescription description() const = 0;

@@ -16,7 +16,7 @@ Foot SolidBox::foot(const Vector<3>& x) const
         double depth = Box::infinity; // at which another face is as near as this one
         for (const auto c : coordinates)
             depth = std::min(depth, q.*c != 0 ? 0.5 * (high_.*c - low_.*c) : std::min(x.*c - low_.*c, high_.*c - x.*c));
-        return {d, q / d, 0, 0, moved == 1 && d <= depth};
+        return {d, q / d, 0, 0, moved == 1 && d <= depth, moved == 1 ? depth - d : -Box::infinity};
     }
     // Inside, or on the surface: the nearest face, where that is one alone.
     Foot f{-Box::infinity, {}, 0, 0, true};

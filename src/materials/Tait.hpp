@@ -1,10 +1,13 @@
 /// State equation of Tait, per phase: eq. (7) ff. of Barker et al. (2012) after Becker & Teschner (2007).
 ///
-///   p = max(B ((rho/rho_0)^n - 1) + p_b, p_min),   B = rho_0 c^2/n
+///   p = q                          q >= p_min,    q = B ((rho/rho_0)^n - 1) + p_b,   B = rho_0 c^2/n
+///     = min(0, 2 p_min - q)        q <  p_min
 ///
 /// p [Pa], rho [kg/m^3], rho_0 rest density, c [m/s] sound speed at rest density; n = 7 for liquids, 1.4 for gases, 1 the linear state
-/// p = c^2 (rho - rho_0) + p_b. p_b [Pa] is the same in all phases: it drives nothing but keeps the interface band from tearing. Without
-/// p_min [Pa] there is no least pressure; with 0 a fluid that is pulled parts, and a free surface is where the pressure ends.
+/// p = c^2 (rho - rho_0) + p_b. p_b [Pa] is the same in all phases: it drives nothing but keeps the interface band from tearing. p_min <= 0 [Pa]
+/// is the tension at which a fluid parts: beyond it what holds it together fades and at twice that is gone. A particle at a free surface,
+/// whose volume by number density is too large by what is missing of its neighbours, so has no pressure, and the fluid behind it can be pulled:
+/// with p_min = 0 a stretched liquid falls apart into strings (tutorials/powderMoulding/mould).
 /// Verified by test/unit/passes (hand values) and tutorials/verification/hydrostatic.
 #pragma once
 #include "Coefficients.hpp"
@@ -13,7 +16,8 @@
 namespace sph
 {
 
-inline double unlessParted(double p, double p_min) { return std::fmax(p, std::fmin(0.0, 2*p_min - p)); }
+/// Of the pressure q that the density gives.
+inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2*p_min - q)); }
 
 struct Tait
 {

@@ -1,5 +1,6 @@
 #include "Images.hpp"
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sph
@@ -19,12 +20,13 @@ template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
     return by;
 }
 
-template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, Feet* feet) const
+template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, Feet* feet, double* share) const
 {
     for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
     {
         const Foot f = geometry_->patches[e.patch[r]].shape->foot(in3D(x));
         feet[r] = {in<dim>(f.normal), f.distance, volumeFactor(f)};
+        if (share) *share *= faceShare(f, spacing_);
         x = in<dim>(mirrorImage(in3D(x), f));
     }
     return x + period(e);
@@ -64,7 +66,8 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                     if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
                     const Foot f = geometry_->patches[p].shape->foot(in3D(from.x));
                     const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
-                    if (!f.smooth || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
+                    const bool exists = std::isinf(f.margin) ? f.smooth && f.margin > 0 : f.margin > -spacing_;
+                    if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
                     Ghost next{from.entry, in<dim>(mirrorImage(in3D(from.x), f)), from.wallReflections + 1};
                     next.entry.patch[from.wallReflections] = p;
                     // Walls at right angles give the same corner image in either order.
@@ -150,10 +153,10 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         Feet* const feet = e.ghost() ? feet_.data() + firstFoot_[k] : none;
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return x[c][e.source]; });
-        sph::store(place(e, x_i, feet), [&](int c, double q) { x[c][owned_ + k] = q; });
+        double w = 1;
+        sph::store(place(e, x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][owned_ + k] = q; });
         if (weight)
         {
-            double w = 1;
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
             weight[owned_ + k] = w;
         }

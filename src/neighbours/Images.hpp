@@ -156,7 +156,8 @@ private:
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
     std::vector<unsigned> firstFoot_;
 
-    Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet) const;
+    /// Multiplies `share` by that of the image in each face that it was mirrored in.
+    Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet, double* share = nullptr) const;
     void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     Vector<dim> period(const Entry&) const;

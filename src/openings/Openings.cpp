@@ -158,7 +158,13 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     const auto x = store.pointers(Position{});
     double* const holder = store.component(Holder::info.name, 0);
     const double* const m = store.component(Mass::info.name, 0);
-    const double* const phi = store.has(PowderFraction{}) ? store.component(PowderFraction::info.name, 0) : nullptr;
+    double* const phi = store.has(PowderFraction{}) ? store.component(PowderFraction::info.name, 0) : nullptr;
+    const auto pass = [&](int gate, double sign, std::size_t i)
+    {
+        if (gate == 0) return;
+        gates_[std::size_t(gate) - 1].mass += sign*m[i];
+        if (phi) gates_[std::size_t(gate) - 1].powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
+    };
     std::vector<int> kept;
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
@@ -167,15 +173,14 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         const int before = int(holder[i]), now = holderOf(x_i);
         if (counts_ && before != now)
         {
-            auto& gate = gates_[std::size_t(std::max(before, now)) - 1];
-            const double sign = now == 0 ? 1 : -1;
-            gate.mass += sign*m[i];
-            if (phi) gate.powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
+            pass(before, 1, i);
+            pass(now, -1, i);
         }
         holder[i] = now;
         const bool starts = !restored_ && !counts_;
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by ? (starts || !by->inlet) && by->distance(x_i) < -depth_ : starts && farBeyond(x_i);
+        if (starts && by && by->inlet && phi) phi[i] = by->phi;
         if (!gone) kept.push_back(int(i));
     }
     if (kept.size() < owned)
@@ -250,13 +255,18 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     const auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
     held_.clear();
-    for (auto& gate : gates_) gate.near.clear();
+    for (auto& gate : gates_)
+    {
+        gate.near.clear();
+        gate.held = 0;
+    }
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto x_i = in3D(at<dim>(x, i));
         if (holder[i] > 0)
         {
             held_.push_back(int(i));
+            ++gates_[std::size_t(holder[i]) - 1].held;
             impose(store, i, x_i);
             continue;
         }
@@ -371,8 +381,8 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
 {
     std::vector<Flow> flows;
     for (const auto& gate : gates_)
-        flows.push_back({gate.opening.name, gate.mass, gate.powder, gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow,
-                         gate.pressure - coefficients_.backgroundPressure});
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.powder,
+                         gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
     return flows;
 }
 

@@ -27,10 +27,13 @@
 namespace sph
 {
 
-/// What an opening has let pass, into the scene > 0, and its present state.
+/// What an opening is, what it has let pass, into the scene > 0, and its present state.
 struct Flow
 {
     std::string name;
+    bool inlet = true;
+    double area = 0;                       ///< [m^2], a length [m] in 2-D
+    std::size_t held = 0;                  ///< particles beyond the plane
     double mass = 0, powder = 0;           ///< since the first start [kg], [m^3]; per metre of depth in 2-D
     double flowRate = 0;                   ///< [m^3/s], into the scene > 0
     double pressure = 0;                   ///< of the fluid at the plane [Pa], without the background pressure
@@ -79,6 +82,7 @@ private:
         double pressure, slope;                ///< a and b
         double mass = 0, powder = 0;           ///< passed
         double inflow = 0;                     ///< of what is near, through all of the section [m^3/s]
+        std::size_t held = 0;
         std::vector<int> near = {};            ///< free particles within H
     };
     std::vector<Gate> gates_;

@@ -32,7 +32,7 @@ struct Coefficients
     std::vector<double> stiffness;           ///< B = rho_0 c^2/n [Pa]
     std::vector<double> exponent;            ///< n of the Tait equation; 1 is the linear state
     double backgroundPressure = 0;           ///< p_b [Pa], the same in all phases
-    double leastPressure = -1e300;           ///< p_min [Pa]: a fluid that is pulled below it parts
+    double leastPressure = -1e300;           ///< p_min [Pa], at which a fluid that is pulled parts
 
     std::vector<double> surfaceTension;      ///< gamma_kl [N/m], phases x phases
     std::vector<double> wallTension;         ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle

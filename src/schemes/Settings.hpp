@@ -73,7 +73,7 @@ struct Settings
     /// Whether viscosity is a field.
     bool variableViscosity() const { return multiphase() || suspension(); }
     bool solvesForVelocity() const { return integrator == Integrator::semiImplicit || integrator == Integrator::quasiSteady; }
-    bool weighted = false;                     ///< some wall is curved: images carry volume factors
+    bool weighted = false;                     ///< some wall is curved or has edges: images carry volume factors
 };
 
 /// Reads system/sphSchemes, constant/phaseProperties and constant/g; mistakes go to the case's Diagnostics.

@@ -261,6 +261,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
                                         ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
                                         : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
     if (dict.found("pMin")) c.leastPressure = dict.get("pMin", units::pressure);
+    if (c.leastPressure > 0) dict.error("pMin", fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
     if (settings.integrator == Integrator::quasiSteady && geometry.patches.empty())
         dict.subDict("integration").error("scheme", "quasiSteady needs walls: nothing else holds a flow without inertia");
 
@@ -287,7 +288,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.hydrostaticGhosts = choice.wallPressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     settings.detachingGhosts = settings.hydrostaticGhosts && choice.wallPressure == "detaching";
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
-                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity(); });
+                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.surfaceTension = choice.tension != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
     settings.wallPotential = choice.contactAngle == "wallPotential" && !c.wallTension.empty();

@@ -156,11 +156,12 @@ vtkSmartPointer<vtkScalarsToColors> coloursOf(const Points& points)
         }
         return table;
     }
-    const auto [low, high] = std::minmax_element(points.value.begin(), points.value.end());
-    const double range = *high > *low ? *high - *low : std::max(1.0, std::fabs(*low));
+    const auto [least, most] = std::minmax_element(points.value.begin(), points.value.end());
+    const auto [low, high] = points.range.value_or(std::array{*least, *most});
+    const double range = high > low ? high - low : std::max(1.0, std::fabs(low));
     auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
     for (std::size_t k = 0; k < std::size(scale); ++k)
-        colours->AddRGBPoint(*low + range * double(k) / (std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
+        colours->AddRGBPoint(low + range * double(k) / (std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
     return colours;
 }
 

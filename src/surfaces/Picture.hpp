@@ -23,6 +23,7 @@ struct Points
 {
     std::vector<Vector<3>> position;
     std::vector<double> value; ///< what the colour shows
+    std::optional<std::array<double, 2>> range; ///< of the colours; that of the values unless given
     double diameter = 0;
     std::string title;               ///< of the colour bar; unused for phases
     std::vector<std::string> phases; ///< names where `value` is the number of a phase; else a continuous scale

@@ -83,6 +83,12 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
 
     picture.colourBy = dict.get("colourBy", "");
     picture.whereColourBy = dict.where("colourBy");
+    if (dict.found("range"))
+    {
+        const auto range = dict.get<std::vector<double>>("range");
+        if (range.size() == 2 && range[1] > range[0]) picture.range = {range[0], range[1]};
+        else dict.error("range", "must be the least and the largest value, as in (0 1)");
+    }
     picture.smoothing = count(dict, "smoothing", picture.smoothing);
     const auto plane = dict.subDictOrEmpty("plane");
     picture.plane.point = plane.getVector("point", units::m, 0.5 * (geometry.low + geometry.high));

@@ -26,6 +26,7 @@ struct PictureSettings
     bool surface = true, walls = true, particles = false;
     std::string colourBy; ///< a field, or "phase"; empty: none was asked for
     Location whereColourBy;
+    std::optional<std::array<double, 2>> range; ///< of the colours; that of the values unless given
     int smoothing = 20;
     CutPlane plane{{}, {0, 0, 1}};
     std::string title;
@@ -65,6 +66,7 @@ struct SurfaceSettings
 ///         show       (surface walls);   // and particles; default: (surface walls) in 3-D with several phases, else (particles
 /// walls)
 ///         colourBy   U;                 // of particles: a field, or phase
+///         range      (0 1);             // of the colours, the same in all pictures; default: each picture's own
 ///         plane      { point (..); normal (0 0 1); }   // 3-D: particles are shown on this cut
 ///         smoothing  20;                // of the surface in the picture
 ///         title      "Bo = 0.78";

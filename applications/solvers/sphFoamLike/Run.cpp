@@ -103,6 +103,9 @@ void Run::reportPlan() const
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s, sound speed {:.4g} m/s\n", c.phases[k],
                             simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
+    for (const auto& flow : simulation_->flows())
+        log_ << fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane\n", flow.name, flow.inlet ? "inlet" : "outlet", flow.area,
+                            geometry_.dimension == 3 ? "m^2" : "m", flow.held);
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
     std::string limits;

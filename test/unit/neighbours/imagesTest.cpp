@@ -253,6 +253,51 @@ TEST(Images, OfAPinchHoldTheSecondReflection)
 
 // Weight of an image = product of the volume factors of its reflections: ((2R - r)/r)^2 of a sphere, (2R - r)/r of a circle; 1
 // of planes and periods. Round-off.
+// Behind a convex edge two faces share the images: none comes or goes at once as its source goes round the edge, and a lattice around
+// it fills the solid once.
+TEST(Images, ShareWhatIsBehindAnEdge)
+{
+    Geometry g = domain(2, {1, 1, 1});
+    addWall(g, SolidBox({-9, -9, -Box::infinity}, {0.5, 0.5, Box::infinity}));
+    double last = 1;
+    for (double x = 0.3; x < 0.5; x += 0.001)
+    {
+        Imaged<2> near(g, 0.3, {{x, 0.55}});
+        double weight = 0;
+        for (std::size_t k = 0; k < near.images.count(); ++k)
+        {
+            EXPECT_LT(mag(positionOf(near.store, 1 + k) - Vector<2>{x, 0.45}), 1e-12);
+            weight += near.store.component("volumeFactor", 0)[1 + k];
+        }
+        EXPECT_LE(weight, last);
+        EXPECT_LT(last - weight, 0.02);
+        if (x < 0.4)
+        {
+            EXPECT_EQ(weight, 1);
+        }
+        if (std::abs(x - 0.45) < 1e-9)
+        {
+            EXPECT_NEAR(weight, 0.5, 1e-9);
+        }
+        last = weight;
+    }
+    EXPECT_NEAR(last, 0, 1e-3);
+
+    std::vector<Vector<2>> lattice;
+    for (double x = 0.025; x < 1; x += 0.05)
+        for (double y = 0.025; y < 1; y += 0.05)
+            if (x > 0.5 || y > 0.5) lattice.push_back({x, y});
+    Imaged<2> all(g, 0.3, lattice, 0.05);
+    double behind = 0;
+    for (std::size_t k = 0; k < all.images.count(); ++k)
+    {
+        const auto x = positionOf(all.store, all.images.owned() + k);
+        EXPECT_TRUE(x.x < 0.5 && x.y < 0.5);
+        if (x.x > 0.25 && x.y > 0.25) behind += all.store.component("volumeFactor", 0)[all.images.owned() + k];
+    }
+    EXPECT_NEAR(behind, 25, 1e-9);
+}
+
 TEST(Images, CarryTheVolumeFactor)
 {
     const double r = 1.1;

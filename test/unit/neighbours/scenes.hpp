@@ -5,6 +5,7 @@
 #include "Geometry.hpp"
 #include "Images.hpp"
 #include "Plane.hpp"
+#include "SolidBox.hpp"
 #include "Sphere.hpp"
 #include <random>
 #include <vector>

@@ -42,7 +42,7 @@ TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
     EXPECT_EQ(
         f.mistakes(),
         "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-        "bedHydrodynamics, errors.\n"
+        "bedHydrodynamics, errors, filling, volFieldValue.\n"
         "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
         "executeControl, executeInterval, angularMomentum, origin.\n"
         "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
@@ -107,6 +107,63 @@ TEST(Probes, writeOpenFoamsFormat)
     EXPECT_NEAR(std::stod(u[2].substr(1)), 1, 1e-12);
     EXPECT_TRUE(u[1].ends_with(" 0)")) << u[1];
     EXPECT_NEAR(std::stod(p[1]), 2, 1e-12);
+}
+
+// The left three tenths of a square are full, then seven tenths: 0.3 of its volume, and what lies within a spacing of the front too.
+TEST(Filling, tellsHowMuchIsFilledAndWhen)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.05);
+    particles.geometry.high = {1, 1, 0};
+    auto functions = f.make(particles, "cavity { type filling; level 0.7; }");
+    ASSERT_EQ(f.mistakes(), "");
+    const auto sample = [&](double t)
+    {
+        f.time.advance(t - f.time.value());
+        particles.time = f.time.value();
+        return functions.execute(particles.view(), f.time, true, false).at(0);
+    };
+    EXPECT_EQ(sample(1), "cavity: 0.3000 of the cavity by volume, 0.3500 reached, not filled yet");
+    for (double x = 0.325; x < 0.7; x += 0.05)
+        for (double y = 0.025; y < 1; y += 0.05) particles.add({x, y, 0});
+    EXPECT_EQ(sample(2), "cavity: 0.7000 of the cavity by volume, 0.7500 reached, filled to 0.7 at 2 s");
+    EXPECT_EQ(sample(3), "cavity: 0.7000 of the cavity by volume, 0.7500 reached, filled to 0.7 at 2 s");
+    const auto rows = f.folder.rows("postProcessing/cavity/0/filling.dat");
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_NEAR(std::stod(rows[0][1]), 0.3, 1e-12);
+}
+
+TEST(Filling, countsWhatWallsLeave)
+{
+    Functions f;
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.1);
+    particles.geometry.originals.push_back({std::make_shared<Plane>(Vector<3>{0.5, 0, 0}, Vector<3>{-1, 0, 0}), 0});
+    particles.geometry.walls.emplace_back();
+    repeatPeriodically(particles.geometry, 0.3);
+    f.run(particles, "cavity { type filling; min (0 0 0); max (1 0.5 1); }");
+    EXPECT_EQ(f.reports.at(0), "cavity: 2.0000 of the cavity by volume, 1.0000 reached, filled to 0.99 at 0 s");
+}
+
+TEST(VolFieldValue, isTheMeanOrAnExtremeOverABox)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3> x) { return 3*x.y; });
+    f.run(particles, "mean { type volFieldValue; operation volAverage; fields (p U); min (0 0 0); max (1 0.5 0); }\n"
+                     "most { type volFieldValue; operation max; fields (p); }\n"
+                     "none { type volFieldValue; operation min; fields (p); min (0.51 0.51 0); max (0.52 0.52 0); }");
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/mean/0/volFieldValue.dat").at(0).at(1)), 0.75, 1e-12);
+    EXPECT_EQ(f.reports.at(1), "most: max p 2.925");
+    EXPECT_EQ(f.reports.at(2), "none: min p nan");
+}
+
+TEST(VolFieldValue, needsABoxThatIsOne)
+{
+    Functions f;
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "a\n{\n    type volFieldValue;\n    operation sum;\n    fields (p);\n    min (0 1 0);\n}\n");
+    const auto mistakes = f.mistakes();
+    EXPECT_NE(mistakes.find("max must be greater than min; in y it is 1 against 1"), std::string::npos) << mistakes;
+    EXPECT_NE(mistakes.find("\"sum\" is unknown"), std::string::npos) << mistakes;
 }
 
 TEST(Probes, outsideTheDomainAreAnError)

@@ -66,7 +66,7 @@ picture
 {
     size (640 480);
     camera { position (1 2 3); focalPoint (0 0 1); up (0 0 2); zoom 1.5; }
-    show (particles); colourBy rho; plane { point (0 0 0.1); normal (0 2 0); } smoothing 0; title "Bo = 0.78"; showTime no;
+    show (particles); colourBy rho; range (990 1010); plane { point (0 0 0.1); normal (0 2 0); } smoothing 0; title "Bo = 0.78"; showTime no;
 })",
                                         "d", diagnostics);
     const auto s = readSurfaceSettings(dict, {1e-3, {"water", "air"}, {0, 1, 0}}, space(3, {0, 0, 0}, {0.1, 0.1, 0.1}));
@@ -84,6 +84,7 @@ picture
     EXPECT_EQ(s.picture.plane.normal, (Vector<3>{0, 1, 0}));
     EXPECT_FALSE(s.picture.surface);
     EXPECT_EQ(s.picture.colourBy, "rho");
+    EXPECT_EQ(s.picture.range, (std::array{990.0, 1010.0}));
     EXPECT_FALSE(s.picture.showTime);
 }
 
@@ -103,6 +104,7 @@ TEST(SurfaceSettings, MistakesHaveFileAndLine)
     EXPECT_NE(errorsOf("iso 1;").find(":1: must lie between 0 and 1"), std::string::npos);
     EXPECT_NE(errorsOf("picture\n{\n size (0 900);\n}").find(":3: must be width and height"), std::string::npos);
     EXPECT_NE(errorsOf("picture\n{\n camera { up (0 0 0); }\n}").find(":3: must have a direction"), std::string::npos);
+    EXPECT_NE(errorsOf("picture\n{\n range (1 0);\n}").find(":3: must be the least and the largest value"), std::string::npos);
     EXPECT_NE(errorsOf("formats (stl);", 2).find(":1: stl holds triangles only"), std::string::npos);
     EXPECT_NE(errorsOf("picture\n{\n colorBy U;\n}").find(":3: entry \"colorBy\" is not used here. Did you mean \"colourBy\"?"),
               std::string::npos)

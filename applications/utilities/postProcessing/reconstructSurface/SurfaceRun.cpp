@@ -153,6 +153,7 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
                             : colouringValues(cloud, field, picture.whereColourBy, case_.diagnostics());
     case_.diagnostics().throwIfAny();
     if (byPhase) points.phases = scene_.phases;
+    points.range = picture.range;
     const auto type = cloud.fields.contains(field) ? cloud.fields.at(field).type : FieldClass::scalar;
     points.title = type == FieldClass::vector ? "|" + field + "|" : field;
     // Discs of the particles' own area, balls that touch.
