@@ -32,6 +32,14 @@ struct Patch
     int wall; ///< index into Geometry::walls
 };
 
+/// A particle that lies in the solid (wallLayers.hpp).
+struct LayerParticle
+{
+    Vector<3> x;
+    double volumeFactor = 1; ///< its volume over that of a particle of the fluid
+    int wall = 0;            ///< index into Geometry::walls
+};
+
 class PatchGrid;
 class PatchTree;
 
@@ -44,6 +52,7 @@ struct Geometry
     std::vector<Patch> originals;          ///< as given, before repetition
     std::vector<Patch> patches;            ///< all periodic copies that lie within `reach` of the domain
     double reach = 0;                      ///< [m]
+    std::vector<LayerParticle> layers;     ///< of one period, where walls are layers of particles; empty where they reflect
     std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
     std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
 

@@ -41,7 +41,7 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
         Vector<dim> x;
         int wallReflections;
     };
-    if (geometry_->patches.empty()) return;
+    if (geometry_->patches.empty() || layers_) return;
 
     const std::size_t chunkSize = 1024;
     std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1)/chunkSize);
@@ -137,6 +137,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     }
     resize(feet_, feet);
     store.resize(nullParticle() + 1, owned_);
+    if (layers_) layers_->place(store, owned_ + entries_.size());
     move(store);
 }
 
@@ -183,7 +184,8 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 
 template<int dim> std::size_t Images<dim>::bytes() const
 {
-    return entries_.capacity()*sizeof(Entry) + feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
+    return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) +
+           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
 }
 
 template class Images<2>;

@@ -7,50 +7,21 @@
 ///
 ///   owned | periodic images of the fluid and wall ghosts | null particle
 ///
+/// Where walls are layers of particles (WallLayers.hpp) nothing is mirrored, and they lie between the images and the null particle.
+///
 /// Before each pass only the fields that the pass reads are refreshed.
 #pragma once
 #include "FieldStore.hpp"
+#include "GhostRules.hpp"
 #include "PatchGrid.hpp"
+#include "WallLayers.hpp"
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace sph
 {
-
-/// Where an image was mirrored, for the velocity rule: `distance` of the source from the wall [m], `normal` into the fluid at the foot
-/// point, `weight` the volume factor of this one reflection.
-template<int dim> struct Reflection
-{
-    double distance, weight;
-    Vector<dim> normal;
-    int wall;
-    Vector<3> foot;
-};
-
-/// How the velocity of a ghost follows from its source's: a wall model.
-template<int dim> class GhostVelocity
-{
-public:
-    virtual ~GhostVelocity() = default;
-    /// v: velocity of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
-    virtual Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const = 0;
-    /// By how much the ghost's velocity changes with that of what is mirrored: the rule's linear part.
-    virtual Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const = 0;
-    /// After each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
-    virtual void bind() {}
-    virtual void filter() {}
-};
-
-/// How the pressure of a ghost follows from its source's.
-template<int dim> class GhostPressure
-{
-public:
-    virtual ~GhostPressure() = default;
-    virtual double operator()(double p, std::size_t source, const Reflection<dim>&) const = 0;
-    /// After each change of the arrays that the rule may read.
-    virtual void bind() = 0;
-};
 
 template<int dim> class Images
 {
@@ -59,9 +30,18 @@ public:
     Images(const Geometry&, double reach, double spacing);
 
     void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
-    GhostVelocity<dim>& ghostVelocity() { return *ghostVelocity_; }
+    GhostVelocity<dim>& ghostVelocity() const { return *ghostVelocity_; }
     /// Without a rule ghosts have the pressure of their sources.
     void setGhostPressure(std::unique_ptr<GhostPressure<dim>> rule) { ghostPressure_ = std::move(rule); }
+    /// From now on walls are these particles, and mirror nothing.
+    void setLayers(WallLayers<dim> layers) { layers_.emplace(std::move(layers)); }
+    /// Null where walls mirror.
+    const WallLayers<dim>* layers() const { return layers_ ? &*layers_ : nullptr; }
+    /// After the lists have been built.
+    void listLayers(const NeighbourLists<dim>& lists)
+    {
+        if (layers_) layers_->list(lists, owned_);
+    }
     /// From now on interfaces go straight on behind walls; else they are mirrored, and meet every wall at 90 degrees.
     void continueInterfaces() { continuesInterfaces_ = true; }
     /// After each change of the arrays.
@@ -82,7 +62,7 @@ public:
 
     std::size_t owned() const { return owned_; }
     std::size_t count() const { return entries_.size(); }
-    std::size_t nullParticle() const { return owned_ + entries_.size(); }
+    std::size_t nullParticle() const { return owned_ + entries_.size() + (layers_ ? layers_->count() : 0); }
     std::size_t bytes() const;
 
     /// Calls f(source, reflection) for each owned particle and each wall that mirrors it directly, as last moved; all walls of one
@@ -151,6 +131,7 @@ private:
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
     std::unique_ptr<GhostPressure<dim>> ghostPressure_;
     bool continuesInterfaces_ = false;
+    std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
@@ -206,6 +187,9 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         }
         sph::store(q, [&](int c, double a) { p[c][owned + k] = a; });
     }
+    // All else of wall particles is seen pair by pair.
+    if constexpr (F::info.image == Image::pressure)
+        if (images.layers_) images.layers_->evaluatePressure(store, images.ghostPressure_.get());
     // The null particle has W = 0 but its values are computed with: they must be finite.
     for (double* a : p) a[images.nullParticle()] = owned > 0 ? a[0] : 1.0;
 }

@@ -48,12 +48,12 @@ template<int dim> struct Stencil
     };
 
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart; or null. `factors` names the columns of the factors that gradW carries. `within`: the list is one that an earlier pass
-    /// has left (NeighbourLists::within).
+    /// doubles apart; or null. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the
+    /// kernel until `applyFactors`.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
                                const double* records, std::size_t recordArray, std::span<const double* const> columns,
-                               const Factors factors, const K kernel, bool readsW, long nullParticle)
+                               const K kernel, bool readsW, long nullParticle)
     {
         i = particle;
         const double* p[dim];
@@ -92,11 +92,16 @@ template<int dim> struct Stencil
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
         }
+    }
+
+    /// `factors` names the columns of the factors that gradW carries.
+    void applyFactors(const Factors factors, std::span<const double* const> columns, bool readsW)
+    {
         const double* const weight = factors.weight >= 0 ? field[factors.weight] : nullptr;
         if (factors.scale >= 0)
         {
             const double* const N = field[factors.scale];
-            const double N_i = columns[factors.scale][particle];
+            const double N_i = columns[factors.scale][i];
             if (weight)
                 #pragma GCC ivdep
                 for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2*weight[t]/(N_i + N[t]);

@@ -93,7 +93,7 @@ public:
         for (const double s : sigma_) mean += s;
         mean /= double(n_);
 
-        pressure_.resize(points_.size());
+        pressure_.assign(points_.size(), bias); // that of layers of the mean density
         for (std::size_t i = 0; i < n_; ++i) pressure_[i] = bias + sigma_[i]/mean - 1;
         for (std::size_t k = 0; k < images_.size(); ++k) pressure_[n_ + k] = pressure_[images_.source(k)];
         pressureGradient(repulsion_, table_, points_, factor_, pressure_, V0_, gradient_);
@@ -125,7 +125,7 @@ public:
             {
                 // mirror images of a particle may be as near as the wall is
                 const bool isImage = std::size_t(j) >= n_;
-                if (isImage && images_.isReflected(j - n_)) continue;
+                if (isImage && images_.isOfWall(j - n_)) continue;
                 const double r = mag(points_[i] - points_[j]);
                 if (r < closest)
                 {

@@ -89,9 +89,22 @@ void WallImages::reflect(Chunk& chunk, const Image& parent, int reflections, con
     }
 }
 
+void WallImages::copyLayers(double reach)
+{
+    const Vector<3> length = geometry_.high - geometry_.low;
+    const auto most = [&](int k) { return int(geometry_.periodic[k]); };
+    for (const auto& particle : geometry_.layers)
+        for (int sz = -most(2); sz <= most(2); ++sz)
+            for (int sy = -most(1); sy <= most(1); ++sy)
+                for (int sx = -most(0); sx <= most(0); ++sx)
+                    if (const auto x = particle.x + Vector<3>{sx*length.x, sy*length.y, sz*length.z}; isWithin(reach, x))
+                        layers_.push_back({x, particle.volumeFactor, particle.wall});
+}
+
 void WallImages::build(const Points& points, std::size_t n, double reach)
 {
     n_ = n;
+    if (layers_.empty()) copyLayers(reach);
     const Vector<3> length = geometry_.high - geometry_.low;
     std::array<int, 3> copies{};
     for (int k = 0; k < geometry_.dimension; ++k)
@@ -119,7 +132,7 @@ void WallImages::build(const Points& points, std::size_t n, double reach)
                         if (!isWithin(reach, copy)) continue;
                         Image image{int(i), {-1, -1, -1}, shift};
                         if (sx || sy || sz) chunk[c].images.push_back(image);
-                        reflect(chunk[c], image, 0, copy, 1, {}, reach);
+                        if (layers_.empty()) reflect(chunk[c], image, 0, copy, 1, {}, reach);
                     }
         }
 
@@ -136,8 +149,8 @@ void WallImages::build(const Points& points, std::size_t n, double reach)
 
 void WallImages::refresh(Points& points, std::vector<double>& factor) const
 {
-    points.resize(n_ + images_.size());
-    factor.resize(n_ + images_.size());
+    points.resize(n_ + images_.size() + layers_.size());
+    factor.resize(points.size());
     std::fill(factor.begin(), factor.begin() + n_, 1.0);
     const long images = long(images_.size());
 #pragma omp parallel for schedule(static)
@@ -155,6 +168,11 @@ void WallImages::refresh(Points& points, std::vector<double>& factor) const
         }
         points.set(n_ + k, x);
         factor[n_ + k] = std::clamp(w, 0.0, largestFactor);
+    }
+    for (std::size_t k = 0; k < layers_.size(); ++k)
+    {
+        points.set(n_ + images_.size() + k, layers_[k].x);
+        factor[n_ + images_.size() + k] = layers_[k].volumeFactor;
     }
 }
 

@@ -1,4 +1,5 @@
 #include "Packing.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -98,6 +99,7 @@ PackingPlan readPackingPlan(const Case& c)
 
     const auto geometry = c.dictionary("constant/geometry");
     plan.geometry = readGeometry(geometry, reachPerSupport*plan.support);
+    if (wallsAreLayers(schemes)) plan.geometry.layers = makeWallLayers(plan.geometry, plan.support, spacing, c.diagnostics());
     plan.bedPeriod = bedPeriod(geometry);
     const Vector<3> gravity = readGravity(c);
     plan.g = mag(gravity);

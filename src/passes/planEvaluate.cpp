@@ -91,6 +91,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStor
     std::copy(pointers.begin(), pointers.end(), x.begin());
     const long null = long(images.nullParticle());
     const long n = long(images.owned());
+    const auto* const layers = images.layers();
 
     std::visit([&](const auto& k)
     {
@@ -100,8 +101,10 @@ void Plan<dim>::evaluatePairs(const Pass& pass, Candidates candidates, FieldStor
             #pragma omp for schedule(dynamic, 256)
             for (long i = 0; i < n; ++i)
             {
-                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources,
-                             pass.factors, k, pass.readsKernel, null);
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, k,
+                             pass.readsKernel, null);
+                if (layers) layers->continueInto(stencil, images.ghostVelocity(), pass.columns, pass.sources, pass.factors.scale);
+                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
                 if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }

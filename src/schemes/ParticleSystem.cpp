@@ -93,7 +93,9 @@ ParticleSystem<dim>::ParticleSystem(const Settings& settings, const Geometry& ge
         store_.allocateState(Acceleration{});
         if (settings.integratedDensity) store_.allocateState(DensityRate{});
     }
-    if (settings.weighted) store_.allocate(ImageWeight{});
+    if (!geometry.layers.empty())
+        images_.setLayers({geometry, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
+    if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
     if (settings.wallVelocity == WallVelocity::secondOrder)
     {
         store_.allocateState(WallAcceleration{});
@@ -252,6 +254,7 @@ template<int dim> void ParticleSystem<dim>::rebuild()
     store_.sortState(cells_.order());
     images_.build(store_, owned_);
     lists_.build(pointers(), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
+    images_.listLayers(lists_);
     images_.bindRules();
     bindPlans();
     if (openings_) openings_->locate(store_, owned_);

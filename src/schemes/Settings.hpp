@@ -49,6 +49,7 @@ struct Settings
     int migrationSteps = 4;                    ///< at most so many to a step of the flow
     Integrator integrator = Integrator::predictorCorrector;
     WallVelocity wallVelocity = WallVelocity::reflected;
+    bool wallLayers = false;                   ///< walls are layers of particles (WallLayers.hpp); else they mirror
     bool hydrostaticGhosts = false;            ///< ghosts continue the pressure at rest; else they have their sources'
     bool detachingGhosts = false;              ///< ... but never by suction
     ImplicitSolve implicitSolve;

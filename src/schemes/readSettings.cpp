@@ -2,6 +2,7 @@
 #include "Settings.hpp"
 #include "readPhases.hpp"
 #include "readTransport.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -45,6 +46,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
     choice.contactAngle = dict.choose("contactAngle", Words{"wallStress", "wallPotential", "wallAdhesion", "paper"},
                                       byCurvature ? "wallPotential" : paper && byStress ? "paper" : "wallStress");
     choice.wall = dict.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
+    if (settings.wallLayers && choice.wall == "freeSlip")
+        dict.error("wallVelocity", "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected");
     choice.wallPressure = dict.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, paper ? "mirrored" : "hydrostatic");
     choice.normalisation = dict.choose("normalisation", Words{"secondMoment", "none"},
                                        paper || choice.volume == "continuity" ? "none" : "secondMoment");
@@ -68,6 +71,8 @@ Choices choose(const Dictionary& dict, const Settings& settings, const Geometry&
         dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
     if (choice.wall == "secondOrder" && (settings.variableViscosity() || !viscous || choice.pressure != "huAdams"))
         dict.error("wallVelocity", "secondOrder needs a single phase of uniform viscosity and pressureGradient huAdams; take reflected");
+    if (settings.wallLayers && choice.tension != "none")
+        dict.error("walls", "layers have no interface to continue: with surface tension take walls reflected");
     if (choice.tension != "none" && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
     if (choice.contactAngle == "paper" && choice.tension != "interfaceStress")
         dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
@@ -249,6 +254,11 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.dimension = geometry.dimension;
     c.spacing = settings.resolution.spacing;
     c.support = settings.resolution.H();
+    settings.wallLayers = wallsAreLayers(dict);
+    if (settings.wallLayers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
+    if (!geometry.layers.empty())
+        settings.reasons.push_back(fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
+                                               geometry.layers.size()));
     readPhases(theCase, settings);
     setContactAngles(geometry, settings);
     readTransport(theCase, settings);

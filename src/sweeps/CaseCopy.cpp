@@ -66,7 +66,8 @@ void copyInputs(const fs::path& from, const fs::path& to, bool withStart)
             if (reason) throw CaseError({(to / part).string(), 0}, "cannot be made: " + reason.message());
         }
     for (const char* written :
-         {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp"})
+         {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
+          "constant/lagrangian", "constant/uniform"})
         fs::remove_all(to / written, reason);
 }
 

@@ -6,10 +6,11 @@ namespace sph
 template<int dim>
 Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
 {
-    return 2*in<dim>(geometry_.wallVelocity(r.wall, r.foot)) - v;
+    const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
+    return v_w + change(v - v_w, r);
 }
 
-template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>&) const { return -1*dv; }
+template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return -r.ratio*dv; }
 
 template<int dim>
 SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c)
@@ -41,12 +42,12 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     fetch(a, [&](int c) { return a_[c][source]; });
     const WallProperties& wall = geometry_.walls[r.wall];
     a += g_ - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
-    return continued - sqr(r.distance)/nu_*(a - dot(a, r.normal)*r.normal);
+    return continued - 0.5*r.ratio*(1 + r.ratio)*sqr(r.distance)/nu_*(a - dot(a, r.normal)*r.normal);
 }
 
 template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return -1/std::sqrt(r.weight)*dv;
+    return -r.ratio/std::sqrt(r.weight)*dv;
 }
 
 template<int dim>
@@ -60,7 +61,7 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, cons
 
 template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
 {
-    return p - 2*r.distance*dot(r.normal, rho_[source]*g_ + f_);
+    return p - (1 + r.ratio)*r.distance*dot(r.normal, rho_[source]*g_ + f_);
 }
 
 template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const

@@ -1,4 +1,5 @@
-/// How the velocity of a wall ghost follows from that of the particle it mirrors: what makes a wall stick or slip.
+/// How the velocity of a wall ghost follows from that of the particle it mirrors: what makes a wall stick or slip. Particles of wall layers
+/// (neighbours/WallLayers.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
 #pragma once
 #include "Coefficients.hpp"
 #include "Images.hpp"
@@ -6,7 +7,7 @@
 namespace sph
 {
 
-/// v_g = 2 v_w - v: no slip, first printed order; the paper's rule.
+/// v_g = v_w - q (v - v_w): no slip, first printed order; 2 v_w - v, the paper's rule, in a mirror, and that of Morris et al. (1997) in layers.
 template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -19,7 +20,7 @@ public:
 
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
-///   v_g = v_w - (v - v_w)/sqrt(w) - d^2/nu (a_p + g - dv_w/dt)_t
+///   v_g = v_w - q (v - v_w)/sqrt(w) - q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t
 ///
 /// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu [m^2/s], a_p = -grad p/rho
 /// of the source, low-passed; t the part along the wall. From nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the
@@ -46,7 +47,7 @@ private:
 
 /// Hydrostatic continuation of the pressure through the wall (Barker et al. 2012 do not say what they took):
 ///
-///   p_g = p - 2 d rho n.(g + f/rho)
+///   p_g = p - (1 + q) d rho n.(g + f/rho)
 ///
 /// d [m] distance of the source from the wall, n normal into the fluid, rho [kg/m^3] of the source, f [N/m^3] body force. A ghost with its
 /// source's pressure says that dp/dn = 0 where a fluid at rest has rho g: measured on a column of 32 spacings, the pressure is
@@ -66,7 +67,7 @@ public:
 
 /// The same without suction, for a liquid with a free surface, which may leave the wall:
 ///
-///   p_g = max(p - 2 d rho n.(g + f/rho), min(p, 0))
+///   p_g = max(p - (1 + q) d rho n.(g + f/rho), min(p, 0))
 ///
 /// Under a lid the hydrostatic continuation of a drop's p = 0 is a tension, by which it hangs there for good.
 template<int dim> class DetachingPressure final : public HydrostaticPressure<dim>

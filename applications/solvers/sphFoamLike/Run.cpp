@@ -1,6 +1,7 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
 #include "Walls.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -72,7 +73,9 @@ Geometry Run::loadGeometry(const Case& theCase)
     const auto dict = theCase.dictionary("constant/walls");
     if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
         theCase.diagnostics().error({"constant/walls", 0}, "does not belong to the present constant/geometry and resolution: run meshToGhost again");
-    return readWalls(dict, 1.5*resolution.H());
+    auto geometry = readWalls(dict, 1.5*resolution.H());
+    if (wallsAreLayers(schemes)) geometry.layers = readWallLayers(theCase.folder(), geometry.walls.size(), theCase.diagnostics());
+    return geometry;
 }
 
 Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)

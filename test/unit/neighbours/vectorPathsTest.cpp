@@ -72,8 +72,8 @@ template<int dim> void gatheringEqualsAPlainLoop()
         for (int f = 0; f < nFields; ++f) records[i * recordSize + dim + f] = field[f][i];
     }
 
-    static Column xij[dim], rSqr, column[recordSize];
-    long j[256];
+    alignas(64) static Column xij[dim], rSqr, column[recordSize]; // as in a stencil: whole vectors are stored
+    alignas(64) long j[256];
     const auto check = [&](int n, bool withFields)
     {
         int k = 0;

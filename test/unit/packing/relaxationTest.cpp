@@ -3,6 +3,7 @@
 #include "Lattice.hpp"
 #include "WallImages.hpp"
 #include "handMadeGeometry.hpp"
+#include "wallLayers.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -51,6 +52,23 @@ TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
     // the constant that is left is the kernel's own, 0.7-1 % at this support
     EXPECT_NEAR(r.after.overall.mean, 0.007, 0.003);
     EXPECT_GT(r.closestPair, 0.7*spacing);
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
+}
+
+// The same bed with walls by layers, against which the fluid is relaxed in the place of mirror images: measured 2.8 % on the lattice, for
+// layers do not mirror how near particles are to the wall.
+TEST(Relaxation, evensTheDensityAtWallsByLayers)
+{
+    const double spacing = 1.0/16;
+    auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    Diagnostics none;
+    g.layers = makeWallLayers(g, supportInSpacings*spacing, spacing, none);
+    ASSERT_TRUE(none.ok());
+    auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
+    const auto r = relaxed<3>(g, spacing, 200, points);
+    EXPECT_GT(r.before.nearWalls.scatter, 0.02);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.003);
+    EXPECT_EQ(points.size(), 2720u) << "layers are no particles of the fluid";
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
 }
 

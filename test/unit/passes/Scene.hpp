@@ -132,8 +132,11 @@ template<int dim> struct Scene
         if (store.has(TransportVelocity{}))
             for (int d = 0; d < dim; ++d) std::generate_n(store.component("dUTransport", d), n, [&] { return 0.1 * any(random); });
         images.setGhostVelocity(std::make_unique<Reversed<dim>>());
+        if (!geometry.layers.empty())
+            images.setLayers({geometry, kernel, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing});
         images.build(store, n);
         lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);
+        images.listLayers(lists);
         plan->bind(store, coefficients);
         if (plan->has("wallTension")) WallTension<dim>(coefficients, kernel).evaluate(images, store);
         plan->evaluate(store, images, lists, kernel);

@@ -19,7 +19,8 @@ void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", 
 {
     const TestCase whole(files), parts(files);
     prepare(whole);
-    for (const char* made : {"0", "constant/walls"}) parts.copyFrom(whole, made);
+    for (const char* made : {"0", "constant/walls", "constant/lagrangian"})
+        if (whole.has(made)) parts.copyFrom(whole, made);
     const auto log = whole.runWell("sphFoamLike");
 
     // What is compared must have moved: lists rebuilt between write times, not only at them.
@@ -82,6 +83,15 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
     files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
+TEST(Restart, OfWallsByLayers)
+{
+    auto channel = channelCase(), grain = grainCase(), powder = suspensionCase(), open = openCase();
+    for (auto* files : {&channel, &grain, &powder, &open})
+    {
+        (*files)["system/sphSchemes"] += "walls layers;\n";
+        restartEqualsTheWhole(*files);
+    }
+}
 TEST(Restart, OfASceneWithAnInletAndAnOutlet) { restartEqualsTheWhole(openCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
 
@@ -96,9 +106,8 @@ TEST(Restart, FromTextFiles)
 
 // The solver takes a thread for each 2000 particles: 4900 particles on one, two and three threads, three of which share two
 // processors.
-TEST(Threads, DoNotChangeABit)
+void threadsDoNotChangeABit(Files files)
 {
-    auto files = dropCase();
     auto& schemes = files["system/sphSchemes"];
     schemes.replace(schemes.find("0.05"), 4, "0.0125");
     auto& control = files["system/controlDict"];
@@ -106,8 +115,9 @@ TEST(Threads, DoNotChangeABit)
     control.replace(control.find("0.02"), 4, "0.004");
     const TestCase one(files), two(files), three(files);
     prepare(one);
-    for (const char* made : {"0", "constant/walls"})
+    for (const char* made : {"0", "constant/walls", "constant/lagrangian"})
     {
+        if (!one.has(made)) continue;
         two.copyFrom(one, made);
         three.copyFrom(one, made);
     }
@@ -116,6 +126,32 @@ TEST(Threads, DoNotChangeABit)
     three.runWell("sphFoamLike", "", 3);
     EXPECT_EQ(difference(one.files("0.008"), two.files("0.008")), "");
     EXPECT_EQ(difference(one.files("0.008"), three.files("0.008")), "");
+}
+TEST(Threads, DoNotChangeABit) { threadsDoNotChangeABit(dropCase()); }
+TEST(Threads, DoNotChangeABitOfWallsByLayers)
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] += "walls layers;\n";
+    threadsDoNotChangeABit(files);
+}
+
+// Layers are made where they are asked for, and nowhere else; a run that lacks them says who makes them.
+TEST(WallLayers, AreMadeByMeshToGhostAndAskedForByTheRun)
+{
+    const TestCase c(channelCase());
+    prepare(c);
+    EXPECT_FALSE(c.has("constant/lagrangian"));
+    const auto schemes = c.read("system/sphSchemes");
+    c.write("system/sphSchemes", schemes + "walls layers;\n");
+    const auto refused = c.run("sphFoamLike");
+    EXPECT_NE(refused.code, 0);
+    EXPECT_NE(refused.err.find("constant/lagrangian/wallLayers: is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost"), std::string::npos)
+        << refused.err;
+    EXPECT_NE(c.runWell("meshToGhost").find("constant/lagrangian/wallLayers: 120 particles"), std::string::npos);
+    EXPECT_NE(c.runWell("sphFoamLike", "-dry-run").find("walls of 120 particles in layers"), std::string::npos);
+    c.write("system/sphSchemes", schemes);
+    c.runWell("meshToGhost");
+    EXPECT_FALSE(c.has("constant/lagrangian"));
 }
 
 }

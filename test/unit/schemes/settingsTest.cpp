@@ -95,6 +95,20 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
 }
 
+// Walls by layers: the particles' rules are those of ghosts, but for what needs a mirror image.
+TEST(Settings, WallsByLayersHaveNoInterfaceAndStick)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto with = [&](const Files& files, const std::string& words) { return edited(files, schemes, "\nintegration", "\n" + words + "\nintegration"); };
+    EXPECT_EQ(reading(with(channelCase(), "walls layers;")).errors, "");
+    EXPECT_TRUE(reading(with(channelCase(), "walls layers;")).settings.wallLayers);
+    EXPECT_FALSE(reading(with(channelCase(), "walls reflected;")).settings.wallLayers);
+    EXPECT_EQ(reading(with(suspensionCase(), "walls layers;")).errors, "");
+    expectError(with(channelCase(), "walls layer;"), "system/sphSchemes:3: walls \"layer\" is unknown. Did you mean \"layers\"?");
+    expectError(with(dropCase(), "walls layers;"), "system/sphSchemes:2: layers have no interface to continue");
+    expectError(edited(with(channelCase(), "walls layers;"), schemes, "secondOrder", "freeSlip"), "system/sphSchemes:2: freeSlip needs ghosts");
+}
+
 // A word about what the case has not is a mistake; where it is there and 0, as in variants that switch it off, it is meant.
 TEST(Settings, FormsOfWhatIsNotThere)
 {

@@ -1,5 +1,6 @@
 /// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
-/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at.
+/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` also
+/// constant/lagrangian/wallLayers.
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
@@ -7,6 +8,7 @@
 #include "OutputFile.hpp"
 #include "Walls.hpp"
 #include "report.hpp"
+#include "wallLayers.hpp"
 #include "wallSurfaces.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,22 +17,24 @@
 namespace
 {
 
-struct Resolution
+struct Schemes
 {
     double spacing, support; ///< [m], [spacings]
+    bool layers;
 };
 
-Resolution readResolution(const sph::Case& theCase)
+Schemes readSchemes(const sph::Case& theCase)
 {
-    const auto dict = theCase.dictionary("system/sphSchemes").subDict("resolution");
+    const auto schemes = theCase.dictionary("system/sphSchemes");
+    const auto dict = schemes.subDict("resolution");
     dict.choose("kernel", sph::kernelNames(), "wendlandC2");
-    return {dict.getPositive("spacing", sph::units::m), dict.getPositive("support", sph::units::none, 2.6)};
+    return {dict.getPositive("spacing", sph::units::m), dict.getPositive("support", sph::units::none, 2.6), sph::wallsAreLayers(schemes)};
 }
 
 int prepare(const std::filesystem::path& folder, bool full)
 {
     const sph::Case theCase(folder);
-    const auto [spacing, support] = readResolution(theCase);
+    const auto [spacing, support, layered] = readSchemes(theCase);
     const auto source = theCase.dictionary("constant/geometry");
     theCase.diagnostics().throwIfAny();
 
@@ -43,6 +47,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     fmt::print("{}", report(geometry, checked, H, full));
     for (const auto& line : theCase.diagnostics().warnings()) fmt::print("\nWarning: {}\n", line);
     std::fflush(stdout);
+    const auto layers = layered ? sph::makeWallLayers(geometry, H, spacing, theCase.diagnostics()) : std::vector<sph::LayerParticle>{};
     theCase.diagnostics().throwIfAny();
 
     // Fine enough to look round: a fortieth of the domain, or half a support where that is coarser.
@@ -52,7 +57,10 @@ int prepare(const std::filesystem::path& folder, bool full)
     sph::writeFile(folder / "constant" / "triSurface" / "walls.stl", sph::stlText(geometry, surfaces));
     sph::writeFile(folder / "constant" / "triSurface" / "walls.vtp", sph::vtpText(geometry, surfaces));
     sph::writeFile(folder / "constant" / "walls", sph::wallsText(geometry, sph::geometryStamp(folder, spacing, support)));
-    fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp\n\nEnd\n");
+    if (layered) sph::writeWallLayers(folder, layers);
+    else sph::removeWallLayers(folder);
+    fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}\n\nEnd\n",
+               layered ? fmt::format(", constant/lagrangian/wallLayers: {} particles", layers.size()) : "");
     return 0;
 }
 

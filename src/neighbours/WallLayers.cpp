@@ -1,0 +1,125 @@
+#include "WallLayers.hpp"
+#include "CaseError.hpp"
+#include "PatchGrid.hpp"
+#include "components.hpp"
+#include <fmt/format.h>
+
+namespace sph
+{
+
+template<int dim>
+WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel, double reach, double spacing)
+    : geometry_(geometry), kernel_(kernel), closest_(0.25*spacing)
+{
+    const PatchGrid grid(geometry, reach);
+    const auto within = [&](Vector<3> x)
+    {
+        for (int c = 0; c < dim; ++c)
+            if (geometry.periodic[c] && (x.*component(c) < geometry.low.*component(c) - reach || x.*component(c) > geometry.high.*component(c) + reach))
+                return false;
+        return true;
+    };
+    const auto add = [&](const LayerParticle& particle, Vector<3> x, int original)
+    {
+        Particle p{in<dim>(x), particle.volumeFactor, original, unsigned(walls_.size()), 0};
+        for (const int k : grid.near(x))
+        {
+            const Patch& patch = geometry.patches[std::size_t(k)];
+            const Foot foot = patch.shape->foot(x);
+            if (foot.distance >= 0 || p.walls == dim) continue;
+            walls_.push_back({k, patch.wall, foot, x - foot.distance*foot.normal});
+            ++p.walls;
+        }
+        if (p.walls == 0)
+            throw CaseError({"constant/lagrangian/wallLayers/positions", 0},
+                            fmt::format("the particle at ({:.6g} {:.6g} {:.6g}) does not lie in a wall: run meshToGhost again", x.x, x.y, x.z));
+        weighted_ = weighted_ || std::abs(p.weight - 1) > 1e-12;
+        particles_.push_back(p);
+    };
+    for (const auto& particle : geometry.layers) add(particle, particle.x, int(particles_.size()));
+    const auto originals = particles_.size();
+    for (std::size_t k = 0; k < originals; ++k)
+        for (int a = -int(geometry.periodic[0]); a <= int(geometry.periodic[0]); ++a)
+            for (int b = -int(geometry.periodic[1]); b <= int(geometry.periodic[1]); ++b)
+                for (int c = -int(geometry.periodic[2]); c <= int(geometry.periodic[2]); ++c)
+                {
+                    const auto x = geometry.layers[k].x + Vector<3>{a*geometry.length(0), b*geometry.length(1), c*geometry.length(2)};
+                    if ((a != 0 || b != 0 || c != 0) && within(x)) add(geometry.layers[k], x, int(k));
+                }
+    firstPair_.assign(originals + 1, 0);
+}
+
+template<int dim> void WallLayers<dim>::place(FieldStore<dim>& store, std::size_t first)
+{
+    first_ = first;
+    const auto x = store.pointers(Position{});
+    double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
+    double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
+    for (std::size_t k = 0; k < particles_.size(); ++k)
+    {
+        const Particle& p = particles_[k];
+        sph::store(p.x, [&](int c, double q) { x[c][first + k] = q; });
+        if (weight) weight[first + k] = p.weight;
+        if (wall) wall[first + k] = 1 + wallsOf(p).back().wall;
+    }
+}
+
+template<int dim> void WallLayers<dim>::list(const NeighbourLists<dim>& lists, std::size_t owned)
+{
+    const auto each = [&](const auto& f)
+    {
+        for (std::size_t i = 0; i < owned; ++i)
+            for (const int j : lists.of(i))
+                if (const auto k = std::size_t(j) - first_; std::size_t(j) >= first_ && k < particles_.size()) f(int(i), int(k));
+    };
+    std::fill(firstPair_.begin(), firstPair_.end(), 0);
+    each([&](int, int j) { ++firstPair_[std::size_t(particles_[std::size_t(j)].original) + 1]; });
+    for (std::size_t k = 1; k < firstPair_.size(); ++k) firstPair_[k] += firstPair_[k - 1];
+    pairs_.resize(firstPair_.back());
+    auto next = firstPair_;
+    each([&](int i, int j) { pairs_[next[std::size_t(particles_[std::size_t(j)].original)]++] = {i, j}; });
+}
+
+template<int dim> void WallLayers<dim>::evaluatePressure(FieldStore<dim>& store, const GhostPressure<dim>* rule) const
+{
+    const auto x = store.pointers(Position{});
+    double* const p = store.component(Pressure::info.name, 0);
+    const auto originals = firstPair_.size() - 1;
+    std::visit([&](const auto& kernel)
+    {
+        #pragma omp parallel for schedule(static)
+        for (std::size_t k = 0; k < originals; ++k)
+        {
+            double sum = 0, weight = 0;
+            for (std::size_t q = firstPair_[k]; q < firstPair_[k + 1]; ++q)
+            {
+                const auto [i, j] = pairs_[q];
+                const Particle& particle = particles_[std::size_t(j)];
+                Vector<dim> x_i;
+                fetch(x_i, [&](int c) { return x[c][i]; });
+                const double r = mag(x_i - particle.x);
+                if (r >= kernel.H) continue;
+                double p_j = p[i];
+                if (rule)
+                    for (const Behind& behind : wallsOf(particle))
+                        p_j = (*rule)(p_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance));
+                const double W = kernel.W(r);
+                sum += W*p_j;
+                weight += W;
+            }
+            p[first_ + k] = weight > 0 ? sum/weight : 0;
+        }
+    }, kernel_.choice());
+    for (std::size_t k = originals; k < particles_.size(); ++k) p[first_ + k] = p[first_ + std::size_t(particles_[k].original)];
+}
+
+template<int dim> std::size_t WallLayers<dim>::bytes() const
+{
+    return particles_.capacity()*sizeof(Particle) + walls_.capacity()*sizeof(Behind) + pairs_.capacity()*sizeof(PressurePair) +
+           firstPair_.capacity()*sizeof(std::size_t);
+}
+
+template class WallLayers<2>;
+template class WallLayers<3>;
+
+}
