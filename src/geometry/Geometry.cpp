@@ -2,6 +2,7 @@
 #include "PatchGrid.hpp"
 #include "PatchTree.hpp"
 #include "components.hpp"
+#include "periodicShifts.hpp"
 #include <algorithm>
 
 namespace sph
@@ -26,10 +27,7 @@ double Geometry::distance(const Vector<3>& x) const
     if (d <= reach) return d;
 
     // No surface within reach: the copies that were made may not hold the nearest one. Those one period further do.
-    for (int i = periodic[0] ? -1 : 0; i <= int(periodic[0]); ++i)
-        for (int k = periodic[1] ? -1 : 0; k <= int(periodic[1]); ++k)
-            for (int l = periodic[2] ? -1 : 0; l <= int(periodic[2]); ++l)
-                if (i != 0 || k != 0 || l != 0) d = smaller(x + Vector<3>{i * length(0), k * length(1), l * length(2)}, d);
+    forEachPeriodicShift(*this, [&](const Vector<3>& by) { d = smaller(x + by, d); });
     return d;
 }
 

@@ -2,13 +2,27 @@
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"
+#include <algorithm>
 
 namespace sph
 {
 
+/// A sum under the name of a term.
+template<std::size_t n> struct TermName
+{
+    char text[n];
+    constexpr TermName(const char (&of)[n]) { std::copy_n(of, n, text); }
+};
+template<TermName term, class Sum> struct Named : Sum
+{
+    static constexpr auto name = term.text;
+    using Sum::Sum;
+};
+
 /// One viscosity everywhere: no field, no column.
 struct UniformViscosity
 {
+    template<class... Other> using Reads = Fields<Volume, Other...>;
     double mu; ///< [Pa s]
 
     explicit UniformViscosity(const Coefficients& c) : mu(c.viscosity[0]) {}
@@ -18,6 +32,7 @@ struct UniformViscosity
 /// 2 mu_i mu_j/(mu_i + mu_j), which makes the shear stress continuous across an interface. The smallest number keeps 0/0 away.
 struct HarmonicMean
 {
+    template<class... Other> using Reads = Fields<Volume, Other..., DynamicViscosity>;
     explicit HarmonicMean(const Coefficients&) {}
     double operator()(const auto& i, const auto& j) const { return 2*i.mu*j.mu/(i.mu + j.mu + 1e-300); }
 };
@@ -44,6 +59,7 @@ template<class MeanViscosity> struct MorrisSum
 
 template<class MeanViscosity> struct MorrisViscosity : MorrisSum<MeanViscosity>
 {
+    using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
     using MorrisSum<MeanViscosity>::MorrisSum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.v - j.v); }
@@ -70,94 +86,48 @@ template<class MeanViscosity> struct CentralSum : MorrisSum<MeanViscosity>
 
 template<class MeanViscosity> struct CentralViscosity : CentralSum<MeanViscosity>
 {
+    using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
     using CentralSum<MeanViscosity>::CentralSum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(ij, i, j, i.v - j.v); }
 };
 
-struct SinglePhaseViscosity : MorrisViscosity<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseViscosity";
-    using Reads = Fields<Volume, Velocity>;
-    using MorrisViscosity::MorrisViscosity;
-};
-struct HarmonicViscosity : MorrisViscosity<HarmonicMean>
-{
-    static constexpr auto name = "harmonicViscosity";
-    using Reads = Fields<Volume, Velocity, DynamicViscosity>;
-    using MorrisViscosity::MorrisViscosity;
-};
-struct SinglePhaseClearyViscosity : CentralViscosity<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseClearyViscosity";
-    using Reads = Fields<Volume, Velocity>;
-    using CentralViscosity::CentralViscosity;
-};
-struct ClearyViscosity : CentralViscosity<HarmonicMean>
-{
-    static constexpr auto name = "clearyViscosity";
-    using Reads = Fields<Volume, Velocity, DynamicViscosity>;
-    using CentralViscosity::CentralViscosity;
-};
+using SinglePhaseViscosity = Named<"singlePhaseViscosity", MorrisViscosity<UniformViscosity>>;
+using HarmonicViscosity = Named<"harmonicViscosity", MorrisViscosity<HarmonicMean>>;
+using SinglePhaseClearyViscosity = Named<"singlePhaseClearyViscosity", CentralViscosity<UniformViscosity>>;
+using ClearyViscosity = Named<"clearyViscosity", CentralViscosity<HarmonicMean>>;
 
 /// What an implicit step asks of viscosity (schemes/ImplicitViscosity): the same sum over a change of the velocity,
 template<class MeanViscosity> struct MorrisResponse : MorrisSum<MeanViscosity>
 {
+    using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
     using MorrisSum<MeanViscosity>::MorrisSum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.dv - j.dv); }
 };
-struct SinglePhaseResponse : MorrisResponse<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseViscousResponse";
-    using Reads = Fields<Volume, VelocityChange>;
-    using MorrisResponse::MorrisResponse;
-};
-struct HarmonicResponse : MorrisResponse<HarmonicMean>
-{
-    static constexpr auto name = "harmonicViscousResponse";
-    using Reads = Fields<Volume, VelocityChange, DynamicViscosity>;
-    using MorrisResponse::MorrisResponse;
-};
+using SinglePhaseResponse = Named<"singlePhaseViscousResponse", MorrisResponse<UniformViscosity>>;
+using HarmonicResponse = Named<"harmonicViscousResponse", MorrisResponse<HarmonicMean>>;
 template<class MeanViscosity> struct CentralResponse : CentralSum<MeanViscosity>
 {
+    using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
     using CentralSum<MeanViscosity>::CentralSum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(ij, i, j, i.dv - j.dv); }
 };
-struct SinglePhaseClearyResponse : CentralResponse<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseClearyResponse";
-    using Reads = Fields<Volume, VelocityChange>;
-    using CentralResponse::CentralResponse;
-};
-struct ClearyResponse : CentralResponse<HarmonicMean>
-{
-    static constexpr auto name = "clearyResponse";
-    using Reads = Fields<Volume, VelocityChange, DynamicViscosity>;
-    using CentralResponse::CentralResponse;
-};
+using SinglePhaseClearyResponse = Named<"singlePhaseClearyResponse", CentralResponse<UniformViscosity>>;
+using ClearyResponse = Named<"clearyResponse", CentralResponse<HarmonicMean>>;
 
 /// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
 /// centres it is (d + 2)/d times that, the mean over directions.
 template<class MeanViscosity> struct MorrisRate : MorrisSum<MeanViscosity>
 {
+    using Reads = typename MeanViscosity::template Reads<>;
     using Provides = ViscousRate;
     using MorrisSum<MeanViscosity>::MorrisSum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j)*(ij.r > 0); }
 };
-struct SinglePhaseRate : MorrisRate<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseViscousRate";
-    using Reads = Fields<Volume>;
-    using MorrisRate::MorrisRate;
-};
-struct HarmonicRate : MorrisRate<HarmonicMean>
-{
-    static constexpr auto name = "harmonicViscousRate";
-    using Reads = Fields<Volume, DynamicViscosity>;
-    using MorrisRate::MorrisRate;
-};
+using SinglePhaseRate = Named<"singlePhaseViscousRate", MorrisRate<UniformViscosity>>;
+using HarmonicRate = Named<"harmonicViscousRate", MorrisRate<HarmonicMean>>;
 template<class MeanViscosity> struct CentralRate : MorrisRate<MeanViscosity>
 {
     using MorrisRate<MeanViscosity>::MorrisRate;
@@ -167,17 +137,7 @@ template<class MeanViscosity> struct CentralRate : MorrisRate<MeanViscosity>
         return (d + 2)/d*MorrisRate<MeanViscosity>::operator()(ij, i, j);
     }
 };
-struct SinglePhaseClearyRate : CentralRate<UniformViscosity>
-{
-    static constexpr auto name = "singlePhaseClearyRate";
-    using Reads = Fields<Volume>;
-    using CentralRate::CentralRate;
-};
-struct ClearyRate : CentralRate<HarmonicMean>
-{
-    static constexpr auto name = "clearyRate";
-    using Reads = Fields<Volume, DynamicViscosity>;
-    using CentralRate::CentralRate;
-};
+using SinglePhaseClearyRate = Named<"singlePhaseClearyRate", CentralRate<UniformViscosity>>;
+using ClearyRate = Named<"clearyRate", CentralRate<HarmonicMean>>;
 
 }

@@ -66,7 +66,7 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                     if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
                     const Foot f = geometry_->patches[p].shape->foot(in3D(from.x));
                     const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
-                    const bool exists = std::isinf(f.margin) ? f.smooth && f.margin > 0 : f.margin > -spacing_;
+                    const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
                     if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
                     Ghost next{from.entry, in<dim>(mirrorImage(in3D(from.x), f)), from.wallReflections + 1};
                     next.entry.patch[from.wallReflections] = p;

@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "PatchGrid.hpp"
 #include "components.hpp"
+#include "periodicShifts.hpp"
 #include <fmt/format.h>
 
 namespace sph
@@ -39,13 +40,10 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
     for (const auto& particle : geometry.layers) add(particle, particle.x, int(particles_.size()));
     const auto originals = particles_.size();
     for (std::size_t k = 0; k < originals; ++k)
-        for (int a = -int(geometry.periodic[0]); a <= int(geometry.periodic[0]); ++a)
-            for (int b = -int(geometry.periodic[1]); b <= int(geometry.periodic[1]); ++b)
-                for (int c = -int(geometry.periodic[2]); c <= int(geometry.periodic[2]); ++c)
-                {
-                    const auto x = geometry.layers[k].x + Vector<3>{a*geometry.length(0), b*geometry.length(1), c*geometry.length(2)};
-                    if ((a != 0 || b != 0 || c != 0) && within(x)) add(geometry.layers[k], x, int(k));
-                }
+        forEachPeriodicShift(geometry, [&](const Vector<3>& by)
+        {
+            if (const auto x = geometry.layers[k].x + by; within(x)) add(geometry.layers[k], x, int(k));
+        });
     firstPair_.assign(originals + 1, 0);
 }
 

@@ -1,6 +1,7 @@
 #include "Openings.hpp"
 #include "CaseError.hpp"
 #include "components.hpp"
+#include "contains.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -109,11 +110,7 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
 
 template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
 {
-    const auto& box = gate.opening.extent;
-    const auto onPlane = x - gate.opening.distance(x)*gate.opening.normal;
-    for (int k = 0; k < dim; ++k)
-        if (const auto c = component(k); onPlane.*c < box.low.*c || onPlane.*c > box.high.*c) return false;
-    return true;
+    return contains(gate.opening.extent, x - gate.opening.distance(x)*gate.opening.normal, dim);
 }
 
 /// Whether b holds what a sees.
@@ -165,6 +162,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         gates_[std::size_t(gate) - 1].mass += sign*m[i];
         if (phi) gates_[std::size_t(gate) - 1].powder += sign*phi[i]*m[i]/coefficients_.restDensity[0];
     };
+    const bool starts = !restored_ && !counts_;
     std::vector<int> kept;
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
@@ -177,7 +175,6 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
             pass(now, -1, i);
         }
         holder[i] = now;
-        const bool starts = !restored_ && !counts_;
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by ? (starts || !by->inlet) && by->distance(x_i) < -depth_ : starts && farBeyond(x_i);
         if (starts && by && by->inlet && phi) phi[i] = by->phi;
@@ -191,7 +188,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     store.resize(owned);
     for (std::size_t k = 0; k < gates_.size(); ++k)
         if (gates_[k].opening.inlet) insert(store, owned, int(k));
-    if (!restored_ && !counts_)
+    if (starts)
     {
         const auto amount = free(store);
         startMass_ = amount.mass;

@@ -1,5 +1,6 @@
 #include "Section.hpp"
 #include "components.hpp"
+#include "contains.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +11,6 @@ namespace
 {
 /// Samples to a spacing by which the extents and the area of a section are found.
 constexpr int samplesPerSpacing = 8;
-
-bool inside(const Vector<3>& x, const Box& box, int dimension)
-{
-    for (int k = 0; k < dimension; ++k)
-        if (const auto c = component(k); x.*c < box.low.*c || x.*c > box.high.*c) return false;
-    return true;
-}
 }
 
 Section::Section(const Opening& opening, const Geometry& geometry, double spacing) : point_(opening.point), dimension_(geometry.dimension)
@@ -56,7 +50,7 @@ void Section::findExtents(const Opening& opening, const Geometry& geometry, doub
     const auto sample = [&](int d, int i) { return d < dimension_ - 1 ? from[d] + (i + 0.5)*(to[d] - from[d])/samples(d) : 0.0; };
     const Box domain{geometry.low - margin*Vector<3>{1, 1, 1}, geometry.high + margin*Vector<3>{1, 1, 1}};
     const auto open = [&](const Vector<3>& x, double clearance)
-    { return inside(x, domain, dimension_) && inside(x, opening.extent, dimension_) && geometry.distance(x) > clearance; };
+    { return contains(domain, x, dimension_) && contains(opening.extent, x, dimension_) && geometry.distance(x) > clearance; };
 
     double least[2] = {Box::infinity, Box::infinity}, most[2] = {-Box::infinity, -Box::infinity}, cell = 1;
     for (int d = 0; d < dimension_ - 1; ++d) cell *= (to[d] - from[d])/samples(d);

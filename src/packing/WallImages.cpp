@@ -1,6 +1,7 @@
 #include "WallImages.hpp"
 #include "PatchGrid.hpp"
 #include "components.hpp"
+#include "periodicShifts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -91,14 +92,15 @@ void WallImages::reflect(Chunk& chunk, const Image& parent, int reflections, con
 
 void WallImages::copyLayers(double reach)
 {
-    const Vector<3> length = geometry_.high - geometry_.low;
-    const auto most = [&](int k) { return int(geometry_.periodic[k]); };
     for (const auto& particle : geometry_.layers)
-        for (int sz = -most(2); sz <= most(2); ++sz)
-            for (int sy = -most(1); sy <= most(1); ++sy)
-                for (int sx = -most(0); sx <= most(0); ++sx)
-                    if (const auto x = particle.x + Vector<3>{sx*length.x, sy*length.y, sz*length.z}; isWithin(reach, x))
-                        layers_.push_back({x, particle.volumeFactor, particle.wall});
+    {
+        const auto add = [&](const Vector<3>& by)
+        {
+            if (const auto x = particle.x + by; isWithin(reach, x)) layers_.push_back({x, particle.volumeFactor, particle.wall});
+        };
+        add({});
+        forEachPeriodicShift(geometry_, add);
+    }
 }
 
 void WallImages::build(const Points& points, std::size_t n, double reach)

@@ -1,4 +1,5 @@
 #include "FieldComparison.hpp"
+#include "contains.hpp"
 #include "Interpolator.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
@@ -69,9 +70,7 @@ int FieldComparison::component(const SampledField& field) const
 
 bool FieldComparison::within(const Vector<3>& x, int dimension) const
 {
-    const auto between = [](double low, double value, double high) { return value >= low && value <= high; };
-    return !region_ || (between(region_->low.x, x.x, region_->high.x) && between(region_->low.y, x.y, region_->high.y) &&
-                        (dimension == 2 || between(region_->low.z, x.z, region_->high.z)));
+    return !region_ || contains(*region_, x, dimension);
 }
 
 /// The reference at a particle, or its mean over the particle's cell by the mid-point rule.

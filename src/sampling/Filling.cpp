@@ -1,6 +1,7 @@
 #include "Filling.hpp"
 #include "SampledField.hpp"
 #include "components.hpp"
+#include "contains.hpp"
 #include "readBox.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "VolFieldValue.hpp"
 #include "SampledField.hpp"
+#include "contains.hpp"
 #include "readBox.hpp"
 #include <algorithm>
 #include <fmt/format.h>

@@ -16,11 +16,4 @@ inline Box readBox(const Dictionary& d, const Geometry& g)
     return box;
 }
 
-inline bool contains(const Box& box, const Vector<3>& x, int dimension)
-{
-    for (int k = 0; k < dimension; ++k)
-        if (const auto c = component(k); x.*c < box.low.*c || x.*c > box.high.*c) return false;
-    return true;
-}
-
 }

@@ -85,13 +85,6 @@ void ImplicitViscosity<dim>::conjugateGradients(FieldStore<dim>& store, const Im
     const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{}),
                Lp = store.pointers(ViscousResponse{});
     const double implicit = settings_.theta*deltaT;
-    // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
-    const auto holdIn = [&](const std::array<double*, dim>& q)
-    {
-        for (double* component : q)
-            for (const int i : held) component[i] = 0;
-    };
-    holdIn(a);
     std::array<double*, dim> dv, r;
     for (int c = 0; c < dim; ++c)
     {
@@ -128,7 +121,9 @@ void ImplicitViscosity<dim>::conjugateGradients(FieldStore<dim>& store, const Im
                                             "tolerance {:.3g}. Choose a smaller step, or a larger `maxIter` or `tolerance` in `integration`",
                                             iterations_, std::sqrt(now.rr/now.vv), settings_.tolerance));
         plan_.evaluate(store, images, lists, kernel, Plan<dim>::Candidates::kept);
-        holdIn(Lp);
+        // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
+        for (double* component : Lp)
+            for (const int i : held) component[i] = 0;
         const double pAp = sumOver(n, [&](std::size_t i)
         {
             double sum = 0;

@@ -31,7 +31,7 @@ public:
 
     /// Replaces dU/dt = a(v_0) by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2); throws DivergedError after `maxIter` iterations.
-    /// The `held` particles keep their velocities.
+    /// The `held` particles, whose dU/dt is 0, keep their velocities.
     void solve(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, double deltaT, std::span<const int> held = {});
 
     /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.

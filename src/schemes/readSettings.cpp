@@ -106,10 +106,10 @@ Words termsOf(const Choices& choice, Settings& settings)
     if (choice.viscosity == "cleary") add(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (settings.solvesForVelocity())
     {
-        const bool central = choice.viscosity == "cleary";
-        settings.implicitSolve.response = central ? variable ? "clearyResponse" : "singlePhaseClearyResponse"
-                                                  : variable ? "harmonicViscousResponse" : "singlePhaseViscousResponse";
-        add(central ? variable ? "clearyRate" : "singlePhaseClearyRate" : variable ? "harmonicViscousRate" : "singlePhaseViscousRate");
+        const std::string form = choice.viscosity == "cleary" ? variable ? "cleary" : "singlePhaseCleary"
+                                                              : variable ? "harmonicViscous" : "singlePhaseViscous";
+        settings.implicitSolve.response = form + "Response";
+        add(form + "Rate");
     }
     if (choice.normalisation == "secondMoment") add("gradientNormalisation");
     const bool angles = !settings.coefficients.wallTension.empty(), wetting = angles && choice.contactAngle == "wallStress";
