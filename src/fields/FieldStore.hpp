@@ -38,30 +38,33 @@ public:
     };
 
     /// `n` arrays of the current size, filled with 0; asking twice is harmless.
-    void allocate(const FieldInfo& info, int n);
-    template<class F> void allocate(F) { allocate(F::info, fieldComponents<F, dim>); }
+    void allocate(const std::string& name, const FieldInfo& info, int n);
+    template<class F> void allocate(F) { allocate(F::info.name, F::info, fieldComponents<F, dim>); }
     /// The same, for a field that keeps its values from step to step.
-    template<class F> void allocateState(F)
+    void allocateState(const std::string& name, const FieldInfo& info, int n)
     {
-        allocate(F{});
-        fields_.at(F::info.name).state = true;
+        allocate(name, info, n);
+        fields_.at(name).state = true;
     }
+    template<class F> void allocateState(F) { allocateState(F::info.name, F::info, fieldComponents<F, dim>); }
 
     bool has(const std::string& name) const { return fields_.contains(name); }
     template<class F> requires requires { F::info; } bool has(F) const { return has(std::string(F::info.name)); }
 
     double* component(const std::string& name, int c);
-    template<class F> std::array<double*, fieldComponents<F, dim>> pointers(F)
+    const double* component(const std::string& name, int c) const { return const_cast<FieldStore&>(*this).component(name, c); }
+    template<class F> std::array<double*, fieldComponents<F, dim>> pointers(const std::string& name)
     {
         std::array<double*, fieldComponents<F, dim>> p;
-        for (int c = 0; c < int(p.size()); ++c) p[c] = component(F::info.name, c);
+        for (int c = 0; c < int(p.size()); ++c) p[c] = component(name, c);
         return p;
     }
-
-    /// Two fields change arrays: what is bound to one by name is bound to the other's.
-    template<class F, class G> requires (fieldComponents<F, dim> == fieldComponents<G, dim>) void exchange(F, G)
+    template<class F> std::array<double*, fieldComponents<F, dim>> pointers(F) { return pointers<F>(F::info.name); }
+    template<class F> std::array<const double*, fieldComponents<F, dim>> pointers(F) const
     {
-        std::swap(fields_.at(F::info.name).component, fields_.at(G::info.name).component);
+        std::array<const double*, fieldComponents<F, dim>> p;
+        for (int c = 0; c < int(p.size()); ++c) p[c] = component(F::info.name, c);
+        return p;
     }
 
     /// Gives up the room of images in every field but the named ones.

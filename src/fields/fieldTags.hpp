@@ -31,7 +31,6 @@ struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::p
 struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
 struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1"};                      template<int dim> struct At { double N; }; };
 struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored, "solidStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
-struct WallStress          { static constexpr FieldInfo info{"wallStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_w; }; };
 struct SolidStress         { static constexpr FieldInfo info{"solidStress", "Pa", Image::mirrored};             template<int dim> struct At { SymmTensor<dim> S_s; }; };
 struct WallNormal          { static constexpr FieldInfo info{"wallNormal", "1"};                        template<int dim> struct At { Vector<dim> n_w; }; };
 struct WallCosine          { static constexpr FieldInfo info{"wallCosine", "1"};                        template<int dim> struct At { double cosTheta; }; };
@@ -52,7 +51,6 @@ struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};    
 struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };
 struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration", "1/m", Image::mirrored}; template<int dim> struct At { Vector<dim> gradN; }; };
 struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
-struct StartVelocity       { static constexpr FieldInfo info{"U_0", "m/s", Image::velocity};            template<int dim> struct At { Vector<dim> v_0; }; };
 struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::velocityChange};       template<int dim> struct At { Vector<dim> dv; }; };
 struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
@@ -63,7 +61,6 @@ struct ShearStress         { static constexpr FieldInfo info{"tau", "Pa"};      
 struct RelativeViscositySlope { static constexpr FieldInfo info{"viscositySlope", "1"};                 template<int dim> struct At { double slope; }; };
 struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};                             template<int dim> struct At { double holder; }; };
 struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim> struct At { double p_h; }; };
-struct StartDensity        { static constexpr FieldInfo info{"rho_0", "kg/m^3"};                        template<int dim> struct At { double rho_0; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).
 struct GhostWall           { static constexpr FieldInfo info{"ghostWall", "1", Image::placed};                  template<int dim> struct At { double wall; }; };

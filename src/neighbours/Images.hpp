@@ -57,8 +57,8 @@ public:
     /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
 
-    /// Values of one field, by the rule that its tag states.
-    template<class F> static void refresh(const Images& images, FieldStore<dim>& store);
+    /// Values of one field, by the rule that its tag states; `name` is the field's in this scene.
+    template<class F> static void refresh(const Images& images, FieldStore<dim>& store, const std::string& name = F::info.name);
 
     std::size_t owned() const { return owned_; }
     std::size_t count() const { return entries_.size(); }
@@ -145,11 +145,11 @@ private:
 };
 
 /// The image's value: mirrored in every wall it was reflected in, shifted by nothing.
-template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store)
+template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store, const std::string& name)
 {
     if (F::info.image == Image::placed) return;
     using Value = decltype(unwrap(At<F, dim>{}));
-    const auto p = store.pointers(F{});
+    const auto p = store.template pointers<F>(name);
     [[maybe_unused]] auto ofGhosts = p;
     if constexpr (F::info.ofGhosts != nullptr)
         if (store.has(F::info.ofGhosts))

@@ -1,4 +1,4 @@
-/// The terms of this module by name.
+/// The terms of this room by name.
 #pragma once
 #include "Catalogue.hpp"
 

@@ -106,15 +106,13 @@ void Run::reportPlan() const
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s, sound speed {:.4g} m/s\n", c.phases[k],
                             simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
-    for (const auto& flow : simulation_->flows())
-        log_ << fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane\n", flow.name, flow.inlet ? "inlet" : "outlet", flow.area,
-                            geometry_.dimension == 3 ? "m^2" : "m", flow.held);
+    log_ << simulation_->introduction();
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
     std::string limits;
     for (const auto& each : simulation_->stepLimits())
         limits += fmt::format("{}{} {:.4g} s", limits.empty() ? "" : ", ", each.by, each.deltaT);
-    log_ << fmt::format("Step      : at most {:.4g} s by {} ({})\nPlan of an evaluation:\n", limit.deltaT, limit.by, limits);
+    log_ << fmt::format("Step      : at most {:.4g} s by {} ({})\nPlan of a step:\n", limit.deltaT, limit.by, limits);
     simulation_->printPlan(log_);
     log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n", simulation_->bytesPerParticle());
 }
@@ -172,7 +170,7 @@ void Run::warnOfCompression()
 /// Creeping flow has no inertia, so no energy of motion to keep an account of.
 void Run::checkEnergy()
 {
-    if (settings_.integrator == Integrator::quasiSteady) return;
+    if (!settings_.integration.moves) return;
     energy_ = simulation_->energy();
     const double share = energy_.held/energy_.supplied;
     const auto what = [&]
@@ -180,10 +178,7 @@ void Run::checkEnergy()
         return fmt::format("the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied", energy_.held,
                            time_.name(), share);
     };
-    const auto& terms = settings_.terms;
-    const bool hasNoEnergy = std::find(terms.begin(), terms.end(), "densityWeightedPressure") != terms.end();
-    const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution",
-                                    hasNoEnergy ? "`pressureGradient huAdams`" : "a smaller factor in `integration`");
+    const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.energyAdvice);
     if (share > mostEnergy) throw DivergedError(fmt::format("{}. {}", what(), advice));
     if (share <= suspectEnergy || warnedOfEnergy_) return;
     warnedOfEnergy_ = true;
@@ -199,27 +194,11 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
                               s.maxDensity[k], s.mass[k]);
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
-    const int iterations = simulation_->solverIterations();
-    const std::string solver = iterations > 0 ? fmt::format("  viscosity {} iterations", iterations) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
-    std::string powder;
-    if (settings_.suspension())
-        powder = fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n", s.minPhi, s.maxPhi,
-                             s.minViscosity, s.maxViscosity, s.powderVolume,
-                             settings_.openings.empty() ? fmt::format(", changed by {:.2g}", simulation_->powderDrift()) : "", simulation_->migrationSteps());
-    std::string openings;
-    for (const auto& flow : simulation_->flows())
-        openings += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
-                                settings_.suspension() ? fmt::format(" with {:.10g} m^3 of powder", flow.powder) : "");
-    if (!openings.empty())
-    {
-        const auto off = simulation_->imbalance();
-        openings += fmt::format("balance: mass off by {:.2g}{}\n", off.mass, settings_.suspension() ? fmt::format(", powder by {:.2g}", off.powder) : "");
-    }
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
+    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
                         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
                         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-                        simulation_->rebuilds(), solver, phases, powder, openings, Clock::executionTime(), clock, expected);
+                        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), Clock::executionTime(), clock, expected);
     log_.flush();
 }
 

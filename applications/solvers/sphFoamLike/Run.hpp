@@ -5,7 +5,7 @@
 #include "FunctionObject.hpp"
 #include "Geometry.hpp"
 #include "RunTime.hpp"
-#include "Settings.hpp"
+#include "readSettings.hpp"
 #include "Simulation.hpp"
 #include <filesystem>
 #include <iosfwd>

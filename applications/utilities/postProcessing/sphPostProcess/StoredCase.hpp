@@ -4,7 +4,7 @@
 #include "Cloud.hpp"
 #include "Geometry.hpp"
 #include "ParticleView.hpp"
-#include "Settings.hpp"
+#include "readSettings.hpp"
 #include <string>
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "OutputFile.hpp"
 #include "Packing.hpp"
 #include "RunTime.hpp"
-#include "Settings.hpp"
+#include "readSettings.hpp"
 #include <algorithm>
 #include <sstream>
 

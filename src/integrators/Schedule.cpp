@@ -1,0 +1,102 @@
+#include "Schedule.hpp"
+#include "moves.hpp"
+#include <fmt/format.h>
+#include <ostream>
+
+namespace sph
+{
+
+template<int dim> Schedule<dim>& Schedule<dim>::join(Place place)
+{
+    for (auto& stage : particles_.stages(place)) then(std::move(stage));
+    return *this;
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::evaluate()
+{
+    // Particles::evaluate runs what joins each evaluation; here it is named.
+    std::string equation = "all that follows from the state";
+    for (const auto& stage : particles_.stages(Place::afterEvaluation)) equation += fmt::format("; {}: {}", stage.name, stage.equation);
+    return then({ofEvaluation, equation, [](Particles<dim>& p, const Substep&) { p.evaluate(); }, {ofEvaluation}});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::evaluateOnceAStep()
+{
+    if (!particles_.plan().hasGroup(onceAStep)) return *this;
+    return then({onceAStep, "at the same positions", [](Particles<dim>& p, const Substep&) { p.evaluate(onceAStep); }, {onceAStep}, true});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::drift()
+{
+    return then({"drift", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5*s.deltaT); p.moved(0.5*s.deltaT*p.maxSpeed()); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
+{
+    return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5*s.deltaT); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::predict()
+{
+    return then({"predict", "q_0 = q, q += dt/2 dq/dt", [](Particles<dim>& p, const Substep& s) { sph::predict(p, 0.5*s.deltaT); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::correct()
+{
+    return then({"correct", "q = q_0 + dt dq/dt", [](Particles<dim>& p, const Substep& s) { sph::correct(p, s.deltaT); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::kick()
+{
+    return then({"kick", "q += dt dq/dt", [](Particles<dim>& p, const Substep& s) { sph::kick(p, s.deltaT); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::kickOnceAStep()
+{
+    if (!particles_.plan().hasGroup(onceAStep)) return *this;
+    return then({"kick once a step", "v += (whole dt) dv/dt of what acts once a step", [](Particles<dim>& p, const Substep& s) { kickSlowly(p, s.whole); }, {}, true});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::complete()
+{
+    std::vector<std::string> groups;
+    for (const auto& part : particles_.parts())
+        for (const auto& group : part->completes()) groups.push_back(group);
+    return then({"complete", "at the new velocities", [](Particles<dim>& p, const Substep&) { p.complete(); }, groups});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::measure()
+{
+    return then({"measure", "largest speed and acceleration, energy", [this](Particles<dim>& p, const Substep& s)
+                 {
+                     measure_(s.deltaT);
+                     p.moved(0.5*s.deltaT*p.maxSpeed());
+                 }});
+}
+
+template<int dim> void Schedule<dim>::run(const Substep& substep, bool middle)
+{
+    for (const auto& stage : stages_)
+    {
+        if (stage.onceAStep && !middle) continue;
+        stage.run(particles_, substep);
+        ++counts_[stage.name];
+    }
+}
+
+template<int dim> void Schedule<dim>::print(std::ostream& out) const
+{
+    const auto& plan = particles_.plan();
+    int number = 0, pass = 0, operation = 0;
+    for (const auto& stage : stages_)
+    {
+        out << fmt::format("  {}. {:<20} {}{}\n", ++number, stage.name, stage.equation, stage.onceAStep ? " (in the middle one of several parts)" : "");
+        for (const auto& group : stage.groups) plan.printGroup(out, plan.group(group), pass, operation);
+    }
+    plan.printFields(out, particles_.store());
+}
+
+template class Schedule<2>;
+template class Schedule<3>;
+
+}

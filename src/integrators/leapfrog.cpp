@@ -1,0 +1,33 @@
+/// The rates of the last step predict v(t + dt/2): second order, one evaluation. The extrapolation halves the viscous limit (Adams-Bashforth
+/// against mid-point).
+#include "Integrator.hpp"
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> void stages(Schedule<dim>& schedule)
+{
+    schedule.join(Place::beforeDrift)
+        .drift()
+        .predict()
+        .evaluate()
+        .evaluateOnceAStep()
+        .correct()
+        .kickOnceAStep()
+        .join(Place::afterKick)
+        .driftOn()
+        .join(Place::afterDrift)
+        .join(Place::atEnd)
+        .measure();
+}
+}
+
+const Integrator& leapfrogIntegrator()
+{
+    static const Integrator integrator{"leapfrog", "second order, one evaluation a step", {.predicts = true, .keepsRates = true, .viscousFactor = 0.5}, stages<2>, stages<3>};
+    return integrator;
+}
+
+}

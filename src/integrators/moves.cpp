@@ -1,0 +1,82 @@
+#include "moves.hpp"
+
+namespace sph
+{
+
+namespace
+{
+/// to = from + dt rate, component by component
+template<int dim>
+void advance(Particles<dim>& particles, const StateField& field, const std::string& to, const std::string& from, const std::string& rate, double deltaT)
+{
+    auto& store = particles.store();
+    const std::size_t n = particles.size();
+    for (int c = 0; c < field.in(dim); ++c)
+    {
+        double* const t = store.component(to, c);
+        const double *const f = store.component(from, c), *const r = store.component(rate, c);
+        #pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) t[i] = f[i] + deltaT*r[i];
+    }
+}
+/// All that a kick acts on.
+template<int dim> void forEachKicked(Particles<dim>& particles, const auto& f)
+{
+    for (const auto& evolving : particles.settings().state)
+        if (evolving.rate && !evolving.advancedByModel) f(evolving);
+}
+}
+
+template<int dim> void drift(Particles<dim>& p, double deltaT)
+{
+    const std::string x = Position::info.name;
+    for (const auto& carrier : p.settings().carriers) advance(p, stateField(Position{}), x, x, carrier, deltaT);
+}
+
+template<int dim> void kick(Particles<dim>& p, double deltaT)
+{
+    forEachKicked(p, [&](const Evolving& q) { advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT); });
+}
+
+template<int dim> void kickCarried(Particles<dim>& p, double deltaT)
+{
+    forEachKicked(p, [&](const Evolving& q)
+    {
+        if (q.value.name != Velocity::info.name) advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
+    });
+}
+
+template<int dim> void kickSlowly(Particles<dim>& p, double deltaT)
+{
+    advance(p, stateField(Velocity{}), Velocity::info.name, Velocity::info.name, SlowAcceleration::info.name, deltaT);
+}
+
+template<int dim> void predict(Particles<dim>& p, double deltaT)
+{
+    forEachKicked(p, [&](const Evolving& q)
+    {
+        for (int c = 0; c < q.value.in(dim); ++c)
+            std::copy_n(p.store().component(q.value.name, c), p.size(), p.store().component(q.startName(), c));
+    });
+    kick(p, deltaT);
+}
+
+template<int dim> void correct(Particles<dim>& p, double deltaT)
+{
+    forEachKicked(p, [&](const Evolving& q) { advance(p, q.value, q.value.name, q.startName(), q.rate->name, deltaT); });
+}
+
+template void drift(Particles<2>&, double);
+template void drift(Particles<3>&, double);
+template void kick(Particles<2>&, double);
+template void kick(Particles<3>&, double);
+template void kickCarried(Particles<2>&, double);
+template void kickCarried(Particles<3>&, double);
+template void kickSlowly(Particles<2>&, double);
+template void kickSlowly(Particles<3>&, double);
+template void predict(Particles<2>&, double);
+template void predict(Particles<3>&, double);
+template void correct(Particles<2>&, double);
+template void correct(Particles<3>&, double);
+
+}

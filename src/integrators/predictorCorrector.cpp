@@ -1,0 +1,33 @@
+/// Rates at t predict v(t + dt/2), and those at the middle make the step: second order, two evaluations.
+#include "Integrator.hpp"
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> void stages(Schedule<dim>& schedule)
+{
+    schedule.evaluate()
+        .join(Place::beforeDrift)
+        .drift()
+        .predict()
+        .evaluate()
+        .evaluateOnceAStep()
+        .correct()
+        .kickOnceAStep()
+        .join(Place::afterKick)
+        .driftOn()
+        .join(Place::afterDrift)
+        .join(Place::atEnd)
+        .measure();
+}
+}
+
+const Integrator& predictorCorrectorIntegrator()
+{
+    static const Integrator integrator{"predictorCorrector", "second order, two evaluations a step", {.predicts = true}, stages<2>, stages<3>};
+    return integrator;
+}
+
+}

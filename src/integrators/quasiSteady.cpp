@@ -1,0 +1,30 @@
+/// For flows that change only as what they carry does: particles stay where they are, velocities are those of creeping flow, solved for, and time
+/// is that of the powder's migration, or of what diffuses.
+#include "Integrator.hpp"
+#include "moves.hpp"
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> void stages(Schedule<dim>& schedule)
+{
+    schedule.join(Place::afterKick)
+        .then({"kick what is carried", "q += dt dq/dt", [](Particles<dim>& p, const Substep& s) { kickCarried(p, s.deltaT); }})
+        .evaluate()
+        .join(Place::solve)
+        .complete()
+        .join(Place::atEnd)
+        .measure();
+}
+}
+
+const Integrator& quasiSteadyIntegrator()
+{
+    static const Integrator integrator{"quasiSteady", "creeping flow of particles at rest that changes as what it carries does", {.solves = true, .moves = false},
+                                       stages<2>, stages<3>};
+    return integrator;
+}
+
+}

@@ -1,0 +1,30 @@
+/// As symplecticEuler, but viscosity acts with v(t + dt), solved for (ImplicitViscosity.hpp): no viscous limit of the step.
+#include "Integrator.hpp"
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> void stages(Schedule<dim>& schedule)
+{
+    schedule.join(Place::beforeDrift)
+        .drift()
+        .evaluate()
+        .join(Place::solve)
+        .kick()
+        .join(Place::afterKick)
+        .driftOn()
+        .join(Place::afterDrift)
+        .join(Place::atEnd)
+        .measure();
+}
+}
+
+const Integrator& semiImplicitIntegrator()
+{
+    static const Integrator integrator{"semiImplicit", "viscosity at the end of the step, solved for: no viscous limit", {.solves = true}, stages<2>, stages<3>};
+    return integrator;
+}
+
+}

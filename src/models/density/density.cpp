@@ -1,0 +1,87 @@
+#include "density.hpp"
+#include "DensityDiffusion.hpp"
+#include "densityTerms.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+/// By Tait's law, the other way round, where the time folder gives the pressure; else that at rest.
+void densityAtStart(const Loading& loading)
+{
+    const auto& c = loading.coefficients;
+    const auto given = loading.cloud.fields.find("p");
+    for (std::size_t i = 0; i < loading.size(); ++i)
+    {
+        const auto k = std::size_t(loading.phaseOf(i));
+        const double p = given != loading.cloud.fields.end() ? given->second.component[0][i] - c.backgroundPressure : 0;
+        const double ratio = 1 + p/c.stiffness[k];
+        if (ratio <= 0)
+            throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.particle(i), p,
+                                        c.phases[k]));
+        loading.values[0][i] = c.restDensity[k]*std::pow(ratio, 1/c.exponent[k]);
+    }
+}
+
+void readDiffusion(const Reading& reading)
+{
+    const auto& dict = reading.schemes;
+    auto& c = reading.settings.coefficients;
+    const double delta = dict.getNonNegative("densityDiffusion", units::none, 0);
+    const auto& form = reading.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
+    reading.belongs("densityDiffusionForm", "densityDiffusion");
+    if (!(delta > 0)) return;
+    c.set(DiffusionNumber{delta});
+    if (!reading.settings.integratedDensity) dict.error("densityDiffusion", "goes with `density continuity;` alone");
+    for (const double rho : c.restDensity)
+        if (rho != c.restDensity[0])
+        {
+            dict.error("densityDiffusion", "phases of different rest density cannot diffuse into one another");
+            break;
+        }
+    reading.select(form == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
+}
+
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    settings.integratedDensity = reading.choose("density", Words{"numberDensity", "continuity"}, "numberDensity") == "continuity";
+    if (!settings.integratedDensity) return;
+    Evolving rho{stateField(Density{}), stateField(DensityRate{})};
+    rho.missing = densityAtStart;
+    rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
+    settings.state.push_back(rho);
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const bool integrated = settings.integratedDensity;
+    const auto& volume = reading.choose("volume", Words{"numberDensity", "continuity"}, settings.chosen.at("density"));
+    if (!integrated && volume == "continuity") reading.schemes.error("volume", "goes with `density continuity;`: no density is integrated");
+    reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
+    reading.select(integrated ? "continuity" : "summedDensity");
+    const bool normalises = reading.choose("normalisation", Words{"secondMoment", "none"},
+                                           reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
+    if (normalises) reading.select("gradientNormalisation");
+    settings.normaliseDensity = volume == "numberDensity" && normalises;
+    readDiffusion(reading);
+}
+}
+
+const Model& densityModel()
+{
+    static const Model model{"density", "where volume and density come from: number density, or the continuity equation with diffusion", read,
+                             densityTerms<2>(), densityTerms<3>(), prepare,
+                             {{"density", [](const Settings& s) { return s.integratedDensity && !s.integration.predicts; },
+                               "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
+                               "predictorCorrector"}}};
+    return model;
+}
+
+}

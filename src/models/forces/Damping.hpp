@@ -1,0 +1,28 @@
+/// dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium.
+#pragma once
+#include "Particles.hpp"
+#include <cmath>
+
+namespace sph
+{
+
+template<int dim> class Damping final : public Part<dim>
+{
+    double rate_, until_;
+
+public:
+    Damping(Particles<dim>&, const Numbers&, double rate, double until) : rate_(rate), until_(until) {}
+    std::vector<Stage<dim>> stages(Place place) override
+    {
+        if (place != Place::afterKick) return {};
+        return {{"damp", "v *= exp(-rate dt)", [this](Particles<dim>& p, const Substep& substep)
+        {
+            if (substep.time >= until_) return;
+            const double factor = std::exp(-rate_*substep.deltaT);
+            for (double* v : p.store().pointers(Velocity{}))
+                for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+        }}};
+    }
+};
+
+}

@@ -1,0 +1,468 @@
+#include "Openings.hpp"
+#include "CaseError.hpp"
+#include "components.hpp"
+#include "contains.hpp"
+#include "reduce.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+/// Room beyond twice the support, for what particles travel before lists are rebuilt [spacings].
+constexpr double spareDepth = 1;
+/// Of (rho/rho_0)^n, which a pressure far below 0 would make negative.
+constexpr double leastRatio = 1e-3;
+
+template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
+{
+    Vector<dim> q;
+    fetch(q, [&](int c) { return a[c][i]; });
+    return q;
+}
+template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vector<dim> q)
+{
+    store(q, [&](int c, double value) { a[c][i] = value; });
+}
+}
+
+template<int dim>
+Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients, const State& state,
+                        const std::map<std::string, double>& restored)
+    : geometry_(geometry), coefficients_(coefficients), state_(state), depth_(2*coefficients.support + spareDepth*coefficients.spacing)
+{
+    for (const auto& evolving : state)
+        if (!evolving.amount.empty())
+        {
+            counted_.push_back(&evolving);
+            amountNames_.push_back(evolving.amount);
+        }
+    integrates_ = std::any_of(state.begin(), state.end(), [](const Evolving& q) { return q.value.name == Density::info.name; });
+    startAmounts_.resize(counted_.size());
+    heldAmounts_.resize(counted_.size());
+    for (const auto& opening : openings)
+    {
+        const Section section(opening, geometry, coefficients.spacing);
+        check(opening, section);
+        const double most = opening.velocity   ? *opening.velocity
+                            : opening.flowRate ? *opening.flowRate/section.area()
+                                               : std::numeric_limits<double>::infinity();
+        const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
+        gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
+        gates_.back().amounts.resize(counted_.size());
+    }
+    for (const auto& a : gates_)
+        for (const auto& b : gates_)
+            if (&a != &b && meet(a, b))
+                throw CaseError(b.opening.where,
+                                fmt::format("opening \"{}\" overlaps \"{}\": the particles that one holds must be out of the other's sight, {:.4g} m "
+                                            "before its plane and {:.4g} m behind", b.opening.name, a.opening.name, coefficients.support, depth_));
+    const auto restore = [&](const std::string& name, double& value)
+    {
+        const auto found = restored.find(name);
+        if (found != restored.end()) value = found->second;
+        return found != restored.end();
+    };
+    restored_ = restore("openingsStartMass", startMass_);
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        restore("openingsStart" + amountNames_[q], startAmounts_[q]);
+        restore("openingsHeld" + amountNames_[q], heldAmounts_[q]);
+    }
+    for (auto& gate : gates_)
+    {
+        const auto& name = gate.opening.name;
+        restore(name + "Mass", gate.mass);
+        for (std::size_t q = 0; q < counted_.size(); ++q) restore(name + amountNames_[q], gate.amounts[q]);
+        restore(name + "Speed", gate.speed);
+        restore(name + "Pressure", gate.pressure);
+        restore(name + "Slope", gate.slope);
+    }
+}
+
+template<int dim> std::map<std::string, double> Openings<dim>::state() const
+{
+    std::map<std::string, double> numbers{{"openingsStartMass", startMass_}};
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        numbers["openingsStart" + amountNames_[q]] = startAmounts_[q];
+        numbers["openingsHeld" + amountNames_[q]] = heldAmounts_[q];
+    }
+    for (const auto& gate : gates_)
+    {
+        const auto& name = gate.opening.name;
+        numbers[name + "Mass"] = gate.mass;
+        for (std::size_t q = 0; q < counted_.size(); ++q) numbers[name + amountNames_[q]] = gate.amounts[q];
+        numbers[name + "Speed"] = gate.speed;
+        numbers[name + "Pressure"] = gate.pressure;
+        numbers[name + "Slope"] = gate.slope;
+    }
+    return numbers;
+}
+
+template<int dim> void Openings<dim>::check(const Opening& opening, const Section& section) const
+{
+    const auto fail = [&](const std::string& what) { throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what)); };
+    const auto& lines = section.lines();
+    if (lines.empty()) fail("has no fluid in its plane: it lies inside a wall, or outside the domain");
+    if (section.width() < coefficients_.support)
+        fail(fmt::format("is {:.4g} m wide, less than the support of the kernel, {:.4g} m: choose a finer resolution", section.width(),
+                         coefficients_.support));
+    for (const auto& line : lines)
+        for (double s = 0; s < depth_; s += coefficients_.spacing)
+        {
+            const auto x = line.foot - s*opening.normal;
+            for (int k = 0; k < dim; ++k)
+                if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - coefficients_.support ||
+                                                                            x.*c > geometry_.high.*c + coefficients_.support))
+                    fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there", depth_ - coefficients_.support));
+            if (geometry_.distance(x) < 0.2*coefficients_.spacing)
+                fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x, x.y, x.z,
+                                 depth_));
+        }
+}
+
+template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
+{
+    return contains(gate.opening.extent, x - gate.opening.distance(x)*gate.opening.normal, dim);
+}
+
+/// Whether b holds what a sees.
+template<int dim> bool Openings<dim>::meet(const Gate& a, const Gate& b) const
+{
+    for (const auto& line : a.section.lines())
+        for (double s = coefficients_.support; s > -depth_; s -= coefficients_.spacing)
+        {
+            const auto x = line.foot + s*a.opening.normal;
+            if (const double beyond = b.opening.distance(x); beyond < 0 && beyond > -depth_ && belongs(b, x)) return true;
+        }
+    return false;
+}
+
+/// 1 + the opening beyond whose plane a point lies; 0 in the scene.
+template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
+{
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+    {
+        const double s = gates_[k].opening.distance(x);
+        if (s < 0 && s > -2*depth_ && belongs(gates_[k], x)) return int(k) + 1;
+    }
+    return 0;
+}
+
+/// Whether a point lies in the duct beyond a plane, further than is held there: the plane is in sight along its normal.
+template<int dim> bool Openings<dim>::farBeyond(const Vector<3>& x) const
+{
+    return std::ranges::any_of(gates_, [&](const Gate& gate)
+    {
+        const auto& n = gate.opening.normal;
+        const double s = gate.opening.distance(x);
+        if (s > -2*depth_ || !belongs(gate, x)) return false;
+        for (double by = 0; by < -s; by += coefficients_.spacing)
+            if (geometry_.distance(x + by*n) < 0) return false;
+        return true;
+    });
+}
+
+template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned)
+{
+    const auto x = store.pointers(Position{});
+    double* const holder = store.component(Holder::info.name, 0);
+    const double* const m = store.component(Mass::info.name, 0);
+    const auto pass = [&](int gate, double sign, std::size_t i)
+    {
+        if (gate == 0) return;
+        auto& to = gates_[std::size_t(gate) - 1];
+        to.mass += sign*m[i];
+        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i);
+    };
+    const bool starts = !restored_ && !counts_;
+    std::vector<int> kept;
+    kept.reserve(owned);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(at<dim>(x, i));
+        const int before = int(holder[i]), now = holderOf(x_i);
+        if (counts_ && before != now)
+        {
+            pass(before, 1, i);
+            pass(now, -1, i);
+        }
+        holder[i] = now;
+        const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
+        const bool gone = by ? (starts || !by->inlet) && by->distance(x_i) < -depth_ : starts && farBeyond(x_i);
+        if (starts && by && by->inlet)
+            for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = by->values.at(fraction->value.name);
+        if (!gone) kept.push_back(int(i));
+    }
+    if (kept.size() < owned)
+    {
+        store.sortState(kept);
+        owned = kept.size();
+    }
+    store.resize(owned);
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+        if (gates_[k].opening.inlet) insert(store, owned, int(k));
+    if (starts)
+    {
+        startMass_ = freeMass(store);
+        for (std::size_t q = 0; q < counted_.size(); ++q) startAmounts_[q] = freeAmount(store, *counted_[q]);
+    }
+    counts_ = true;
+    return owned;
+}
+
+/// Fills up the lines of an inlet from behind.
+template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
+{
+    const auto& gate = gates_[std::size_t(k)];
+    const auto& opening = gate.opening;
+    const auto& lines = gate.section.lines();
+    const double row = gate.section.rowSpacing();
+    std::vector<double> last(lines.size(), 0.5*row); // the first stands half a row behind the plane
+    auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        if (int(holder[i]) != k + 1) continue;
+        const auto x_i = in3D(at<dim>(x, i));
+        if (const int line = gate.section.lineAt(x_i); line >= 0) last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
+    }
+    std::vector<Vector<3>> places;
+    std::vector<double> profile;
+    for (std::size_t l = 0; l < lines.size(); ++l)
+        for (double s = last[l] - row; s > -depth_; s -= row)
+        {
+            places.push_back(lines[l].foot + s*opening.normal);
+            profile.push_back(lines[l].profile);
+        }
+    if (places.empty()) return;
+
+    store.resize(owned + places.size()); // what is new is 0
+    x = store.pointers(Position{});
+    const auto v = store.pointers(Velocity{});
+    for (std::size_t q = 0; q < places.size(); ++q)
+    {
+        const std::size_t i = owned + q;
+        put<dim>(x, i, in<dim>(places[q]));
+        put<dim>(v, i, in<dim>(gate.speed*profile[q]*opening.normal));
+        for (const auto& evolving : state_)
+        {
+            const auto value = opening.values.find(evolving.value.name);
+            if (value != opening.values.end()) store.component(evolving.value.name, 0)[i] = value->second;
+            if (!store.has(evolving.startName())) continue;
+            for (int c = 0; c < evolving.value.in(dim); ++c) store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
+        }
+        store.component(Holder::info.name, 0)[i] = k + 1;
+    }
+    owned += places.size();
+}
+
+template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t owned)
+{
+    const auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    held_.clear();
+    for (auto& gate : gates_)
+    {
+        gate.near.clear();
+        gate.held = 0;
+    }
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(at<dim>(x, i));
+        if (holder[i] > 0)
+        {
+            held_.push_back(int(i));
+            ++gates_[std::size_t(holder[i]) - 1].held;
+            impose(store, i, x_i);
+            continue;
+        }
+        for (auto& gate : gates_)
+            if (const double s = gate.opening.distance(x_i); s >= 0 && s < coefficients_.support && belongs(gate, x_i))
+                gate.near.push_back(int(i));
+    }
+}
+
+template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
+{
+    const auto clear = [&](const std::string& field)
+    {
+        const auto found = store.fields().find(field);
+        if (found == store.fields().end()) return;
+        for (std::size_t c = 0; c < found->second.component.size(); ++c)
+            for (const int i : held_) store.component(field, int(c))[i] = 0;
+    };
+    for (const auto& evolving : state_)
+        if (evolving.rate && !evolving.advancedByModel) clear(evolving.rate->name);
+    clear(ShiftDirection::info.name);
+    clear(TransportAcceleration::info.name);
+}
+
+/// What passes through the section, and p = a + b s by least squares.
+template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
+{
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const p = store.component(Pressure::info.name, 0);
+    double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
+    for (const int i : gate.near)
+    {
+        const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i)))), w = weight(s);
+        n += w;
+        v0 += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        s1 += w*s;
+        s2 += w*s*s;
+        p0 += w*p[i];
+        p1 += w*s*p[i];
+    }
+    gate.inflow = n > 0 ? gate.section.area()*v0/n : 0;
+    const double spread = n*s2 - s1*s1;
+    const bool enough = gate.near.size() > 2 && spread > sqr(0.25*coefficients_.spacing*n); // more than a row
+    if (gate.opening.inlet)
+    {
+        gate.slope = enough ? (n*p1 - s1*p0)/spread : 0;
+        gate.pressure = n > 0 ? (p0 - gate.slope*s1)/n : coefficients_.backgroundPressure;
+    }
+    else gate.slope = enough ? (p1 - gate.pressure*s1)/s2 : 0;
+}
+
+/// Along the normal, of each line [m/s]; infinite where an outlet's particles keep what they have, for none comes along behind them.
+template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
+{
+    const auto& lines = gate.section.lines();
+    std::vector<double> sum(lines.size(), 0), count(lines.size(), 0);
+    if (gate.opening.inlet)
+    {
+        for (std::size_t l = 0; l < lines.size(); ++l) sum[l] = gate.speed*lines[l].profile;
+        return sum;
+    }
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    for (const int i : gate.near)
+    {
+        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        const int line = gate.section.lineAt(x_i);
+        if (line < 0) continue;
+        const double w = weight(gate.opening.distance(x_i));
+        sum[std::size_t(line)] += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        count[std::size_t(line)] += w;
+    }
+    for (std::size_t l = 0; l < sum.size(); ++l)
+        sum[l] = count[l] > 0 ? std::min(0.0, sum[l]/count[l]) : std::numeric_limits<double>::infinity();
+    return sum;
+}
+
+/// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
+template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
+{
+    const auto& gate = gates_[std::size_t(store.component(Holder::info.name, 0)[i]) - 1];
+    const double p = gate.pressure + gate.slope*gate.opening.distance(x_i);
+    store.component(HeldPressure::info.name, 0)[i] = p;
+    if (!integrates_) return;
+    const double ratio = 1 + (p - coefficients_.backgroundPressure)/coefficients_.stiffness[0];
+    store.component(Density::info.name, 0)[i] = coefficients_.restDensity[0]*std::pow(std::max(leastRatio, ratio), 1/coefficients_.exponent[0]);
+}
+
+template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
+{
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    for (auto& gate : gates_)
+    {
+        measure(store, gate);
+        if (!gate.opening.inlet || !gate.opening.pressure) continue;
+        const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
+        gate.speed = std::clamp(gate.speed + deltaT*(behind - gate.pressure)/(coefficients_.restDensity[0]*depth_), 0.0, gate.most);
+    }
+    std::vector<std::vector<double>> velocity;
+    for (const auto& gate : gates_) velocity.push_back(velocities(store, gate));
+    for (const int i : held_)
+    {
+        const std::size_t k = std::size_t(holder[i]) - 1;
+        const auto& gate = gates_[k];
+        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        impose(store, std::size_t(i), x_i);
+        if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(velocity[k][std::size_t(line)]))
+            put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)]*gate.opening.normal));
+    }
+}
+
+template<int dim> std::vector<Flow> Openings<dim>::flows() const
+{
+    std::vector<Flow> flows;
+    for (const auto& gate : gates_)
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts,
+                         gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
+    return flows;
+}
+
+template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
+{
+    const double* const m = store.component(Mass::info.name, 0);
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        if (counted_[q]->value.name != field) continue;
+        double* const rate = store.component(counted_[q]->rate->name, 0);
+        double intoHeld = 0;
+        for (const int i : held_)
+        {
+            intoHeld += deltaT*rate[i]*m[i]/coefficients_.restDensity[0];
+            rate[i] = 0;
+        }
+        heldAmounts_[q] += intoHeld;
+    }
+}
+
+template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i) const
+{
+    return store.component(fraction.value.name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
+}
+
+template<int dim> double Openings<dim>::freeMass(const FieldStore<dim>& store) const
+{
+    const double *m = store.component(Mass::info.name, 0), *holder = store.component(Holder::info.name, 0);
+    return sum(store.owned(), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : m[i]; });
+}
+
+template<int dim> double Openings<dim>::freeAmount(const FieldStore<dim>& store, const Evolving& fraction) const
+{
+    const double* const holder = store.component(Holder::info.name, 0);
+    return sum(store.owned(), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : amountOf(store, fraction, i); });
+}
+
+template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& store) const
+{
+    const auto relative = [&](double now, double start, const auto& passed)
+    {
+        double expected = start, largest = std::max(start, now);
+        for (const auto& gate : gates_)
+        {
+            expected += passed(gate);
+            largest = std::max(largest, std::abs(passed(gate)));
+        }
+        return largest > 0 ? (now - expected)/largest : 0;
+    };
+    Imbalance off;
+    off.mass = relative(freeMass(store), startMass_, [](const Gate& gate) { return gate.mass; });
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q], [&](const Gate& gate) { return gate.amounts[q]; }));
+    return off;
+}
+
+template<int dim> double Openings<dim>::power() const
+{
+    double sum = 0;
+    for (const auto& gate : gates_)
+        if (gate.opening.inlet)
+            sum += gate.speed*gate.section.area()*
+                   std::max(0.0, gate.pressure - coefficients_.backgroundPressure + 0.5*coefficients_.restDensity[0]*sqr(gate.speed));
+    return sum;
+}
+
+template class Openings<2>;
+template class Openings<3>;
+
+}

@@ -1,0 +1,124 @@
+/// Inlets and outlets at work: particles that come and go, and those beyond the planes, which are held.
+///
+/// Beyond each plane stand particles of the scene as deep as the kernel sees from the plane, and as deep again for their own sums. They take
+/// part in every sum, but do not obey it:
+///
+///   inlet    v = U u n                  U mean velocity [m/s], u profile of the section (Section.hpp), n normal
+///   outlet   v = (v_l.n) n, v_l the mean of the free particles within H of the plane that come along the same line l, never inwards
+///   both     p = a + b s                s [m] distance from the plane, < 0; a, b fitted to the fluid within H of the plane, at an outlet
+///                                       with a the given pressure; where density is integrated, the density that goes with it
+///
+/// An inlet that has a pressure p_in moves by the balance of forces on the plug of length l that it holds, and not faster than its velocity,
+/// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle that passes an inlet's plane is free, and lines are filled up from behind; one
+/// that passes an outlet's is held, and taken away at the end. That happens when neighbour lists are rebuilt. What is packed further beyond a
+/// plane than is held there is taken away at the start.
+///
+/// Counts what passes: what is free has grown by as much, to round-off. Powder that migrates between held and free particles counts too.
+/// Verified by test/unit/openings and tutorials/verification/openChannel.
+#pragma once
+#include "FieldStore.hpp"
+#include "Opening.hpp"
+#include "State.hpp"
+#include "Section.hpp"
+#include <algorithm>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace sph
+{
+
+/// What an opening is, what it has let pass, into the scene > 0, and its present state.
+struct Flow
+{
+    std::string name;
+    bool inlet = true;
+    double area = 0;                       ///< [m^2], a length [m] in 2-D
+    std::size_t held = 0;                  ///< particles beyond the plane
+    double mass = 0;                       ///< since the first start [kg]; per metre of depth in 2-D
+    std::vector<double> amounts;           ///< of what is counted beside it (Evolving::amount) [m^3]
+    double flowRate = 0;                   ///< [m^3/s], into the scene > 0
+    double pressure = 0;                   ///< of the fluid at the plane [Pa], without the background pressure
+};
+
+/// By which the mass and the amounts of what is free miss what has passed, relative to the larger of what is there and what has passed.
+struct Imbalance
+{
+    double mass = 0;
+    std::vector<double> amounts;
+};
+
+template<int dim> class Openings
+{
+public:
+    /// Throws CaseError where an opening does not fit the scene: inside a wall, narrower than the kernel's support, with a duct that is not
+    /// straight, out of the domain as far as the held particles reach, or where another one holds particles. `restored` holds the numbers that
+    /// `state` gave.
+    Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored);
+
+    /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now.
+    std::size_t exchange(FieldStore<dim>&, std::size_t owned);
+    /// After they are sorted: finds those that are held, and those that are near.
+    void locate(FieldStore<dim>&, std::size_t owned);
+    /// Indices of the particles that are held.
+    std::span<const int> held() const { return held_; }
+    /// After an evaluation: takes from held particles what would move or change them.
+    void hold(FieldStore<dim>&) const;
+    /// Once a step, after the kick: pressures and velocities of the held particles.
+    void drive(FieldStore<dim>&, double deltaT);
+    /// A rate is about to act for `deltaT` [s]: held particles keep what they have, and what would go into them is counted.
+    void holdRate(FieldStore<dim>&, const std::string& field, double deltaT);
+    /// Names of the amounts that are counted.
+    const std::vector<std::string>& amounts() const { return amountNames_; }
+
+    std::vector<Flow> flows() const;
+    Imbalance imbalance(const FieldStore<dim>&) const;
+    /// Of the inlets upon the fluid [W]; never negative.
+    double power() const;
+    /// What a restart needs.
+    std::map<std::string, double> state() const;
+
+private:
+    struct Gate
+    {
+        Opening opening;
+        Section section;
+        double most, speed;                    ///< U of an inlet: its limit, and now
+        double pressure, slope;                ///< a and b
+        double mass = 0;                       ///< passed
+        std::vector<double> amounts = {};
+        double inflow = 0;                     ///< of what is near, through all of the section [m^3/s]
+        std::size_t held = 0;
+        std::vector<int> near = {};            ///< free particles within H
+    };
+    std::vector<Gate> gates_;
+    const Geometry& geometry_;
+    const Coefficients& coefficients_;
+    const State& state_;
+    bool integrates_ = false;                  ///< density evolves
+    std::vector<const Evolving*> counted_;     ///< fractions whose amounts are counted
+    std::vector<std::string> amountNames_;
+    double depth_;                             ///< of the held particles beyond a plane [m]
+    std::vector<int> held_;
+    double startMass_ = 0;
+    std::vector<double> startAmounts_, heldAmounts_;
+    bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
+
+    void check(const Opening&, const Section&) const;
+    /// Of a free particle at a distance s from a plane: what comes into reach and leaves it does so gradually.
+    double weight(double s) const { return std::max(0.0, s*(coefficients_.support - s)); }
+    bool belongs(const Gate&, const Vector<3>& x) const;
+    bool meet(const Gate& a, const Gate& b) const;
+    int holderOf(const Vector<3>& x) const;
+    bool farBeyond(const Vector<3>& x) const;
+    void insert(FieldStore<dim>&, std::size_t& owned, int gate);
+    void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
+    void measure(FieldStore<dim>&, Gate&) const;
+    std::vector<double> velocities(FieldStore<dim>&, const Gate&) const;
+    /// Of what is free.
+    double freeMass(const FieldStore<dim>&) const;
+    double freeAmount(const FieldStore<dim>&, const Evolving&) const;
+    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i) const;
+};
+
+}

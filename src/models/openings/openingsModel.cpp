@@ -1,0 +1,41 @@
+#include "openingsModel.hpp"
+#include "OpeningsPart.hpp"
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    if (!reading.theCase.has("constant/openings")) return;
+    settings.endsInside = true;
+    settings.needsParticles = false;
+    Evolving holder{stateField(Holder{})}, pressure{stateField(HeldPressure{})};
+    holder.written = pressure.written = false; // by where particles lie
+    settings.state.push_back(holder);
+    settings.state.push_back(pressure);
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state);
+    for (const auto& opening : openings)
+        if (settings.multiphase() || !settings.integration.moves)
+            reading.theCase.diagnostics().error(opening.where, fmt::format("opening \"{}\" needs {}", opening.name, settings.multiphase()
+                                                ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
+                                                : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
+    if (!openings.empty()) settings.parts.push_back(partOf<OpeningsPart>(openings));
+}
+}
+
+const Model& openingsModel()
+{
+    static const Model model{"openings", "inlets and outlets: planes across ducts", read, {}, {}, prepare};
+    return model;
+}
+
+}

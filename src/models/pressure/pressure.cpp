@@ -1,0 +1,101 @@
+#include "pressure.hpp"
+#include "pressureTerms.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+void prepare(const Reading& reading)
+{
+    auto& c = reading.settings.coefficients;
+    const auto& dict = reading.schemes;
+    if (dict.found("pMin")) c.leastPressure = dict.get("pMin", units::pressure);
+    if (c.leastPressure > 0) dict.error("pMin", fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
+    if (c.leastPressure > -1e299) reading.settings.endsInside = true;
+}
+
+/// So that the tension of an interface band does not tear the particles apart.
+void readBackground(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    const auto& dict = reading.schemes;
+    const bool automatic = dict.isWord("backgroundPressure", "automatic") || !dict.found("backgroundPressure");
+    if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
+    else if (settings.surfaceTension)
+    {
+        c.backgroundPressure = 0.8*(*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()))/c.spacing;
+        settings.reasons.push_back(fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "
+                                               "tear the particles apart", c.backgroundPressure));
+    }
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    readBackground(reading);
+    const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
+                                        [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
+    reading.select(settings.multiphase() ? "taitOfPhase" : prescribed ? "taitOrHeld" : "tait");
+    const auto& gradient = reading.choose("pressureGradient",
+                                          Words{"huAdams", "densityWeighted", "monaghan", "difference", "correctedDifference", "tensileControlled"},
+                                          "huAdams");
+    if (settings.separate.contains(PressureAcceleration::info.name))
+    {
+        reading.select("separateHuAdamsPressure");
+        reading.select("addPressure");
+    }
+    else reading.select(gradient + "Pressure");
+    settings.stiffnessLimit = settings.multiphase() && gradient != "densityWeighted";
+    if (gradient == "densityWeighted") settings.energyAdvice = "`pressureGradient huAdams`";
+}
+}
+
+namespace
+{
+/// s h/(c + |v|), s = 0.4; or s nu/c^2, at most 0.2 h/|v|, s = 0.25, where that is longer: an Euler step of implicit viscosity damps the waves
+/// that it does not resolve; stable to 2, within 1 % to 0.5; nu the least.
+std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& measured)
+{
+    const auto& c = settings.coefficients;
+    const auto& integration = settings.integration;
+    const auto& s = integration.factors;
+    const double h = 0.5*c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
+    const double soundStep = s.sound*h/(sound + measured.maxSpeed);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < c.phases.size(); ++k) least = std::min(least, c.viscosity[k]/c.restDensity[k]);
+    if (measured.leastViscosity) least = *measured.leastViscosity/c.restDensity[0];
+    const double damped = std::min(s.dampedSound*least/sqr(sound), 0.5*s.sound*h/measured.maxSpeed);
+    if (integration.solves && integration.theta == 1 && damped > soundStep) return StepLimit{integration.maxSubSteps*damped, "damped sound", true};
+    return StepLimit{integration.maxSubSteps*soundStep, "sound", true};
+}
+
+/// s h/c_eff, c_eff = sqrt(max(rho c^2)/min(rho)), s = 1.2, for the Hu-Adams pressure between phases: it pushes the light particle with the heavy
+/// side's stiffness.
+std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured&)
+{
+    if (!settings.stiffnessLimit) return {};
+    const auto& c = settings.coefficients;
+    double stiffest = 0;
+    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
+    const double step = settings.integration.factors.stiffness*0.5*c.support/
+                        std::sqrt(stiffest/(*std::min_element(c.restDensity.begin(), c.restDensity.end())));
+    return StepLimit{settings.integration.maxSubSteps*step, "stiffness", true};
+}
+}
+
+const Model& pressureModel()
+{
+    static const Model model{"pressureGradient", "state equation, and the acceleration by pressure", read, pressureTerms<2>(), pressureTerms<3>(), prepare,
+                             {}, {soundLimit, stiffnessLimit}};
+    return model;
+}
+
+}

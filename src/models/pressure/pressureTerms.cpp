@@ -1,0 +1,17 @@
+#include "pressureTerms.hpp"
+#include "Pressure.hpp"
+#include "Tait.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> pressureTerms()
+{
+    return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
+                     DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure>();
+}
+
+template Catalogue<2> pressureTerms<2>();
+template Catalogue<3> pressureTerms<3>();
+
+}

@@ -1,0 +1,16 @@
+#include "shiftingTerms.hpp"
+#include "ParticleShifting.hpp"
+#include "TransportVelocity.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> shiftingTerms()
+{
+    return catalogue<dim, ConcentrationGradient, SeparateConcentrationGradient, SurfaceShifting, UniformTransport, LocalTransport, TransportStress>();
+}
+
+template Catalogue<2> shiftingTerms<2>();
+template Catalogue<3> shiftingTerms<3>();
+
+}

@@ -1,0 +1,119 @@
+#include "Migration.hpp"
+#include "DivergedError.hpp"
+#include "Suspension.hpp"
+#include "reduce.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+constexpr int mostSteps = 1000000; ///< of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand
+}
+
+template<int dim>
+Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const MigrationSteps& steps, bool corrects)
+    : steps_(steps), corrects_(corrects), limit_(std::numeric_limits<double>::infinity())
+{
+    if (const auto found = restored.find("powderVolume"); found != restored.end()) startVolume_ = found->second;
+}
+
+template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
+{
+    if (place != Place::afterKick) return {};
+    return {{"migrate", "phi += dt dphi/dt, in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, completes()}};
+}
+
+template<int dim> std::vector<std::string> Migration<dim>::completes() const
+{
+    if (corrects_) return {ofCorrection, ofMigration};
+    return {ofMigration};
+}
+
+template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
+{
+    particles.evaluate(ofMigration);
+    const auto& s = particles.coefficients().template of<Suspension>();
+    const auto& store = particles.store();
+    const double *phi = store.component(PowderFraction::info.name, 0), *gammaDot = store.component(ShearRate::info.name, 0),
+                 *slope = store.component(RelativeViscositySlope::info.name, 0);
+    const double fastest = std::max(0.0, most(particles.size(), [&](std::size_t i)
+                                              { return gammaDot[i]*phi[i]*(s.Dc_a2 + s.Deta_a2*phi[i]*slope[i]); }));
+    limit_ = steps_.factor*sqr(0.5*particles.coefficients().support)/fastest;
+}
+
+template<int dim> void Migration<dim>::complete(Particles<dim>& particles)
+{
+    if (corrects_) particles.evaluate(ofCorrection);
+    evaluateRates(particles);
+    if (!startVolume_) startVolume_ = volume(particles);
+}
+
+template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double deltaT)
+{
+    auto& store = particles.store();
+    const std::size_t n = particles.size();
+    double* const phi = store.component(PowderFraction::info.name, 0);
+    double* const rate = store.component(PowderRate::info.name, 0);
+    complete(particles);
+    for (taken_ = 1;; ++taken_)
+    {
+        // What is left is cut into equal parts, so that no last one is a sliver.
+        const double parts = std::max(1.0, std::ceil(deltaT/limit_ - 1e-9)), part = deltaT/parts;
+        particles.holdRate(PowderFraction::info.name, part);
+        #pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) phi[i] += part*rate[i];
+        if (parts == 1) return;
+        if (taken_ == mostSteps)
+            throw DivergedError(fmt::format("{} steps of the powder's migration, at most {:.3g} s each, have not made up one of the flow: phi is no longer "
+                                            "physical. Choose a smaller `migrationFactor` in `integration`", taken_, limit_));
+        deltaT -= part;
+        evaluateRates(particles);
+    }
+}
+
+template<int dim> double Migration<dim>::volume(const Particles<dim>& particles) const
+{
+    const double *phi = particles.store().component(PowderFraction::info.name, 0), *m = particles.store().component(Mass::info.name, 0);
+    const double rho_0 = particles.coefficients().restDensity[0];
+    return reduceBlocks(particles.size(), 0.0, [&](std::size_t begin, std::size_t end)
+    {
+        double ofBlock = 0;
+        for (std::size_t i = begin; i < end; ++i) ofBlock += phi[i]*m[i];
+        return ofBlock/rho_0;
+    }, Add{});
+}
+
+template<int dim> std::vector<StepLimit> Migration<dim>::limits() const { return {{steps_.most*limit_, "migration"}}; }
+
+template<int dim> Numbers Migration<dim>::columns(const Particles<dim>& particles) const
+{
+    const auto n = particles.size();
+    const double *phi = particles.store().component(PowderFraction::info.name, 0), *mu = particles.store().component(DynamicViscosity::info.name, 0);
+    const auto of = [](const double* q) { return [q](std::size_t i) { return q[i]; }; };
+    const double powder = volume(particles);
+    return {{"minPhi", least(n, of(phi))}, {"maxPhi", most(n, of(phi))}, {"minViscosity", least(n, of(mu))}, {"maxViscosity", most(n, of(mu))},
+            {"powderVolume", powder}, {"powderDrift", startVolume_ && *startVolume_ > 0 ? powder/(*startVolume_) - 1 : 0}, {"migrationSteps", taken_}};
+}
+
+template<int dim> std::string Migration<dim>::report(const Particles<dim>& particles) const
+{
+    const auto c = columns(particles);
+    return fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n", c.at("minPhi"), c.at("maxPhi"),
+                       c.at("minViscosity"), c.at("maxViscosity"), c.at("powderVolume"),
+                       particles.held().empty() ? fmt::format(", changed by {:.2g}", c.at("powderDrift")) : "", taken_);
+}
+
+template<int dim> void Migration<dim>::save(Numbers& numbers) const
+{
+    if (startVolume_) numbers["powderVolume"] = *startVolume_;
+}
+
+template class Migration<2>;
+template class Migration<3>;
+
+}

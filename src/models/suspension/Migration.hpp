@@ -1,0 +1,50 @@
+/// Powder that migrates while a step of the flow passes: steps of its own at the velocities and positions of the flow.
+///
+///   mu(phi), gammaDot(v, mu), dphi/dt by the terms of this room;    phi += dt dphi/dt
+///   dt <= f h^2/max_i D_i,    D = gammaDot phi (D_c a^2 + D_eta a^2 phi 1/mu dmu/dphi)        f = 0.25; unstable from 0.4 in three dimensions
+///
+/// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities
+/// serves four of these steps (`migrationSteps`) within 0.1 % of phi.
+#pragma once
+#include "Particles.hpp"
+
+namespace sph
+{
+
+/// The groups of the plan: the gradient's correction, once in a step of the flow, and all rates.
+inline constexpr const char *ofCorrection = "correct the gradient", *ofMigration = "rates of migration";
+
+struct MigrationSteps
+{
+    double factor = 0.25;        ///< f
+    int most = 4;                ///< to a step of the flow
+};
+
+template<int dim> class Migration final : public Part<dim>
+{
+public:
+    Migration(Particles<dim>&, const Numbers& restored, const MigrationSteps&, bool corrects);
+
+    std::vector<Stage<dim>> stages(Place) override;
+    /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
+    void complete(Particles<dim>&) override;
+    std::vector<std::string> completes() const override;
+    std::vector<StepLimit> limits() const override;
+    Numbers columns(const Particles<dim>&) const override;
+    std::string report(const Particles<dim>&) const override;
+    void save(Numbers&) const override;
+
+private:
+    MigrationSteps steps_;
+    bool corrects_;
+    double limit_;                       ///< of one step, at the last evaluation [s]
+    int taken_ = 0;                      ///< in the last step of the flow
+    double leastViscosity_ = 0, largestViscosity_ = 0;
+    std::optional<double> startVolume_;  ///< of powder at the first start [m^3]
+
+    void evaluateRates(Particles<dim>&);
+    void advance(Particles<dim>&, double deltaT);
+    double volume(const Particles<dim>&) const;
+};
+
+}

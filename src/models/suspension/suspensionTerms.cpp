@@ -1,0 +1,18 @@
+#include "suspensionTerms.hpp"
+#include "Krieger.hpp"
+#include "PhillipsFlux.hpp"
+#include "ShearRate.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> suspensionTerms()
+{
+    return catalogue<dim, Krieger, KriegerSlope, ViscousShearStress, ResolvedShear, SubParticleShear, VelocityGradientShear, CorrectedGradientShear,
+                     PhillipsFlux>();
+}
+
+template Catalogue<2> suspensionTerms<2>();
+template Catalogue<3> suspensionTerms<3>();
+
+}

@@ -1,0 +1,55 @@
+/// Contact angle as a potential of the wall, the same energy as WallTension's but felt along the normal:
+///
+///   dv_i/dt += -1/rho_k sum_(walls within H of i) gamma_sk d(Phi/J)/dd n
+///   Phi(d) = 35/(16 H) (1 - (d/H)^2)^3,    J(d) = (1 - k_1 d)(1 - k_2 d)
+///
+/// n [-] normal and d [m] distance of the wall, gamma_sk [N/m] its tension with the particle's phase k, rho_k [kg/m^3] that phase's rest
+/// density. Phi [1/m] integrates to 1 over the fluid's side of a plane; J, the fluid's area at d over that at the wall, makes it do so over
+/// spheres and cylinders of the curvatures k_1 and k_2 [1/m] (Shape.hpp): covered by phase k they store gamma_sk. Without J grains of 8 to
+/// 16 spacings a radius had 5 to 20 % too much. Where the curvature varies along the surface J is 1: a force along the normal alone would
+/// do work on a closed way. Phi is flat at H, and at the wall where that is plane: no step in the force, and ghosts need no rule of their
+/// own. d is that of the nearest place of each body, its edges included: the force of a box is the gradient of one potential, and a liquid
+/// around its corner is at rest.
+///
+/// The force has an energy whatever the particles' arrangement: liquid bodies of a few spacings stay on the wall, where the stress
+/// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The interface must bend within H of the wall: the curvature form
+/// does, and has angles within 3 degrees; the interface stress does not, and has them too far from 90 (tutorials/verification/contactAngle).
+#pragma once
+#include "Coefficients.hpp"
+#include "fieldTags.hpp"
+
+namespace sph
+{
+
+struct WallPotential
+{
+    static constexpr bool atWalls = true;
+    static constexpr auto name = "wallPotential";
+    using Adds = Acceleration;
+    using ReadsOwn = Fields<Phase>;
+    const double *tension, *restDensity;   ///< [N/m], walls x phases; [kg/m^3]
+    std::size_t phases;
+    double H;
+
+    explicit WallPotential(const Coefficients& c)
+        : tension(c.wallTension.data()), restDensity(c.restDensity.data()), phases(c.phases.size()), H(c.support)
+    {}
+    /// d(Phi/J)/dd [1/m^2] at the distance d [m] from a surface of the given principal curvatures [1/m]
+    double slope(double d, double k1, double k2) const
+    {
+        const double s = d/H, left = 1 - sqr(s), a = 1 - k1*d, b = 1 - k2*d;
+        const double least = 0.1; // nearer to a centre of curvature there is no image either
+        if (left <= 0 || a < least || b < least) return 0;
+        const double Phi = 35.0/16/H*left*left*left, dPhi = -105.0/8/sqr(H)*s*sqr(left);
+        return (dPhi + Phi*(k1/a + k2/b))/(a*b);
+    }
+    auto operator()(auto dvdt, const auto& i, const auto& foot) const
+    {
+        const auto k = std::size_t(i.phase);
+        const double curved = foot.uniformlyCurved ? 1 : 0;
+        const double gamma = tension[std::size_t(foot.wall)*phases + k];
+        return dvdt += -gamma/restDensity[k]*slope(foot.distance, curved*foot.k1, curved*foot.k2)*foot.normal;
+    }
+};
+
+}

@@ -1,0 +1,165 @@
+#include "tension.hpp"
+#include "WallTension.hpp"
+#include "WettingAngles.hpp"
+#include "tensionTerms.hpp"
+#include "wettingLaws.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+bool hasTension(const Coefficients& c)
+{
+    return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
+}
+
+/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (eq. 14 of Barker et al. 2012 has the other sign), shared
+/// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at
+/// equal densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
+void setContactAngles(const Geometry& geometry, Coefficients& c)
+{
+    const std::size_t n = c.phases.size();
+    const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets && w.contactAngle != 90; });
+    if (n < 2 || !hasTension(c) || !wets) return;
+    for (const auto& wall : geometry.walls)
+        for (std::size_t k = 0; k < n; ++k)
+        {
+            const std::size_t other = k == 0 ? 1 : 0;
+            const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
+            c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*wall.cosine());
+        }
+}
+
+/// Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
+/// the density-weighted pressure and the wall potential. More phases have the stress form alone, and so have the walls' stresses.
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    const auto& dict = reading.schemes;
+    setContactAngles(reading.geometry, c);
+    const bool tension = hasTension(c);
+    const bool stress = reading.paper() || c.phases.size() > 2 || dict.isWord("contactAngle", "paper") || dict.isWord("contactAngle", "wallStress");
+    const auto& form = reading.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"},
+                                      !tension ? "none" : stress ? "interfaceStress" : "curvature");
+    settings.surfaceTension = form != "none";
+    if (!settings.surfaceTension) c.wallTension.clear();
+    if (form == "curvature") reading.prefer("pressureGradient", "densityWeighted");
+    if (settings.surfaceTension && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
+    if (form == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
+}
+
+void readAngles(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto& dict = reading.schemes;
+    const bool byCurvature = settings.has("surfaceTension", "curvature"), byStress = settings.has("surfaceTension", "interfaceStress");
+    const auto& form = reading.choose("contactAngle", Words{"wallStress", "wallPotential", "wallAdhesion", "paper"},
+                                      byCurvature ? "wallPotential" : reading.paper() && byStress ? "paper" : "wallStress");
+    if (form == "paper" && !byStress)
+        dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
+                                               "{}; take wallStress or wallPotential", settings.chosen.at("surfaceTension")));
+    if (form == "wallAdhesion" && byStress)
+        dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
+    if (dict.found("contactAngle") && (!settings.surfaceTension || !reading.geometry.wets()))
+        dict.error("contactAngle", fmt::format("does nothing without {}; give that, or leave this out",
+                                               reading.geometry.wets() ? "surface tension between two phases"
+                                                                       : "a wall that has a contactAngle in constant/geometry"));
+    // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
+    auto& c = settings.coefficients;
+    if (form != "paper" || !byStress || !reading.geometry.wets()) return;
+    c.wallTension.resize(reading.geometry.walls.size()*c.phases.size());
+    settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
+}
+
+/// Surface tension acts once in a step of several parts, in its middle: its curvature is four of the six sums over pairs of a two-phase step.
+/// Viscosity shares its sum with the pressure: nothing would be gained.
+void read(const Reading& reading)
+{
+    readAngles(reading);
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    const bool apart = settings.integration.maxSubSteps > 1;
+    const auto select = [&](const std::string& term) { (apart ? settings.slowTerms : settings.terms).push_back(term); };
+    const bool angles = !c.wallTension.empty();
+    const auto by = [&](const char* form) { return angles && settings.has("contactAngle", form); };
+    if (by("paper"))
+    {
+        select("solidPhaseStress");
+        select("stressOfSolid");
+    }
+    else if (settings.has("surfaceTension", "interfaceStress")) select("interfaceStress");
+    if (by("wallStress"))
+    {
+        select("wallTension");
+        c.set(KernelMarginal::of(settings.resolution.kernel, c.dimension, c.support));
+    }
+    if (settings.has("surfaceTension", "interfaceStress") || by("wallStress"))
+        select(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence");
+    if (settings.has("surfaceTension", "curvature"))
+    {
+        select("curvatureForce");
+        select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
+    }
+    if (by("wallAdhesion"))
+    {
+        WettingAngles angle;
+        for (const auto& wall : reading.geometry.walls) angle.cosine.push_back(wall.cosine());
+        c.set(angle);
+        settings.continuesInterfaces = true;
+    }
+    if (by("wallPotential")) select("wallPotential");
+    if (!apart) return;
+    if (settings.slowTerms.empty())
+        reading.schemes.subDictOrEmpty("integration").error("maxSubSteps", "without surface tension nothing acts more slowly than sound");
+    else
+        settings.reasons.push_back(fmt::format("up to {} parts to a step: surface tension acts in the middle one alone, all else in each",
+                                               settings.integration.maxSubSteps));
+}
+
+/// s sqrt((rho_k + rho_l) h^3/(4 pi gamma)), s = 0.5, of the pair of phases that allows least; half as long where it acts once in a step of several parts.
+std::optional<StepLimit> capillaryLimit(const Settings& settings, const Measured&)
+{
+    const auto& c = settings.coefficients;
+    const double h = 0.5*c.support, s = settings.integration.factors.capillary;
+    const std::size_t n = c.phases.size();
+    double step = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t l = 0; l < n; ++l)
+            if (const double gamma = c.surfaceTension[k*n + l]; gamma > 0)
+                step = std::min(step, std::sqrt((c.restDensity[k] + c.restDensity[l])*h*h*h/(4*std::numbers::pi*gamma)));
+    if (!(step < std::numeric_limits<double>::infinity())) return {};
+    return StepLimit{s*step, "capillary"};
+}
+
+/// s sqrt(h/|dv/dt|), s = 0.25, of what acts once in a step.
+std::optional<StepLimit> slowForceLimit(const Settings& settings, const Measured& measured)
+{
+    if (!(measured.maxSlowAcceleration > 0)) return {};
+    return StepLimit{settings.integration.factors.force*std::sqrt(0.5*settings.coefficients.support/measured.maxSlowAcceleration), "slow force"};
+}
+
+template<int dim> Catalogue<dim> allTerms()
+{
+    auto terms = tensionTerms<dim>();
+    for (auto& law : wettingLaws<dim>()) terms.push_back(std::move(law));
+    return terms;
+}
+}
+
+const Model& tensionModel()
+{
+    static const Model model{"surfaceTension", "surface tension between phases, and the contact angles of walls", read, allTerms<2>(), allTerms<3>(), prepare,
+                             {}, {capillaryLimit, slowForceLimit}};
+    return model;
+}
+
+}

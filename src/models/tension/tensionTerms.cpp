@@ -1,0 +1,18 @@
+#include "tensionTerms.hpp"
+#include "CurvatureForce.hpp"
+#include "InterfaceStress.hpp"
+#include "SolidPhase.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> tensionTerms()
+{
+    return catalogue<dim, InterfaceStress, SolidPhaseStress, StressOfSolid, ColourSmoothing, SmoothedColourGradient, AdheringColourGradient,
+                     InterfaceCurvature, CurvatureSmoothing, CurvatureForce>();
+}
+
+template Catalogue<2> tensionTerms<2>();
+template Catalogue<3> tensionTerms<3>();
+
+}

@@ -1,0 +1,67 @@
+#include "viscosity.hpp"
+#include "ArtificialViscosity.hpp"
+#include "viscosityTerms.hpp"
+#include <algorithm>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+/// Along the line of centres compression is resisted by 3 mu: nu (laplacian v + 2 grad div v).
+void prepare(const Reading& reading)
+{
+    if (reading.schemes.isWord("viscosity", "cleary")) reading.settings.integration.factors.viscous /= 3;
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
+    const auto& form = reading.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
+    const bool variable = settings.variableViscosity, central = form == "cleary";
+    if (form == "harmonic") reading.select(variable ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (central) reading.select(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
+    if (settings.multiphase() && form != "none") reading.select("viscosityOfPhase");
+    const std::string name = central ? variable ? "cleary" : "singlePhaseCleary" : variable ? "harmonicViscous" : "singlePhaseViscous";
+    if (settings.integration.solves)
+    {
+        settings.integration.response = name + "Response";
+        settings.integration.responseRate = name + "Rate";
+    }
+
+    const double alpha = reading.schemes.getNonNegative("artificialViscosity", units::none, 0);
+    if (!(alpha > 0)) return;
+    c.set(ArtificialNumber{alpha*(0.5*c.support)*(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()))*c.restDensity[0]});
+    reading.select("artificialViscosity");
+}
+
+/// s h^2/nu, s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density.
+std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& measured)
+{
+    const auto& c = settings.coefficients;
+    const double h = 0.5*c.support;
+    double nu = 0;
+    for (std::size_t k = 0; k < c.phases.size(); ++k)
+        for (std::size_t l = 0; l < c.phases.size(); ++l)
+            if (const double sum = c.viscosity[k] + c.viscosity[l]; sum > 0)
+                nu = std::max(nu, 2*c.viscosity[k]*c.viscosity[l]/sum/std::min(c.restDensity[k], c.restDensity[l]));
+    if (measured.largestViscosity) nu = *measured.largestViscosity/c.restDensity[0];
+    if (!(nu > 0) || settings.integration.solves) return {};
+    return StepLimit{settings.integration.maxSubSteps*(settings.integration.factors.viscous*h*h/nu), "viscosity", true};
+}
+}
+
+const Model& viscosityModel()
+{
+    static const Model model{"viscosity", "acceleration by viscosity, physical and artificial", read, viscosityTerms<2>(), viscosityTerms<3>(), prepare,
+                             {{"integration", [](const Settings& s) { return s.has("viscosity", "none") && s.integration.solves; },
+                               "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
+                             {viscousLimit}};
+    return model;
+}
+
+}

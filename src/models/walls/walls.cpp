@@ -1,0 +1,69 @@
+#include "walls.hpp"
+#include "WallRules.hpp"
+#include "wallLayers.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sph
+{
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto& c = settings.coefficients;
+    const auto& dict = reading.schemes;
+    const auto& geometry = reading.geometry;
+    const bool layers = wallsAreLayers(dict), viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
+    settings.chosen["walls"] = layers ? "layers" : "reflected";
+    if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
+    if (!geometry.layers.empty())
+        settings.reasons.push_back(fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
+                                               geometry.layers.size()));
+    const bool second = !reading.paper() && !geometry.patches.empty() && viscous && !settings.variableViscosity;
+    const auto& rule = reading.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
+    if (rule != "secondOrder") return;
+    settings.separate.insert(PressureAcceleration::info.name);
+    settings.state.push_back({stateField(WallAcceleration{})});
+    settings.ruleReads[Image::velocity] = {stateField(WallAcceleration{})};
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto& c = settings.coefficients;
+    const auto& geometry = reading.geometry;
+    const auto& pressure = reading.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, reading.paper() ? "mirrored" : "hydrostatic");
+    const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    if (continued) settings.ruleReads[Image::pressure] = {stateField(Density{})};
+    settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
+                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
+    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored")));
+}
+
+bool viscous(const Settings& s)
+{
+    return std::any_of(s.coefficients.viscosity.begin(), s.coefficients.viscosity.end(), [](double mu) { return mu > 0; });
+}
+}
+
+const Model& wallsModel()
+{
+    static const Model model{
+        "walls", "how the fluid continues into its walls: velocity and pressure of ghosts, or of particles in layers", read, {}, {}, prepare,
+        {{"wallVelocity", [](const Settings& s) { return s.has("walls", "layers") && s.has("wallVelocity", "freeSlip"); },
+          "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected"},
+         {"wallVelocity",
+          [](const Settings& s)
+          { return s.has("wallVelocity", "secondOrder") && (s.variableViscosity || !viscous(s) || !s.has("pressureGradient", "huAdams")); },
+          "secondOrder needs a single phase of uniform viscosity and pressureGradient huAdams; take reflected"},
+         {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
+          "layers have no interface to continue: with surface tension take walls reflected"}}};
+    return model;
+}
+
+}

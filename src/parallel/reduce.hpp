@@ -1,0 +1,54 @@
+/// From particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
+/// combined in their order. NaN and infinity go through it: `smaller` and `larger` keep a NaN that they meet.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sph
+{
+
+/// `combine(total, part)` over the blocks of 0 .. n - 1 in their order, from `start`; `ofBlock(begin, end)` gives each part.
+template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T start, const OfBlock& ofBlock, const Combine& combine)
+{
+    const std::size_t block = 4096, blocks = (n + block - 1)/block;
+    std::vector<T> parts(blocks, start);
+    #pragma omp parallel for schedule(static)
+    for (std::size_t b = 0; b < blocks; ++b) parts[b] = ofBlock(b*block, std::min(n, (b + 1)*block));
+    for (const auto& part : parts) combine(start, part);
+    return start;
+}
+
+/// The same of single particles: `combine(total, value(i))` within blocks, and of blocks.
+template<class T, class Value, class Combine> T reduce(std::size_t n, const T& start, const Value& value, const Combine& combine)
+{
+    return reduceBlocks(n, start, [&](std::size_t begin, std::size_t end)
+    {
+        T part = start;
+        for (std::size_t i = begin; i < end; ++i) combine(part, value(i));
+        return part;
+    }, combine);
+}
+
+struct Add
+{
+    void operator()(auto& total, const auto& q) const { total += q; }
+};
+struct Smaller
+{
+    void operator()(double& least, double q) const { least = q < least || std::isnan(q) ? q : least; }
+};
+struct Larger
+{
+    void operator()(double& most, double q) const { most = q > most || std::isnan(q) ? q : most; }
+};
+
+/// sum_i value(i)
+template<class Value> auto sum(std::size_t n, const Value& value) { return reduce(n, decltype(value(n)){}, value, Add{}); }
+/// Infinite without particles.
+template<class Value> double least(std::size_t n, const Value& value) { return reduce(n, std::numeric_limits<double>::infinity(), value, Smaller{}); }
+/// Minus infinite without particles.
+template<class Value> double most(std::size_t n, const Value& value) { return reduce(n, -std::numeric_limits<double>::infinity(), value, Larger{}); }
+
+}

@@ -1,0 +1,50 @@
+/// Name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
+#pragma once
+#include "terms.hpp"
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// What a term runs over. `advance`: a local law that sees the step.
+enum class Over { particles, pairs, walls };
+
+template<int dim> struct CatalogueEntry
+{
+    std::string name;
+    Over over;
+    bool provides, advances, readsKernel, ofRawGradient;
+    std::vector<FieldUse<dim>> results, reads, readsOwn;
+    std::function<std::unique_ptr<Operation<dim>>(const Coefficients&, const Binding<dim>&)> bind;
+    Names names;                 ///< of fields that are not called as their tags
+};
+
+template<int dim> using Catalogue = std::vector<CatalogueEntry<dim>>;
+
+/// A term as an entry; `make` gives it its numbers.
+template<int dim, class T, class Make> CatalogueEntry<dim> entry(std::string name, const Make& make, const Names& names = {})
+{
+    static_assert(PairTerm<T, dim> + LocalLaw<T, dim> + WallLaw<T, dim> == 1);
+    constexpr Over over = PairTerm<T, dim> ? Over::pairs : LocalLaw<T, dim> ? Over::particles : Over::walls;
+    return {std::move(name), over, provides<T>, advances<T>, readsKernel<T>, ofRawGradient<T>,
+            uses<dim>(ResultsOf<T>{}, names), uses<dim>(ReadsOf<T>{}, names), uses<dim>(ReadsOwnOf<T>{}, names),
+            [make](const Coefficients& c, const Binding<dim>& b) -> std::unique_ptr<Operation<dim>> { return std::make_unique<Bound<T, dim>>(make(c), b); },
+            names};
+}
+
+template<int dim, class... T> Catalogue<dim> catalogue()
+{
+    const auto make = []<class Term>(std::type_identity<Term>)
+    {
+        return [](const Coefficients& c)
+        {
+            if constexpr (std::constructible_from<Term, const Coefficients&>) return Term(c);
+            else return Term{};
+        };
+    };
+    return {entry<dim, T>(T::name, make(std::type_identity<T>{}))...};
+}
+
+}

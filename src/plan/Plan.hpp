@@ -1,0 +1,112 @@
+/// From the selected terms to the passes of every evaluation of a scene: close, order, merge, allocate, print.
+///
+/// A plan has groups of passes. The first is an evaluation: all that follows from the state. Further ones run at the same positions, where a
+/// stage of the integrator asks for them: what acts once in a step of several, what a solver or a subcycle repeats. They find what the groups
+/// before them have left there, images and pairs included.
+///
+/// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. What the rule
+/// of an image reads counts as read by the term whose neighbours' values it makes.
+/// Where a term that provides gradientScale is selected, every pair term but those of the raw gradient waits for it, and its pass sees
+/// the normalised gradW.
+/// Order: wall laws and local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass; wall laws that
+/// add to a rate come last.
+#pragma once
+#include "Catalogue.hpp"
+#include <functional>
+#include <iosfwd>
+#include <set>
+
+namespace sph
+{
+
+/// A group of passes as a scene asks for it.
+struct Group
+{
+    std::string name;                      ///< of the stage that runs it
+    std::vector<std::string> terms;
+    std::set<std::string> changed = {};    ///< fields that are not what they were in the groups before
+    Names names = {};                      ///< of results that are kept apart
+    std::set<std::string> given = {};      ///< what whoever runs the group writes before: the change that a solver tries
+};
+
+template<int dim> class Plan
+{
+public:
+    /// `state`: names of the fields that the scene brings; `ruleReads`: what the rule of an image reads of its source. The catalogue must
+    /// outlive the plan. Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
+    Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state, std::map<Image, std::vector<FieldUse<dim>>> ruleReads = {});
+    /// Of one evaluation alone.
+    Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& terms, std::set<std::string> state)
+        : Plan(catalogue, {{"evaluate", terms}}, std::move(state))
+    {}
+
+    void allocate(FieldStore<dim>&) const;
+    /// Positions, volume factors and what some pass gathers: all that images need values of.
+    std::set<std::string> readAtNeighbours() const;
+    /// Again after each change of the arrays or the coefficients.
+    void bind(FieldStore<dim>&, const Coefficients&);
+    /// `deltaT` [s] is what laws that advance a state see.
+    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0);
+
+    /// Index of the group of that name; throws std::logic_error where there is none.
+    std::size_t group(const std::string& name) const;
+    bool hasGroup(const std::string& name) const;
+    /// Of all groups.
+    int pairPasses() const;
+    /// Of the packed records.
+    std::size_t bytes() const { return records_.capacity()*sizeof(double); }
+    bool has(const std::string& term) const;
+    bool provides(const std::string& field) const;
+
+    /// How often each operation has run, by "group/term".
+    using Counts = std::map<std::string, long>;
+    void countInto(Counts* counts) { counts_ = counts; }
+
+    /// Passes of a group with the terms in them, numbered on from `operation` and `pass`, why each term is there, columns gathered, image fields
+    /// refreshed.
+    void printGroup(std::ostream&, std::size_t group, int& pass, int& operation) const;
+    /// Fields, bytes, and the terms of the catalogue that no group has.
+    void printFields(std::ostream&, const FieldStore<dim>&) const;
+    /// All groups in order, and the fields.
+    void print(std::ostream&, const FieldStore<dim>&) const;
+
+private:
+    using Entry = CatalogueEntry<dim>;
+    struct Pass
+    {
+        std::vector<const Entry*> entries;
+        std::map<std::string, int> firstColumn;            ///< components read at j, each gathered once
+        std::vector<FieldUse<dim>> columns, refresh;       ///< refresh: those written since images last saw them
+        std::vector<const double*> sources;
+        std::vector<std::unique_ptr<Operation<dim>>> operations;
+        typename Stencil<dim>::Factors factors;            ///< their columns, behind those of the terms
+        bool readsKernel = false, normalised = false;      ///< normalised: gradW over the mean gradientScale of the pair
+        bool pair() const { return entries[0]->over == Over::pairs; }
+    };
+    struct Passes
+    {
+        Group group;
+        std::vector<const Entry*> chosen;
+        std::map<const Entry*, std::string> reason;
+        std::vector<Pass> passes;
+        bool keepsPairs = false;                           ///< for passes behind its first pair pass, or groups behind it
+        std::string resultName(const FieldUse<dim>& f) const { return nameIn(group.names, f.name.c_str()); }
+    };
+    const Catalogue<dim>& catalogue_;
+    std::set<std::string> state_;
+    std::map<Image, std::vector<FieldUse<dim>>> ruleReads_;
+    std::vector<Passes> groups_;
+    Array records_;                                        ///< positions and first columns of the pass at hand, packed
+    Counts* counts_ = nullptr;
+
+    /// Calls f(field) for all that an entry reads, rules of images included.
+    void forEachRead(const Entry&, const std::function<void(const FieldUse<dim>&)>& f) const;
+    std::set<std::string> outdatedBy(std::set<std::string> fields) const;
+    void select(Passes&);
+    void close(Passes&, const std::set<std::string>& given);
+    void order(Passes&, const std::set<std::string>& given, std::set<std::string>& fresh);
+    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
+    const double* pack(const Pass&, FieldStore<dim>&);
+};
+
+}

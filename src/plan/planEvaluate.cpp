@@ -1,0 +1,201 @@
+/// Allocating, binding, evaluating and printing a plan.
+#include "Plan.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <ostream>
+
+namespace sph
+{
+
+template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
+{
+    store.allocate(Position{});
+    for (const auto& g : groups_)
+        for (const auto* e : g.chosen)
+        {
+            for (const auto& f : e->results) store.allocate(g.resultName(f), f.info, f.components);
+            forEachRead(*e, [&](const FieldUse<dim>& f) { store.allocate(f.name, f.info, f.components); });
+        }
+}
+
+template<int dim> std::set<std::string> Plan<dim>::readAtNeighbours() const
+{
+    std::set<std::string> read{Position::info.name, ImageWeight::info.name};
+    for (const auto& g : groups_)
+        for (const auto& pass : g.passes)
+        {
+            for (const auto& f : pass.columns) read.insert(f.name);
+            if (pass.normalised) read.insert(GradientScale::info.name);
+        }
+    return read;
+}
+
+template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
+{
+    for (auto& g : groups_)
+    {
+        std::set<std::string> written = state_; // what adds to a state changes it, and never overwrites it
+        for (auto& pass : g.passes)
+        {
+            pass.sources.clear();
+            pass.operations.clear();
+            for (const auto& f : pass.columns)
+                for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.name, c));
+            const auto factor = [&](bool needed, const FieldInfo& info)
+            {
+                if (needed) pass.sources.push_back(store.component(info.name, 0));
+                return needed ? int(pass.sources.size()) - 1 : -1;
+            };
+            pass.factors = {factor(pass.pair() && store.has(ImageWeight{}), ImageWeight::info), factor(pass.normalised, GradientScale::info)};
+            for (const auto* e : pass.entries)
+            {
+                auto names = e->names;
+                names.insert(g.group.names.begin(), g.group.names.end());
+                const bool adds = !written.insert(g.resultName(e->results[0])).second && !e->advances;
+                pass.operations.push_back(e->bind(coefficients, {store, names, pass.firstColumn, adds}));
+            }
+        }
+    }
+}
+
+/// Positions and columns of every particle, eight doubles to a cache line; null where the machine gathers one by one.
+template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store)
+{
+    if constexpr (!packsRecords) return nullptr;
+    const std::size_t n = store.size();
+    const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
+    if (records_.size() < arrays*n*recordSize)
+    {
+        records_ = Array();
+        records_.resize(arrays*(n + n/50)*recordSize);
+    }
+    std::vector<const double*> from;
+    for (const double* p : store.pointers(Position{})) from.push_back(p);
+    from.insert(from.end(), pass.sources.begin(), pass.sources.end());
+    from.resize(std::max<std::size_t>(from.size(), arrays*recordSize), from[0]);
+    const long block = 1024, blocks = long((n + block - 1)/block);
+    for (int a = 0; a < arrays; ++a)
+    {
+        double* const to = records_.data() + a*n*recordSize;
+        #pragma omp parallel for schedule(static)
+        for (long b = 0; b < blocks; ++b)
+        {
+            const double* part[recordSize];
+            for (int c = 0; c < recordSize; ++c) part[c] = from[a*recordSize + c] + b*block;
+            packRecords(part, std::min<std::size_t>(block, n - b*block), to + b*block*recordSize);
+        }
+    }
+    return records_.data();
+}
+
+template<int dim>
+void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldStore<dim>& store, const Images<dim>& images,
+                              NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+{
+    if (keeps) lists.makeRoomWithin();
+    const double* const records = pack(pass, store);
+    const auto pointers = store.pointers(Position{});
+    std::array<const double*, dim> x;
+    std::copy(pointers.begin(), pointers.end(), x.begin());
+    const long null = long(images.nullParticle());
+    const long n = long(images.owned());
+    const auto* const layers = images.layers();
+
+    std::visit([&](const auto& k)
+    {
+        #pragma omp parallel
+        {
+            static thread_local Stencil<dim> stencil;
+            #pragma omp for schedule(dynamic, 256)
+            for (long i = 0; i < n; ++i)
+            {
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, k,
+                             pass.readsKernel, null);
+                if (layers) layers->continueInto(stencil, images.ghostVelocity(), pass.columns, pass.sources, pass.factors.scale);
+                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
+                if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
+                for (const auto& o : pass.operations) o->gather(stencil);
+            }
+        }
+    }, kernel.choice());
+}
+
+template<int dim>
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel, std::size_t group,
+                         double deltaT)
+{
+    const auto& g = groups_[group];
+    const std::size_t n = images.owned(), block = 4096;
+    bool within = group > 0; // the pairs that an evaluation before has kept
+    for (const auto& pass : g.passes)
+    {
+        for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
+        if (counts_)
+            for (const auto* e : pass.entries) ++(*counts_)[g.group.name + "/" + e->name];
+        if (pass.pair())
+        {
+            evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, kernel);
+            within = g.keepsPairs;
+            continue;
+        }
+        const bool walls = pass.entries[0]->over == Over::walls;
+        #pragma omp parallel for schedule(static)
+        for (std::size_t begin = 0; begin < n; begin += block)
+            for (const auto& o : pass.operations)
+            {
+                if (walls) o->atWalls(images, begin, std::min(n, begin + block));
+                else o->evaluate(begin, std::min(n, begin + block), deltaT);
+            }
+    }
+}
+
+template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t group, int& number, int& operation) const
+{
+    const auto& g = groups_[group];
+    for (const auto& pass : g.passes)
+    {
+        const auto over = pass.entries[0]->over;
+        out << fmt::format("    pass {} over {}\n", ++number, over == Over::pairs ? "pairs" : over == Over::walls ? "walls" : "particles");
+        for (const auto* e : pass.entries)
+        {
+            std::string results;
+            for (const auto& f : e->results) results += (results.empty() ? "" : " ") + g.resultName(f);
+            out << fmt::format("    {:>4}  {:<32} -> {:<12} ({})\n", ++operation, e->name, results, g.reason.at(e));
+        }
+        if (pass.pair())
+        {
+            out << "          gathers    positions";
+            for (const auto& f : pass.columns) out << ' ' << f.name;
+            if (pass.normalised) out << ' ' << GradientScale::info.name;
+            out << "\n          images     positions";
+            for (const auto& f : pass.refresh) out << ' ' << f.name;
+            out << '\n';
+        }
+    }
+}
+
+template<int dim> void Plan<dim>::printFields(std::ostream& out, const FieldStore<dim>& store) const
+{
+    out << "    fields     ";
+    for (const auto& [name, field] : store.fields()) out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
+    out << fmt::format("\n    memory      {} bytes a particle, neighbour lists aside\n    left out   ", store.bytesPerParticle());
+    for (const auto& e : catalogue_)
+        if (!has(e.name)) out << ' ' << e.name;
+    out << '\n';
+}
+
+template<int dim> void Plan<dim>::print(std::ostream& out, const FieldStore<dim>& store) const
+{
+    int pass = 0, operation = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+    {
+        if (g > 0) out << "    " << groups_[g].group.name << ":\n";
+        printGroup(out, g, pass, operation);
+    }
+    printFields(out, store);
+}
+
+template class Plan<2>;
+template class Plan<3>;
+
+}

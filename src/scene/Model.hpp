@@ -1,0 +1,61 @@
+/// A model: one room with its words, its terms and laws, its state, its limits and columns, and what it cannot go with. Registered once
+/// (models.cpp); all else of the suite knows models by this alone.
+#pragma once
+#include "Settings.hpp"
+#include <functional>
+#include <optional>
+
+namespace sph
+{
+
+/// What a model reads from, and what it fills.
+struct Reading
+{
+    const Case& theCase;
+    const Geometry& geometry;
+    const Dictionary& schemes;                 ///< system/sphSchemes
+    Settings& settings;
+
+    bool paper() const { return settings.has("scheme", "paper"); }
+    /// The word of an entry of system/sphSchemes, and keeps it. `fallback` holds where no other model prefers another word.
+    const std::string& choose(const std::string& entry, const std::vector<std::string>& words, const std::string& fallback) const;
+    void prefer(const std::string& entry, const std::string& word) const { settings.preferred[entry] = word; }
+    void select(const std::string& term) const { settings.terms.push_back(term); }
+    /// An entry that does nothing without another one.
+    void belongs(const char* entry, const char* to) const;
+};
+
+/// Two choices that do not go together: an error at the first, which says why.
+struct Conflict
+{
+    std::string entry;
+    std::function<bool(const Settings&)> applies;
+    std::string why;
+};
+
+/// What limits of the step are made of.
+struct Measured
+{
+    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
+    std::optional<double> leastViscosity, largestViscosity;   ///< of the moment, where viscosity is a field of its own [Pa s]
+};
+using Limit = std::optional<StepLimit> (*)(const Settings&, const Measured&);
+
+struct Model
+{
+    const char *word, *meaning;
+    void (*read)(const Reading&);                      ///< words to terms, state, parts
+    Catalogue<2> terms2;
+    Catalogue<3> terms3;
+    void (*prepare)(const Reading&) = nullptr;         ///< before all models read: what others' defaults hang on
+    std::vector<Conflict> conflicts = {};              ///< looked at when all have read
+    std::vector<Limit> limits = {};                    ///< of the step, where particles move
+
+    template<int dim> const Catalogue<dim>& terms() const
+    {
+        if constexpr (dim == 2) return terms2;
+        else return terms3;
+    }
+};
+
+}

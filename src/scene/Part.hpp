@@ -1,0 +1,114 @@
+/// What a model does at run time beside its terms: stages of a step, what happens where lists are rebuilt, limits, lines of the log, numbers of
+/// a restart. Made at start-up; a model without such needs has none.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class Particles;
+struct Settings;
+struct Geometry;
+
+/// Numbers of a restart beside the fields.
+using Numbers = std::map<std::string, double>;
+
+/// The part of a step that stages are run in.
+struct Substep
+{
+    double time, deltaT;     ///< at its start, and its length [s]
+    double whole;            ///< length of the step that it is a part of [s]
+};
+
+/// A line of a step's algorithm. Under it -dry-run prints the passes of the groups that it evaluates.
+template<int dim> struct Stage
+{
+    std::string name;        ///< "drift"
+    std::string equation;    ///< "x += dt/2 v"
+    std::function<void(Particles<dim>&, const Substep&)> run;
+    std::vector<std::string> groups;
+    bool onceAStep;          ///< in the middle one of several parts
+
+    Stage(std::string called, std::string does, std::function<void(Particles<dim>&, const Substep&)> f, std::vector<std::string> evaluates = {},
+          bool once = false)
+        : name(std::move(called)), equation(std::move(does)), run(std::move(f)), groups(std::move(evaluates)), onceAStep(once)
+    {}
+};
+
+/// Where the stages of models join those of an integrator.
+enum class Place
+{
+    beforeDrift,
+    afterEvaluation,         ///< each one: also at the start, and before fields are written
+    solve,                   ///< forces are there, velocities are not
+    afterKick,               ///< velocities are those of the end of the step
+    afterDrift,
+    atEnd
+};
+
+/// A step that is stable, and the criterion that binds.
+struct StepLimit
+{
+    double deltaT;
+    std::string by;
+    bool ofPart = false;   ///< of what acts in each part of a step, with the most parts; else of what acts once
+};
+
+template<int dim> class Part
+{
+public:
+    virtual ~Part() = default;
+    /// What joins each place, in order.
+    virtual std::vector<Stage<dim>> stages(Place) { return {}; }
+    /// Before particles are sorted: takes away and adds, and returns how many there are now.
+    virtual std::size_t exchange(Particles<dim>&, std::size_t owned) { return owned; }
+    /// After they have been sorted and lists are there.
+    virtual void sorted(Particles<dim>&) {}
+    /// After each change of the arrays.
+    virtual void bind(Particles<dim>&) {}
+    /// What fields and the log show beyond an evaluation, at the present state; and the groups that it evaluates.
+    virtual void complete(Particles<dim>&) {}
+    virtual std::vector<std::string> completes() const { return {}; }
+    /// A rate is about to act for `deltaT` [s] by a model's own step: takes from it what would change particles that are held.
+    virtual void holdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
+    /// Further limits of the step.
+    virtual std::vector<StepLimit> limits() const { return {}; }
+    /// Numbers of the log's columns, by name.
+    virtual Numbers columns(const Particles<dim>&) const { return {}; }
+    /// What the log says once before the first step, and at each report: lines that end with one.
+    virtual std::string introduction() const { return ""; }
+    virtual std::string report(const Particles<dim>&) const { return ""; }
+    /// A few words on the line of the step.
+    virtual std::string note() const { return ""; }
+    /// What a restart needs.
+    virtual void save(Numbers&) const {}
+    /// Done upon the fluid since it was asked last [W].
+    virtual double power() const { return 0; }
+    virtual std::size_t bytes() const { return 0; }
+};
+
+/// Makes a part in either dimension.
+struct PartMaker
+{
+    template<int dim> using Make = std::function<std::unique_ptr<Part<dim>>(Particles<dim>&, const Numbers& restored)>;
+    Make<2> make2;
+    Make<3> make3;
+    template<int dim> const Make<dim>& make() const
+    {
+        if constexpr (dim == 2) return make2;
+        else return make3;
+    }
+};
+/// `P<dim>(particles, restored, args...)`
+template<template<int> class P, class... Args> PartMaker partOf(Args... args)
+{
+    const auto make = [=]<int dim>(std::integral_constant<int, dim>) -> PartMaker::Make<dim>
+    { return [=](Particles<dim>& particles, const Numbers& restored) -> std::unique_ptr<Part<dim>> { return std::make_unique<P<dim>>(particles, restored, args...); }; };
+    return {make(std::integral_constant<int, 2>{}), make(std::integral_constant<int, 3>{})};
+}
+
+}

@@ -1,0 +1,93 @@
+/// The particles with their images, lists, plan and the parts of models: everything that stages move, and nothing of time.
+#pragma once
+#include "Images.hpp"
+#include "Plan.hpp"
+#include "Settings.hpp"
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class Particles
+{
+public:
+    /// Settings, geometry and catalogue must outlive the particles. Throws CaseError where particles do not fit the scene.
+    Particles(const Settings&, const Geometry&, const Catalogue<dim>&, const Cloud&, const Numbers& restored);
+
+    /// Rates and derived fields at the present state. A pure function of the state.
+    void evaluate();
+    /// A further group of the plan, after an evaluation and at the same positions. `deltaT` [s] for laws that advance a state.
+    void evaluate(const std::string& group, double deltaT = 0);
+    /// Sorts the particles, and evaluates all fields at the present state.
+    void settle();
+    /// Wraps, sorts, makes images and lists anew.
+    void rebuild();
+    /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
+    void moved(double distance) { travelled_ += distance; }
+
+    std::size_t size() const { return owned_; }
+    const Settings& settings() const { return settings_; }
+    const Geometry& geometry() const { return geometry_; }
+    const Coefficients& coefficients() const { return coefficients_; }
+    FieldStore<dim>& store() { return store_; }
+    const FieldStore<dim>& store() const { return store_; }
+    Images<dim>& images() { return images_; }
+    const Images<dim>& images() const { return images_; }
+    const NeighbourLists<dim>& lists() const { return lists_; }
+    const Plan<dim>& plan() const { return plan_; }
+    Plan<dim>& plan() { return plan_; }
+    const Kernel<dim>& kernel() const { return kernel_; }
+    const std::vector<std::unique_ptr<Part<dim>>>& parts() const { return parts_; }
+    /// All stages that parts join a place with.
+    std::vector<Stage<dim>> stages(Place) const;
+
+    /// Particles whose state is prescribed: rates leave them alone.
+    std::span<const int> held() const { return held_; }
+    void hold(std::vector<int> held) { held_ = std::move(held); }
+    void holdRate(const std::string& field, double deltaT)
+    {
+        for (const auto& part : parts_) part->holdRate(*this, field, deltaT);
+    }
+    void complete()
+    {
+        for (const auto& part : parts_) part->complete(*this);
+    }
+    /// Largest speed, as last measured [m/s].
+    double maxSpeed() const { return maxSpeed_; }
+    void setMaxSpeed(double speed) { maxSpeed_ = speed; }
+
+    double densityScale() const { return coefficients_.densityScale; }
+    long rebuilds() const { return rebuilds_; }
+    std::size_t bytes() const;
+
+private:
+    const Settings& settings_;
+    const Geometry& geometry_;
+    Coefficients coefficients_;
+    Plan<dim> plan_;
+    FieldStore<dim> store_;
+    Images<dim> images_;
+    NeighbourLists<dim> lists_;
+    CellList<dim> cells_;
+    Kernel<dim> kernel_;
+    std::vector<std::unique_ptr<Part<dim>>> parts_;
+    std::vector<Stage<dim>> afterEvaluation_;
+    std::vector<int> held_;
+    std::size_t owned_ = 0;
+    double skin_, travelled_ = 0, maxSpeed_ = 0;
+    long rebuilds_ = 0;
+
+    void allocateState();
+    void load(const Cloud&, bool restarted);
+    void keepInside();
+    void checkApart() const;
+    Vector<dim> position(std::size_t i) const;
+    void normaliseDensity();
+    void bind();
+    /// The first group and what joins it, for positions and images as they are.
+    void evaluateFirst();
+};
+
+}

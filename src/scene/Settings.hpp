@@ -1,0 +1,104 @@
+/// What a case chooses, in words and numbers, before any particle is read. Models fill it (Model.hpp).
+#pragma once
+#include "Case.hpp"
+#include "Coefficients.hpp"
+#include "Geometry.hpp"
+#include "Part.hpp"
+#include "Plan.hpp"
+#include "State.hpp"
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// Resolution as all programs of the suite read it: system/sphSchemes, `resolution { spacing 1e-4; support 2.6; kernel wendlandC2; }`.
+struct Resolution
+{
+    double spacing = 1;      ///< [m]
+    double support = 2.6;    ///< H in spacings
+    std::string kernel = "wendlandC2";
+    double H() const { return support*spacing; }
+};
+Resolution readResolution(const Dictionary& sphSchemes);
+
+/// Fractions of the stability limits (how far from where steps fail: test/stability/README.md).
+struct StepFactors
+{
+    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
+};
+
+/// How time passes: the words of `integration`.
+struct Integration
+{
+    std::string scheme = "predictorCorrector";
+    bool predicts = true;                      ///< values half a step on are predicted, for the rates there
+    bool keepsRates = false;                   ///< the rates of a step predict those of the next
+    bool solves = false;                       ///< for velocities (ImplicitViscosity.hpp)
+    bool moves = true;                         ///< particles; else time is that of what they carry
+    int maxSubSteps = 1;                       ///< parts of a step at most, an odd number
+    double theta = 1, tolerance = 1e-6;        ///< of the solve
+    int maxIter = 1000;
+    StepFactors factors;
+    std::string response, responseRate;        ///< terms: what a force makes of a change in velocity, and the rate of a particle alone
+    double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
+};
+
+/// Which of the names of groups in a plan are whose.
+inline constexpr const char *ofEvaluation = "evaluate", *onceAStep = "evaluate what acts once a step", *ofSolver = "response";
+
+struct Settings
+{
+    Resolution resolution;
+    Coefficients coefficients;
+    Integration integration;
+
+    State state;                               ///< all that evolves
+    std::vector<std::string> terms;            ///< of an evaluation, names in the catalogues
+    std::vector<std::string> slowTerms;        ///< those that act once in a step of several parts, in its middle
+    std::vector<Group> groups;                 ///< further groups of the plan
+    std::map<Image, std::vector<StateField>> ruleReads;   ///< what the rule of an image reads of its source
+    Catalogue<2> terms2;                       ///< of models that come in any number: entries beside those of the catalogues
+    Catalogue<3> terms3;
+    std::vector<std::pair<std::string, std::string>> shown;   ///< derived fields in time folders: name, and that on disk
+    std::vector<PartMaker> parts;              ///< of models that do more than terms can say
+    std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
+    std::string energyAdvice = "a smaller factor in `integration`";   ///< where a run gains energy
+
+    std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
+    std::map<std::string, std::string> preferred;  ///< entries whose default another model sets
+    std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
+    std::set<std::string> separate;                ///< results that somebody wants by themselves
+
+    bool variableViscosity = false;            ///< viscosity is a field
+    bool integratedDensity = false;            ///< density evolves
+    bool normaliseDensity = true;
+    bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
+    bool surfaceTension = false;               ///< acts between phases
+    bool continuesInterfaces = false;          ///< interfaces go straight on behind walls
+    bool endsInside = false;                   ///< some particles lack neighbours: beyond a free surface, or where those end that openings hold
+    bool weighted = false;                     ///< some wall is curved or has edges: images carry volume factors
+    bool needsParticles = true;                ///< at the start; else they come in
+
+    bool multiphase() const { return coefficients.phases.size() > 1; }
+    bool has(const std::string& entry, const std::string& word) const
+    {
+        const auto found = chosen.find(entry);
+        return found != chosen.end() && found->second == word;
+    }
+    template<int dim> const Catalogue<dim>& ownTerms() const
+    {
+        if constexpr (dim == 2) return terms2;
+        else return terms3;
+    }
+    /// Adds a term of its own numbers under its own name; `make(coefficients)` gives it.
+    template<class T> void define(const std::string& name, const auto& make, const Names& names = {})
+    {
+        terms2.push_back(entry<2, T>(name, make, names));
+        terms3.push_back(entry<3, T>(name, make, names));
+    }
+};
+
+}

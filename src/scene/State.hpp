@@ -1,0 +1,63 @@
+/// What evolves in a scene: one declaration for each field. Allocating, loading, sorting, predicting, kicking, correcting, what an inlet brings,
+/// what is held, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
+#pragma once
+#include "Cloud.hpp"
+#include "Dictionary.hpp"
+#include "Coefficients.hpp"
+#include "fieldTags.hpp"
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// A field by its name in this scene, without its type.
+struct StateField
+{
+    FieldInfo info;
+    std::string name;
+    std::array<int, 2> components;   ///< in two and three dimensions
+    int in(int dimension) const { return components[std::size_t(dimension) - 2]; }
+};
+template<class F> StateField stateField(F, const std::string& name = F::info.name)
+{
+    return {F::info, name, {fieldComponents<F, 2>, fieldComponents<F, 3>}};
+}
+
+/// What a field is loaded from.
+struct Loading
+{
+    const Cloud& cloud;
+    const Coefficients& coefficients;
+    bool restarted;                            ///< the time folder was written by a run
+    std::vector<double*> values;               ///< by component, of all particles
+    std::function<int(std::size_t)> phaseOf;
+
+    std::size_t size() const { return cloud.size(); }
+    /// "particle 3 at (0 0 0)", for messages.
+    std::string particle(std::size_t i) const;
+};
+
+struct Evolving
+{
+    StateField value;
+    std::optional<StateField> rate = {};       ///< value += dt rate; without one the value is moved by a stage of its model, or stays
+    bool advancedByModel = false;              ///< at steps of its own: prediction and kick leave it alone
+    bool written = true;                       ///< into time folders; what is not follows from the rest
+    bool label = false;                        ///< a whole number
+    std::string onDisk = {};                   ///< where the file has another name
+    std::function<void(const Loading&)> missing = {};   ///< where the time folder has no such field; default 0
+    std::function<void(const Loading&)> check = {};     ///< throws CaseError where a value cannot be
+    std::function<double(const Dictionary&)> inlet = {};   ///< of what comes in, from the dictionary of its opening; default 0
+    std::string amount = {};                   ///< what openings call sum q m/rho_0 [m^3] of a fraction q, and count
+
+    std::string startName() const { return value.name + "_0"; }   ///< of the value at the start of a step
+    const std::string& fileName() const { return onDisk.empty() ? value.name : onDisk; }
+};
+
+using State = std::vector<Evolving>;
+
+}

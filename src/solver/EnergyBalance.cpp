@@ -1,0 +1,113 @@
+#include "EnergyBalance.hpp"
+#include "reduce.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> const double* componentOf(const Particles<dim>& particles, const char* name, int c = 0)
+{
+    return particles.store().fields().at(name).component[std::size_t(c)].data();
+}
+
+/// x(i) [m]
+template<int dim> auto positionsOf(const Particles<dim>& particles)
+{
+    std::array<const double*, dim> at;
+    for (int c = 0; c < dim; ++c) at[std::size_t(c)] = componentOf(particles, Position::info.name, c);
+    return [at](std::size_t i)
+    {
+        Vector<dim> x;
+        fetch(x, [&](int c) { return at[std::size_t(c)][i]; });
+        return x;
+    };
+}
+
+/// int_(rho_0)^rho (p - p_b)/rho^2 drho [J/kg] of Tait's equation
+double compressionEnergy(double rho, double restDensity, double B, double n)
+{
+    const double q = rho/restDensity;
+    const double power = std::fabs(n - 1) < 1e-9 ? std::log(q) : (std::pow(q, n - 1) - 1)/(n - 1);
+    return B/restDensity*(power + 1/q - 1);
+}
+}
+
+template<int dim>
+EnergyBalance<dim>::EnergyBalance(const Particles<dim>& particles, const Settings& settings, const Geometry& geometry, const Summary& summary)
+    : settings_(settings)
+{
+    given_ = summary.kineticEnergy + interfaces(particles) + compression(particles, summary) + walls(particles, geometry, summary);
+}
+
+template<int dim> void EnergyBalance<dim>::addWork(double work)
+{
+    work_ += work;
+    mostWork_ = std::max(mostWork_, work_);
+}
+
+template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& particles) const
+{
+    const auto& c = settings_.coefficients;
+    if (!settings_.surfaceTension) return 0;
+    const double H = c.support, norm = dim == 2 ? 2*H*H*H/3 : std::numbers::pi*H*H*H*H/4;
+    const double *phase = componentOf(particles, Phase::info.name), *V = componentOf(particles, Volume::info.name);
+    const auto x = positionsOf(particles);
+    const std::size_t n = c.phases.size();
+    const double twice = sum(particles.size(), [&](std::size_t i)
+    {
+        double across = 0;
+        for (const int j : particles.lists().of(i))
+            if (phase[j] != phase[i] && mag(x(std::size_t(j)) - x(i)) < H)
+                across += c.surfaceTension[std::size_t(phase[i])*n + std::size_t(phase[j])]*V[j];
+        return V[i]*across;
+    });
+    return 0.5*twice/norm;
+}
+
+template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& particles, const Summary& summary) const
+{
+    const double slack = 0.02, noise = 0.01; // of the background pressure; Mach number
+    const auto& c = settings_.coefficients;
+    const double *m = componentOf(particles, Mass::info.name), *rho = componentOf(particles, Density::info.name);
+    const double* phase = settings_.multiphase() ? componentOf(particles, Phase::info.name) : nullptr;
+    double total = sum(particles.size(), [&](std::size_t i)
+    {
+        const std::size_t k = phase ? std::size_t(phase[i]) : 0;
+        return m[i]*(compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack*std::fabs(c.backgroundPressure)/rho[i]);
+    });
+    for (std::size_t k = 0; k < c.phases.size(); ++k) total += 0.5*summary.mass[k]*sqr(noise*c.soundSpeed[k]);
+    return total;
+}
+
+template<int dim> double EnergyBalance<dim>::walls(const Particles<dim>& particles, const Geometry& geometry, const Summary& summary) const
+{
+    const auto& c = settings_.coefficients;
+    const double* V = componentOf(particles, Volume::info.name);
+    const auto at = positionsOf(particles);
+    const std::size_t n = c.phases.size();
+    double wetting = 0, fastest = 0;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        particles.images().forEachWallNear(at(i), [&](const Foot& foot, const Patch& patch)
+        {
+            if (foot.distance > c.spacing) return; // the row at the wall
+            fastest = std::max(fastest, mag(geometry.wallVelocity(patch.wall, in3D(at(i)) - foot.distance*foot.normal)));
+            if (c.wallTension.empty()) return;
+            const auto of = c.wallTension.begin() + long(std::size_t(patch.wall)*n);
+            const auto [least, most] = std::minmax_element(of, of + long(n));
+            wetting += (*most - *least)*V[i]/c.spacing;
+        });
+    }
+    return wetting + 0.5*std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0)*sqr(fastest);
+}
+
+template class EnergyBalance<2>;
+template class EnergyBalance<3>;
+
+}

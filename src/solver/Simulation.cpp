@@ -1,0 +1,179 @@
+#include "Simulation.hpp"
+#include "CaseError.hpp"
+#include "EnergyBalance.hpp"
+#include "Integrator.hpp"
+#include "TimeStepLimits.hpp"
+#include "models.hpp"
+#include "summarise.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> class Simulation final : public AnySimulation
+{
+    const Settings& settings_;
+    Particles<dim> particles_;
+    Schedule<dim> schedule_;
+    Summary summary_;
+    EnergyBalance<dim> energy_;
+    typename Plan<dim>::Counts operations_;
+
+    Summary firstSummary(bool restarted)
+    {
+        particles_.complete();
+        if (!settings_.integration.moves && !restarted)
+        {
+            for (const auto& stage : particles_.stages(Place::solve)) stage.run(particles_, {});
+            particles_.complete();
+        }
+        return measured();
+    }
+    Summary measured()
+    {
+        auto summary = summarise(particles_);
+        particles_.setMaxSpeed(summary.maxSpeed);
+        return summary;
+    }
+    void measure(double deltaT)
+    {
+        const double power = summary_.power;
+        summary_ = measured();
+        energy_.addWork(0.5*(power + summary_.power)*deltaT);
+        for (const auto& part : particles_.parts()) energy_.addWork(part->power()*deltaT);
+    }
+
+public:
+    Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+        : settings_(settings), particles_(settings, geometry, allTerms<dim>(), cloud, restored),
+          schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(!restored.empty())),
+          energy_(particles_, settings_, geometry, summary_)
+    {
+        integratorOf(settings.integration.scheme).stages(schedule_);
+    }
+
+    /// Of a step in several parts each is a step of its own, but what acts once a step does so by the whole of it and at the middle of the middle
+    /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
+    void step(double time, double deltaT) override
+    {
+        const int parts = settings_.integration.maxSubSteps > 1 ? partsOf(deltaT, settings_, stepLimits()) : 1;
+        for (int part = 0; part < parts; ++part) schedule_.run({time + part*deltaT/parts, deltaT/parts, deltaT}, 2*part + 1 == parts);
+    }
+
+    StepLimit stepLimit() const override { return leastOf(stepLimits()); }
+    std::vector<StepLimit> stepLimits() const override
+    {
+        Measured measured{summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration, {}, {}};
+        const auto& columns = summary_.columns;
+        if (const auto least = columns.find("minViscosity"), largest = columns.find("maxViscosity"); least != columns.end() && largest != columns.end())
+        {
+            measured.leastViscosity = least->second;
+            measured.largestViscosity = largest->second;
+        }
+        std::vector<StepLimit> ofParts;
+        for (const auto& part : particles_.parts())
+            for (const auto& limit : part->limits()) ofParts.push_back(limit);
+        return sph::stepLimits(settings_, measured, ofParts);
+    }
+    Summary summary() const override { return summary_; }
+    Energy energy() const override { return energy_.at(particles_, summary_); }
+
+    void settle() override
+    {
+        particles_.settle();
+        summary_ = measured();
+    }
+
+    std::size_t size() const override { return particles_.size(); }
+    FieldView positions() const override { return field(Position::info.name); }
+
+    FieldView field(const std::string& name) const override
+    {
+        FieldView view{name, name == "phase" ? FieldClass::label : FieldClass::scalar, {}};
+        const auto& fields = particles_.store().fields();
+        const auto found = fields.find(name);
+        if (found == fields.end()) return {name, view.type, {nullptr}};
+        for (const auto& a : found->second.component) view.component.push_back(a.data());
+        if (view.component.size() == dim)
+        {
+            view.type = FieldClass::vector;
+            view.component.resize(3, nullptr);
+        }
+        if (dim == 2 && view.component.size() == 3 && view.type != FieldClass::vector)
+            view = {name, FieldClass::symmTensor, {view.component[0], view.component[1], nullptr, view.component[2], nullptr, nullptr}};
+        if (view.component.size() == 6) view.type = FieldClass::symmTensor;
+        return view;
+    }
+
+    std::vector<FieldView> fields() const override
+    {
+        std::vector<FieldView> views;
+        for (const char* name : {"U", "rho", "p", "phase", "m"}) views.push_back(field(name));
+        const auto add = [&](const std::string& name, const std::string& onDisk)
+        {
+            if (std::any_of(views.begin(), views.end(), [&](const auto& view) { return view.name == onDisk; })) return;
+            views.push_back(field(name));
+            views.back().name = onDisk;
+        };
+        for (const auto& evolving : settings_.state)
+            if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.value.name);
+        for (const auto& [name, onDisk] : settings_.shown) add(name, onDisk);
+        return views;
+    }
+
+    StateNumbers state() const override
+    {
+        StateNumbers numbers;
+        if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        for (const auto& part : particles_.parts()) part->save(numbers);
+        return numbers;
+    }
+
+    void printPlan(std::ostream& out) const override { schedule_.print(out); }
+    void count() override { particles_.plan().countInto(&operations_); }
+    std::map<std::string, long> counts() const override
+    {
+        auto all = operations_;
+        all.insert(schedule_.counts().begin(), schedule_.counts().end());
+        return all;
+    }
+    std::string introduction() const override
+    {
+        return ofParts([](const auto& part) { return part.introduction(); });
+    }
+    std::string report() const override
+    {
+        return ofParts([&](const auto& part) { return part.report(particles_); });
+    }
+    std::string note() const override
+    {
+        return ofParts([](const auto& part) { return part.note(); });
+    }
+    int pairPasses() const override { return particles_.plan().pairPasses(); }
+    double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
+    std::size_t images() const override { return particles_.images().count(); }
+    long rebuilds() const override { return particles_.rebuilds(); }
+    double bytesPerParticle() const override { return double(particles_.bytes())/double(std::max<std::size_t>(1, size())); }
+
+private:
+    std::string ofParts(const auto& words) const
+    {
+        std::string all;
+        for (const auto& part : particles_.parts()) all += words(*part);
+        return all;
+    }
+};
+}
+
+std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+{
+    if (cloud.size() == 0 && settings.needsParticles) throw CaseError("there are no particles: has packParticles been run?");
+    if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);
+    return std::make_unique<Simulation<3>>(settings, geometry, cloud, restored);
+}
+
+}

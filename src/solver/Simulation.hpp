@@ -1,0 +1,78 @@
+/// The particles of a case and the step that moves them.
+#pragma once
+#include "Cloud.hpp"
+#include "RunTime.hpp"
+#include "Settings.hpp"
+#include "readSettings.hpp"
+#include <iosfwd>
+#include <map>
+#include <memory>
+
+namespace sph
+{
+
+/// What the log prints of a state, and what tells whether it is still physical. Sums are over owned particles in a fixed order.
+struct Summary
+{
+    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
+    double power = 0;   ///< of gravity and body force [W]
+    Vector<3> momentum;
+    std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
+    std::vector<std::size_t> count;
+    Numbers columns;      ///< of the models, by name
+    bool finite = true;
+};
+
+/// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D
+/// (EnergyBalance.hpp).
+struct Energy
+{
+    double held = 0, supplied = 0;
+};
+
+/// What an application sees of a simulation, whatever its dimension.
+class AnySimulation
+{
+public:
+    virtual ~AnySimulation() = default;
+
+    /// Takes a step of `deltaT` [s] from `time` [s] with the scheme of the settings. Throws CaseError where a particle has left the scene.
+    virtual void step(double time, double deltaT) = 0;
+    virtual StepLimit stepLimit() const = 0;
+    /// All that apply, of which the least binds.
+    virtual std::vector<StepLimit> stepLimits() const = 0;
+    virtual Summary summary() const = 0;
+    /// Of the present state, by a look at all pairs across interfaces.
+    virtual Energy energy() const = 0;
+
+    /// Sorts the particles, rebuilds the lists and evaluates all fields at the present state: before writing, and before looking.
+    virtual void settle() = 0;
+    virtual std::size_t size() const = 0;
+    virtual FieldView positions() const = 0;
+    /// Fields of the time folder: U rho p phase, m where it is not one value, and what the models show or need for a restart.
+    virtual std::vector<FieldView> fields() const = 0;
+    virtual FieldView field(const std::string& name) const = 0;
+    virtual StateNumbers state() const = 0;
+
+    /// Stages of a step with the passes and operations that they run, numbered through; fields; what was left out.
+    virtual void printPlan(std::ostream&) const = 0;
+    /// How often each stage, and each operation as "group/term", has run since the counting began.
+    virtual void count() = 0;
+    virtual std::map<std::string, long> counts() const = 0;
+    /// What models say of themselves: at the start; at a report; on the line of the step.
+    virtual std::string introduction() const = 0;
+    virtual std::string report() const = 0;
+    virtual std::string note() const = 0;
+    virtual int pairPasses() const = 0;
+    virtual double meanNeighbours() const = 0;
+    virtual std::size_t images() const = 0;
+    virtual long rebuilds() const = 0;
+    /// Of all arrays but the neighbour lists, per owned particle.
+    virtual double bytesPerParticle() const = 0;
+};
+
+/// Geometry and settings must outlive the simulation. Throws CaseError where the particles do not fit the scene: none at all, beyond a
+/// wall, outside the domain, on top of one another, of an unknown phase.
+std::unique_ptr<AnySimulation> makeSimulation(const Settings&, const Geometry&, const Cloud&, const StateNumbers& restored);
+
+}

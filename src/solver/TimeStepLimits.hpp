@@ -1,0 +1,16 @@
+/// How large a step may be: the limits that models state, each in its own room, and those of their parts. Where a step has parts
+/// (`maxSubSteps`) the limits of what acts in each are as many times as long.
+#pragma once
+#include "Model.hpp"
+
+namespace sph
+{
+
+/// All that apply; `ofParts` come first.
+std::vector<StepLimit> stepLimits(const Settings&, const Measured&, std::vector<StepLimit> ofParts = {});
+/// The least odd number of parts that brings each within its limit.
+int partsOf(double deltaT, const Settings&, const std::vector<StepLimit>&);
+/// The least; infinity by "none" where there is none.
+StepLimit leastOf(const std::vector<StepLimit>&);
+
+}

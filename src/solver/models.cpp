@@ -1,0 +1,38 @@
+#include "models.hpp"
+#include "Integrator.hpp"
+#include "density.hpp"
+#include "forces.hpp"
+#include "openingsModel.hpp"
+#include "operatorTerms.hpp"
+#include "pressure.hpp"
+#include "shifting.hpp"
+#include "suspension.hpp"
+#include "tension.hpp"
+#include "viscosity.hpp"
+#include "walls.hpp"
+
+namespace sph
+{
+
+const std::vector<const Model*>& models()
+{
+    static const std::vector<const Model*> all{&suspensionModel(), &densityModel(),   &pressureModel(),    &viscosityModel(), &tensionModel(), &forcesModel(),
+                                               &shiftingModel(),   &wallsModel(),     &integrationModel(), &openingsModel()};
+    return all;
+}
+
+template<int dim> const Catalogue<dim>& allTerms()
+{
+    static const Catalogue<dim> all = []
+    {
+        Catalogue<dim> terms = operatorTerms<dim>();
+        for (const auto* model : models()) terms.insert(terms.end(), model->terms<dim>().begin(), model->terms<dim>().end());
+        return terms;
+    }();
+    return all;
+}
+
+template const Catalogue<2>& allTerms<2>();
+template const Catalogue<3>& allTerms<3>();
+
+}

@@ -1,0 +1,13 @@
+/// The models of the suite, each registered once.
+#pragma once
+#include "Model.hpp"
+
+namespace sph
+{
+
+/// In the order in which their terms add to a rate.
+const std::vector<const Model*>& models();
+/// Of all models, and of the operators that they share.
+template<int dim> const Catalogue<dim>& allTerms();
+
+}

@@ -1,0 +1,17 @@
+/// constant/phaseProperties and constant/g: the materials of a case.
+#pragma once
+#include "Settings.hpp"
+
+namespace sph
+{
+
+///     phases (water air);
+///     water { rho [1 -3 0 0 0 0 0] 1000; mu [1 -1 -1 0 0 0 0] 1e-3; soundSpeed [0 1 -1 0 0 0 0] 10; exponent 7; }
+///     air   { ... }
+///     sigma ( (water air) 0.072 );
+///
+/// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
+/// says why.
+void readPhases(const Case&, Settings&);
+
+}

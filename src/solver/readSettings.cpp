@@ -1,0 +1,79 @@
+#include "readSettings.hpp"
+#include "Kernel.hpp"
+#include "models.hpp"
+#include "readPhases.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+/// What every scene has: positions, velocities, masses, and phases where there are several.
+State stateOfAll(const Settings& settings)
+{
+    const auto& c = settings.coefficients;
+    Evolving x{stateField(Position{})}, v{stateField(Velocity{}), stateField(Acceleration{})}, m{stateField(Mass{})};
+    const double volume = std::pow(c.spacing, c.dimension);
+    m.missing = [volume](const Loading& loading)
+    {
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = loading.coefficients.restDensity[std::size_t(loading.phaseOf(i))]*volume;
+    };
+    m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
+    State state{x, v, m};
+    if (settings.multiphase())
+    {
+        state.push_back({stateField(Phase{})});
+        state.back().label = true;
+    }
+    return state;
+}
+
+void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coefficients& c)
+{
+    for (int k = 0; k < geometry.dimension; ++k)
+        if (geometry.periodic[std::size_t(k)] && geometry.length(k) < c.support + c.spacing)
+            dict.error("resolution", fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
+                                                 geometry.length(k), "xyz"[k], c.support + c.spacing));
+}
+}
+
+Resolution readResolution(const Dictionary& sphSchemes)
+{
+    const auto dict = sphSchemes.subDict("resolution");
+    Resolution r;
+    r.spacing = dict.getPositive("spacing", units::m);
+    r.support = dict.getPositive("support", units::none, r.support);
+    r.kernel = dict.choose("kernel", kernelNames(), r.kernel);
+    if (r.support < 1.5 || r.support > 6) dict.error("support", "the kernel support is given in spacings and lies between 1.5 and 6");
+    return r;
+}
+
+Settings readSettings(const Case& theCase, const Geometry& geometry)
+{
+    Settings settings;
+    auto& c = settings.coefficients;
+    const auto dict = theCase.dictionary("system/sphSchemes");
+    settings.resolution = readResolution(dict);
+    c.dimension = geometry.dimension;
+    c.spacing = settings.resolution.spacing;
+    c.support = settings.resolution.H();
+    readPhases(theCase, settings);
+    settings.state = stateOfAll(settings);
+    settings.variableViscosity = settings.multiphase();
+    checkPeriods(dict, geometry, c);
+
+    const Reading reading{theCase, geometry, dict, settings};
+    reading.choose("scheme", {"suite", "paper"}, "suite");
+    for (const auto* model : models())
+        if (model->prepare) model->prepare(reading);
+    for (const auto* model : models()) model->read(reading);
+    for (const auto* model : models())
+        for (const auto& conflict : model->conflicts)
+            if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
+    dict.reportUnused();
+    return settings;
+}
+
+}

@@ -1,0 +1,11 @@
+/// Sums and extremes over the owned particles, in a fixed order: the same bits on any number of threads.
+#pragma once
+#include "Particles.hpp"
+#include "Simulation.hpp"
+
+namespace sph
+{
+
+template<int dim> Summary summarise(const Particles<dim>&);
+
+}
