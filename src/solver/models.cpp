@@ -16,8 +16,8 @@ namespace sph
 
 const std::vector<const Model*>& models()
 {
-    static const std::vector<const Model*> all{&suspensionModel(), &densityModel(),   &pressureModel(),    &viscosityModel(), &tensionModel(), &forcesModel(),
-                                               &shiftingModel(),   &wallsModel(),     &integrationModel(), &openingsModel()};
+    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &densityModel(),  &pressureModel(), &viscosityModel(),
+                                               &tensionModel(),  &forcesModel(),     &shiftingModel(), &wallsModel(),    &integrationModel()};
     return all;
 }
 

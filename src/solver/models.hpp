@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// In the order in which their terms add to a rate.
+/// In the order in which their terms add to a rate, and their stages join a place.
 const std::vector<const Model*>& models();
 /// Of all models, and of the operators that they share.
 template<int dim> const Catalogue<dim>& allTerms();
