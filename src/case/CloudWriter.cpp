@@ -26,6 +26,8 @@ const char* classOf(FieldClass type)
         return "vectorField";
     case FieldClass::symmTensor:
         return "symmTensorField";
+    case FieldClass::tensor:
+        return "tensorField";
     }
     return "";
 }
@@ -82,7 +84,7 @@ void writeBinary(OutputFile& file, const FieldView& field, std::size_t i)
         const auto label = labelOf(field, i);
         return file.writeBytes(&label, sizeof label);
     }
-    double value[6];
+    double value[9];
     const int components = componentsOf(field.type);
     for (int c = 0; c < components; ++c) value[c] = valueOf(field, c, i);
     file.writeBytes(value, std::size_t(components) * sizeof(double));

@@ -3,6 +3,7 @@
 #pragma once
 #include "fieldTags.hpp"
 #include <array>
+#include <concepts>
 #include <map>
 #include <new>
 #include <set>
@@ -32,14 +33,15 @@ public:
     struct Field
     {
         FieldInfo info;
+        ValueType type;
         std::vector<Array> component;
         bool state = false;      ///< travels with the particles when they are sorted; derived fields are recomputed instead
         bool imaged = true;      ///< has room for images; what no pass reads at a neighbour needs none
     };
 
-    /// `n` arrays of the current size, filled with 0; asking twice is harmless.
-    void allocate(const FieldInfo& info, int n);
-    template<class F> void allocate(F) { allocate(F::info, fieldComponents<F, dim>); }
+    /// An array of the current size for each component, filled with 0; asking twice is harmless.
+    void allocate(const FieldInfo& info, const ValueType& type);
+    template<class F> void allocate(F) { allocate(F::info, valueType<FieldValue<F, dim>>); }
     /// The same, for a field that keeps its values from step to step.
     template<class F> void allocateState(F)
     {
@@ -59,7 +61,7 @@ public:
     }
 
     /// Two fields change arrays: what is bound to one by name is bound to the other's.
-    template<class F, class G> requires (fieldComponents<F, dim> == fieldComponents<G, dim>) void exchange(F, G)
+    template<class F, class G> requires std::same_as<FieldValue<F, dim>, FieldValue<G, dim>> void exchange(F, G)
     {
         std::swap(fields_.at(F::info.name).component, fields_.at(G::info.name).component);
     }

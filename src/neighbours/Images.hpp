@@ -148,7 +148,7 @@ private:
 template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store)
 {
     if (F::info.image == Image::placed) return;
-    using Value = decltype(unwrap(At<F, dim>{}));
+    using Value = FieldValue<F, dim>;
     const auto p = store.pointers(F{});
     [[maybe_unused]] auto ofGhosts = p;
     if constexpr (F::info.ofGhosts != nullptr)

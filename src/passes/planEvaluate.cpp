@@ -12,9 +12,9 @@ template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
     store.allocate(Position{});
     for (const auto* e : chosen_)
     {
-        store.allocate(e->result.info, e->result.components);
+        store.allocate(e->result.info, e->result.type);
         for (const auto* list : {&e->reads, &e->readsOwn})
-            for (const auto& f : *list) store.allocate(f.info, f.components);
+            for (const auto& f : *list) store.allocate(f.info, f.type);
     }
 }
 
@@ -37,7 +37,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
         pass.sources.clear();
         pass.operations.clear();
         for (const auto& f : pass.columns)
-            for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.info.name, c));
+            for (int c = 0; c < f.type.components; ++c) pass.sources.push_back(store.component(f.info.name, c));
         const auto factor = [&](bool needed, const FieldInfo& info)
         {
             if (needed) pass.sources.push_back(store.component(info.name, 0));

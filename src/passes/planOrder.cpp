@@ -108,7 +108,7 @@ template<int dim> void Plan<dim>::order()
                 if (pass.firstColumn.try_emplace(f.info.name, column).second)
                 {
                     pass.columns.push_back(f);
-                    column += f.components;
+                    column += f.type.components;
                     if (stale.erase(f.info.name)) pass.refresh.push_back(f);
                 }
         }

@@ -47,7 +47,7 @@ template<class T> constexpr bool ofRawGradient = requires { T::ofRawGradient; };
 
 template<class T, int dim> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim>;
 template<class T, int dim> using NeighbourValues = Values<ReadsOf<T>, dim>;
-template<class T, int dim> using ResultValue = decltype(unwrap(At<ResultOf<T>, dim>{}));
+template<class T, int dim> using ResultValue = FieldValue<ResultOf<T>, dim>;
 
 template<class T, int dim> concept Swept = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j, Sweep s) { t(ij, i, j, s); };
 template<class T, int dim> concept Summed = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j) { t(ij, i, j); };
@@ -63,82 +63,47 @@ template<int dim, class... F> Values<Fields<F...>, dim> read(Values<Fields<F...>
     return v;
 }
 
-/// Sum of f(0) ... f(n - 1) in vector lanes. Each component is a scalar of its own: GCC 12 reduces scalars, not structs.
-template<class F> double sum(double, int n, const F& f)
+/// Sum of f(0) ... f(n - 1) in vector lanes. Each number of the value is a scalar of its own, since GCC 12 reduces scalars, and neither structs
+/// nor arrays without a loss of a factor 2; it drops those that the value does not have.
+template<class Value, class F> Value sum(int n, const F& f)
 {
-    double a = 0;
-    #pragma omp simd reduction(+: a)
-    for (int t = 0; t < n; ++t) a += f(t);
-    return a;
-}
-template<class F> Vector<2> sum(Vector<2>, int n, const F& f)
-{
-    double a = 0, b = 0;
-    #pragma omp simd reduction(+: a, b)
-    for (int t = 0; t < n; ++t) { const Vector<2> q = f(t); a += q.x; b += q.y; }
-    return {a, b};
-}
-template<class F> Vector<3> sum(Vector<3>, int n, const F& f)
-{
-    double a = 0, b = 0, c = 0;
-    #pragma omp simd reduction(+: a, b, c)
-    for (int t = 0; t < n; ++t) { const Vector<3> q = f(t); a += q.x; b += q.y; c += q.z; }
-    return {a, b, c};
-}
-
-template<class F> SymmTensor<2> sum(SymmTensor<2>, int n, const F& f)
-{
-    double xx = 0, xy = 0, yy = 0;
-    #pragma omp simd reduction(+: xx, xy, yy)
-    for (int t = 0; t < n; ++t) { const SymmTensor<2> q = f(t); xx += q.xx; xy += q.xy; yy += q.yy; }
-    return {xx, xy, yy};
-}
-template<class F> SymmTensor<3> sum(SymmTensor<3>, int n, const F& f)
-{
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    #pragma omp simd reduction(+: xx, xy, xz, yy, yz, zz)
+    constexpr int count = components<Value>;
+    static_assert(count <= 13, "a term sums up to 13 numbers at once");
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0;
+    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12)
     for (int t = 0; t < n; ++t)
     {
-        const SymmTensor<3> q = f(t);
-        xx += q.xx; xy += q.xy; xz += q.xz; yy += q.yy; yz += q.yz; zz += q.zz;
+        const Value q = f(t);
+        s0 += scalar<0>(q);
+        if constexpr (count > 1) s1 += scalar<1>(q);
+        if constexpr (count > 2) s2 += scalar<2>(q);
+        if constexpr (count > 3) s3 += scalar<3>(q);
+        if constexpr (count > 4) s4 += scalar<4>(q);
+        if constexpr (count > 5) s5 += scalar<5>(q);
+        if constexpr (count > 6) s6 += scalar<6>(q);
+        if constexpr (count > 7) s7 += scalar<7>(q);
+        if constexpr (count > 8) s8 += scalar<8>(q);
+        if constexpr (count > 9) s9 += scalar<9>(q);
+        if constexpr (count > 10) s10 += scalar<10>(q);
+        if constexpr (count > 11) s11 += scalar<11>(q);
+        if constexpr (count > 12) s12 += scalar<12>(q);
     }
-    return {xx, xy, xz, yy, yz, zz};
-}
-template<class F> TensorPair<2> sum(TensorPair<2>, int n, const F& f)
-{
-    double axx = 0, axy = 0, ayy = 0, bxx = 0, bxy = 0, byy = 0;
-    #pragma omp simd reduction(+: axx, axy, ayy, bxx, bxy, byy)
-    for (int t = 0; t < n; ++t)
-    {
-        const TensorPair<2> q = f(t);
-        axx += q.a.xx; axy += q.a.xy; ayy += q.a.yy;
-        bxx += q.b.xx; bxy += q.b.xy; byy += q.b.yy;
-    }
-    return {{axx, axy, ayy}, {bxx, bxy, byy}};
-}
-template<class F> TensorPair<3> sum(TensorPair<3>, int n, const F& f)
-{
-    double axx = 0, axy = 0, axz = 0, ayy = 0, ayz = 0, azz = 0, bxx = 0, bxy = 0, bxz = 0, byy = 0, byz = 0, bzz = 0;
-    #pragma omp simd reduction(+: axx, axy, axz, ayy, ayz, azz, bxx, bxy, bxz, byy, byz, bzz)
-    for (int t = 0; t < n; ++t)
-    {
-        const TensorPair<3> q = f(t);
-        axx += q.a.xx; axy += q.a.xy; axz += q.a.xz; ayy += q.a.yy; ayz += q.a.yz; azz += q.a.zz;
-        bxx += q.b.xx; bxy += q.b.xy; bxz += q.b.xz; byy += q.b.yy; byz += q.b.yz; bzz += q.b.zz;
-    }
-    return {{axx, axy, axz, ayy, ayz, azz}, {bxx, bxy, bxz, byy, byz, bzz}};
+    const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12};
+    Value total;
+    fetch(total, [&](int c) { return all[c]; });
+    return total;
 }
 
 /// One field that a term reads or writes, without its type: what the planner needs to know.
 template<int dim> struct FieldUse
 {
     FieldInfo info;
-    int components;
+    ValueType type;
     void (*refresh)(const Images<dim>&, FieldStore<dim>&);
 };
 template<int dim, class... F> std::vector<FieldUse<dim>> uses(Fields<F...>)
 {
-    return {{F::info, fieldComponents<F, dim>, &Images<dim>::template refresh<F>}...};
+    return {{F::info, valueType<FieldValue<F, dim>>, &Images<dim>::template refresh<F>}...};
 }
 
 /// Where bound terms find their numbers: arrays of the store, and the stencil column of each component read at j. `adds`: something
@@ -163,8 +128,7 @@ template<class T, int dim> class Bound final : public Operation<dim>
     using Own = OwnValues<T, dim>;
     using Neighbour = NeighbourValues<T, dim>;
     using Result = ResultValue<T, dim>;
-    static constexpr int nOwn = std::is_empty_v<Own> ? 0 : int(sizeof(Own)/sizeof(double));
-    static constexpr int nNeighbour = std::is_empty_v<Neighbour> ? 0 : int(sizeof(Neighbour)/sizeof(double));
+    static constexpr int nOwn = valueComponents<Own>, nNeighbour = valueComponents<Neighbour>;
 
     T term_;
     bool adds_;
@@ -188,7 +152,7 @@ public:
         bindOwn(ReadsOwnOf<T>{});
         if constexpr (PairTerm<T, dim>)
             for (const auto& f : uses<dim>(ReadsOf<T>{}))
-                for (int c = 0; c < f.components; ++c) column_[k++] = b.firstColumn.at(f.info.name) + c;
+                for (int c = 0; c < f.type.components; ++c) column_[k++] = b.firstColumn.at(f.info.name) + c;
     }
 
     [[gnu::flatten]] void gather(const Stencil<dim>& stencil) const override
@@ -206,12 +170,12 @@ public:
                 {
                     const Sweep sweep{s};
                     using Sum = decltype(term(stencil.pair(0), i, j(0), sweep));
-                    total += term.finish(i, sum(Sum{}, stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
+                    total += term.finish(i, sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
                 }
             else
             {
                 using Sum = decltype(term(stencil.pair(0), i, j(0)));
-                const Sum all = sum(Sum{}, stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
+                const Sum all = sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
                 if constexpr (requires { term.finish(i, all); }) total = term.finish(i, all);
                 else total = all;
             }

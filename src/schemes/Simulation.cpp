@@ -161,19 +161,13 @@ public:
 
     FieldView field(const std::string& name) const override
     {
-        FieldView view{name, name == "phase" ? FieldClass::label : FieldClass::scalar, {}};
         const auto& fields = particles_.store().fields();
         const auto found = fields.find(name);
-        if (found == fields.end()) return {name, view.type, {nullptr}};
-        for (const auto& a : found->second.component) view.component.push_back(a.data());
-        if (view.component.size() == dim)
-        {
-            view.type = FieldClass::vector;
-            view.component.resize(3, nullptr);
-        }
-        if (dim == 2 && view.component.size() == 3 && view.type != FieldClass::vector)
-            view = {name, FieldClass::symmTensor, {view.component[0], view.component[1], nullptr, view.component[2], nullptr, nullptr}};
-        if (view.component.size() == 6) view.type = FieldClass::symmTensor;
+        if (found == fields.end()) return {name, name == Phase::info.name ? FieldClass::label : FieldClass::scalar, {nullptr}};
+        const auto& type = found->second.type;
+        const auto& component = found->second.component;
+        FieldView view{name, type.fieldClass, std::vector<const double*>(std::size_t(componentsOf(type.fieldClass)), nullptr)};
+        for (std::size_t c = 0; c < component.size(); ++c) view.component[std::size_t(type.place[c])] = component[c].data();
         return view;
     }
 
