@@ -32,22 +32,6 @@ template<> struct Components<double> { static constexpr int count = 1; };
 /// How many numbers a value has.
 template<class T> constexpr int components = detail::Components<T>::count;
 
-/// Number c of a value.
-template<int c> constexpr double scalar(double q) { static_assert(c == 0); return q; }
-template<int c, class T> constexpr double scalar(const T& q);
-namespace detail
-{
-template<int c, class First, class... Rest> constexpr double scalarOf(const First& first, const Rest&... rest)
-{
-    if constexpr (c < components<First>) return scalar<c>(first);
-    else return scalarOf<c - components<First>>(rest...);
-}
-}
-template<int c, class T> constexpr double scalar(const T& q)
-{
-    return T::parts(q, [](const auto&... part) { return detail::scalarOf<c>(part...); });
-}
-
 /// Sets number c of a value to component(c), one after another; `store` calls set(c, number).
 constexpr void fetch(double& q, const auto& component) { q = component(0); }
 template<class T> constexpr void fetch(T& q, const auto& component)

@@ -11,6 +11,7 @@
 #include "Coefficients.hpp"
 #include "Images.hpp"
 #include "Stencil.hpp"
+#include "laneSums.hpp"
 #include <concepts>
 #include <map>
 #include <memory>
@@ -61,37 +62,6 @@ template<int dim, class... F> Values<Fields<F...>, dim> read(Values<Fields<F...>
     [[maybe_unused]] int first = 0;
     ([&] { auto& [q] = static_cast<At<F, dim>&>(v); fetch(q, [&](int c) { return component(first + c); }); first += fieldComponents<F, dim>; }(), ...);
     return v;
-}
-
-/// Sum of f(0) ... f(n - 1) in vector lanes. Each number of the value is a scalar of its own, since GCC 12 reduces scalars, and neither structs
-/// nor arrays without a loss of a factor 2; it drops those that the value does not have.
-template<class Value, class F> Value sum(int n, const F& f)
-{
-    constexpr int count = components<Value>;
-    static_assert(count <= 13, "a term sums up to 13 numbers at once");
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0;
-    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12)
-    for (int t = 0; t < n; ++t)
-    {
-        const Value q = f(t);
-        s0 += scalar<0>(q);
-        if constexpr (count > 1) s1 += scalar<1>(q);
-        if constexpr (count > 2) s2 += scalar<2>(q);
-        if constexpr (count > 3) s3 += scalar<3>(q);
-        if constexpr (count > 4) s4 += scalar<4>(q);
-        if constexpr (count > 5) s5 += scalar<5>(q);
-        if constexpr (count > 6) s6 += scalar<6>(q);
-        if constexpr (count > 7) s7 += scalar<7>(q);
-        if constexpr (count > 8) s8 += scalar<8>(q);
-        if constexpr (count > 9) s9 += scalar<9>(q);
-        if constexpr (count > 10) s10 += scalar<10>(q);
-        if constexpr (count > 11) s11 += scalar<11>(q);
-        if constexpr (count > 12) s12 += scalar<12>(q);
-    }
-    const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12};
-    Value total;
-    fetch(total, [&](int c) { return all[c]; });
-    return total;
 }
 
 /// One field that a term reads or writes, without its type: what the planner needs to know.
