@@ -1,7 +1,7 @@
 /// A cloud of particles on disk, `<time>/lagrangian/<cloud>/`, as OpenFOAM and ParaView read it: `positions` and one file per field.
 #pragma once
 #include "CaseError.hpp"
-#include "FieldClass.hpp"
+#include "values.hpp"
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -18,6 +18,9 @@ struct FieldView
     FieldClass type = FieldClass::scalar;
     std::vector<const double*> component;
 };
+
+/// The view of a field whose values are of this type: each component at its place on disk.
+FieldView fieldView(const std::string& name, const ValueType&, const std::vector<const double*>& component);
 
 struct CloudField
 {

@@ -158,6 +158,14 @@ void writePositions(const std::filesystem::path& folder, const std::string& loca
 
 }
 
+FieldView fieldView(const std::string& name, const ValueType& type, const std::vector<const double*>& component)
+{
+    assert(int(component.size()) == type.components);
+    FieldView view{name, type.fieldClass, std::vector<const double*>(std::size_t(componentsOf(type.fieldClass)), nullptr)};
+    for (std::size_t c = 0; c < component.size(); ++c) view.component[std::size_t(type.place[c])] = component[c];
+    return view;
+}
+
 void writeCloud(const std::filesystem::path& timeFolder, const std::string& cloud, std::size_t n, const FieldView& positions,
                 const std::vector<FieldView>& fields, const WriteOptions& options)
 {

@@ -164,11 +164,9 @@ public:
         const auto& fields = particles_.store().fields();
         const auto found = fields.find(name);
         if (found == fields.end()) return {name, name == Phase::info.name ? FieldClass::label : FieldClass::scalar, {nullptr}};
-        const auto& type = found->second.type;
-        const auto& component = found->second.component;
-        FieldView view{name, type.fieldClass, std::vector<const double*>(std::size_t(componentsOf(type.fieldClass)), nullptr)};
-        for (std::size_t c = 0; c < component.size(); ++c) view.component[std::size_t(type.place[c])] = component[c].data();
-        return view;
+        std::vector<const double*> component;
+        for (const auto& a : found->second.component) component.push_back(a.data());
+        return fieldView(name, found->second.type, component);
     }
 
     std::vector<FieldView> fields() const override
