@@ -5,6 +5,7 @@
 /// numbers alone. The instructions are those of a loop written out for each type (objdump of all terms).
 #pragma once
 #include "values.hpp"
+#include <utility>
 
 namespace sph
 {
@@ -47,9 +48,7 @@ template<class Value, class F> Value sum(int n, const F& f)
         if constexpr (count > 12) s12 += q.number[12];
     }
     const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12};
-    Value total;
-    fetch(total, [&](int c) { return all[c]; });
-    return total;
+    return [&]<std::size_t... c>(std::index_sequence<c...>) { return Value{all[c]...}; }(std::make_index_sequence<count>{});
 }
 
 }

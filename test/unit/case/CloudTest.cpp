@@ -60,12 +60,12 @@ void expectRoundTrip(WriteFormat format)
     expectSameBits(cloud.fields.at("sigma").component[3], rho);
     const std::vector<double> none(3, 0.0);
     EXPECT_EQ(cloud.fields.at("planeStrain").type, FieldClass::symmTensor);
-    for (int c = 0; const auto* values : {&x, &y, &none, &z, &none, &rho}) expectSameBits(cloud.fields.at("planeStrain").component[c++], *values);
+    for (int k = 0; const auto* values : {&x, &y, &none, &z, &none, &rho}) expectSameBits(cloud.fields.at("planeStrain").component[k++], *values);
     EXPECT_EQ(cloud.fields.at("gradU").type, FieldClass::tensor);
-    for (int c = 0; const auto* values : {&x, &y, &none, &z, &rho, &none, &none, &none, &none})
-        expectSameBits(cloud.fields.at("gradU").component[c++], *values);
-    for (int c = 0; const auto* values : {&x, &y, &z, &rho, &phase, &same, &z, &y, &x})
-        expectSameBits(cloud.fields.at("gradW").component[c++], *values);
+    for (int k = 0; const auto* values : {&x, &y, &none, &z, &rho, &none, &none, &none, &none})
+        expectSameBits(cloud.fields.at("gradU").component[k++], *values);
+    for (int k = 0; const auto* values : {&x, &y, &z, &rho, &phase, &same, &z, &y, &x})
+        expectSameBits(cloud.fields.at("gradW").component[k++], *values);
 }
 
 std::string bytes(const auto&... values)
