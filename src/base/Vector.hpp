@@ -1,8 +1,8 @@
-/// Vectors and symmetric tensors with named components, in two and three dimensions.
-///
-/// Named, not indexed: loops over components inside a pair loop cost a factor 2 in GCC 12.
-/// `fetch` and `store` are the only places that know how many numbers a value has: they read and write component 0, 1, ...
+/// Vectors with named components, in two and three dimensions. Named, not indexed: loops over components inside a pair loop cost a
+/// factor 2 in GCC 12. What a value is made of, `parts`, and what it is on disk are declared with its type; values.hpp makes use of them.
 #pragma once
+#include "FieldClass.hpp"
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -10,11 +10,13 @@ namespace sph
 {
 
 template<int dim> struct Vector;
-template<int dim> struct SymmTensor;
 
 template<> struct Vector<2>
 {
     double x = 0, y = 0;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y); }
+    static constexpr auto fieldClass = FieldClass::vector;
+    static constexpr auto names = std::to_array<std::string_view>({"x", "y"});
     constexpr Vector& operator+=(Vector b) { x += b.x; y += b.y; return *this; }
     constexpr Vector& operator-=(Vector b) { x -= b.x; y -= b.y; return *this; }
     constexpr Vector& operator*=(double s) { x *= s; y *= s; return *this; }
@@ -30,6 +32,9 @@ template<> struct Vector<2>
 template<> struct Vector<3>
 {
     double x = 0, y = 0, z = 0;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y, q.z); }
+    static constexpr auto fieldClass = FieldClass::vector;
+    static constexpr auto names = std::to_array<std::string_view>({"x", "y", "z"});
     constexpr Vector& operator+=(Vector b) { x += b.x; y += b.y; z += b.z; return *this; }
     constexpr Vector& operator-=(Vector b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
     constexpr Vector& operator*=(double s) { x *= s; y *= s; z *= s; return *this; }
@@ -46,101 +51,16 @@ template<> struct Vector<3>
     }
 };
 
-template<> struct SymmTensor<2>
-{
-    double xx = 0, xy = 0, yy = 0;
-    constexpr SymmTensor& operator+=(SymmTensor b) { xx += b.xx; xy += b.xy; yy += b.yy; return *this; }
-    friend constexpr SymmTensor operator+(SymmTensor a, SymmTensor b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
-    friend constexpr SymmTensor operator-(SymmTensor a, SymmTensor b) { return {a.xx - b.xx, a.xy - b.xy, a.yy - b.yy}; }
-    friend constexpr SymmTensor operator*(double s, SymmTensor a) { return {s*a.xx, s*a.xy, s*a.yy}; }
-    friend constexpr Vector<2> operator*(SymmTensor a, Vector<2> b) { return {a.xx*b.x + a.xy*b.y, a.xy*b.x + a.yy*b.y}; }
-    friend constexpr double trace(SymmTensor a) { return a.xx + a.yy; }
-};
-
-template<> struct SymmTensor<3>
-{
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    constexpr SymmTensor& operator+=(SymmTensor b) { return *this = *this + b; }
-    friend constexpr SymmTensor operator+(SymmTensor a, SymmTensor b)
-    {
-        return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
-    }
-    friend constexpr SymmTensor operator-(SymmTensor a, SymmTensor b) { return a + -1.0*b; }
-    friend constexpr SymmTensor operator*(double s, SymmTensor a)
-    {
-        return {s*a.xx, s*a.xy, s*a.xz, s*a.yy, s*a.yz, s*a.zz};
-    }
-    friend constexpr Vector<3> operator*(SymmTensor a, Vector<3> b)
-    {
-        return {a.xx*b.x + a.xy*b.y + a.xz*b.z, a.xy*b.x + a.yy*b.y + a.yz*b.z, a.xz*b.x + a.yz*b.y + a.zz*b.z};
-    }
-    friend constexpr double trace(SymmTensor a) { return a.xx + a.yy + a.zz; }
-};
-
 constexpr double sqr(double a) { return a*a; }
 
 template<int dim> double mag(Vector<dim> a) { return std::sqrt(dot(a, a)); }
 
-/// a a
-constexpr SymmTensor<2> outer(Vector<2> a) { return {a.x*a.x, a.x*a.y, a.y*a.y}; }
-constexpr SymmTensor<3> outer(Vector<3> a) { return {a.x*a.x, a.x*a.y, a.x*a.z, a.y*a.y, a.y*a.z, a.z*a.z}; }
-
-/// a b + b a, by components: a and b may have any units, so that outer(a + b) - outer(a) - outer(b) would lose the smaller of them.
-constexpr SymmTensor<2> twiceSymm(Vector<2> a, Vector<2> b) { return {2*a.x*b.x, a.x*b.y + a.y*b.x, 2*a.y*b.y}; }
-constexpr SymmTensor<3> twiceSymm(Vector<3> a, Vector<3> b)
-{
-    return {2*a.x*b.x, a.x*b.y + a.y*b.x, a.x*b.z + a.z*b.x, 2*a.y*b.y, a.y*b.z + a.z*b.y, 2*a.z*b.z};
-}
-
-/// a : b, and what the inverse is made of. The inverse of a singular tensor is not finite.
-constexpr double doubleDot(SymmTensor<2> a, SymmTensor<2> b) { return a.xx*b.xx + 2*a.xy*b.xy + a.yy*b.yy; }
-constexpr double doubleDot(SymmTensor<3> a, SymmTensor<3> b)
-{
-    return a.xx*b.xx + a.yy*b.yy + a.zz*b.zz + 2*(a.xy*b.xy + a.xz*b.xz + a.yz*b.yz);
-}
-constexpr SymmTensor<2> adjugate(SymmTensor<2> a) { return {a.yy, -a.xy, a.xx}; }
-constexpr SymmTensor<3> adjugate(SymmTensor<3> a)
-{
-    return {a.yy*a.zz - a.yz*a.yz, a.xz*a.yz - a.xy*a.zz, a.xy*a.yz - a.xz*a.yy, a.xx*a.zz - a.xz*a.xz, a.xy*a.xz - a.xx*a.yz,
-            a.xx*a.yy - a.xy*a.xy};
-}
-constexpr double determinant(SymmTensor<2> a) { return a.xx*a.yy - a.xy*a.xy; }
-constexpr double determinant(SymmTensor<3> a)
-{
-    const auto b = adjugate(a);
-    return a.xx*b.xx + a.xy*b.xy + a.xz*b.xz;
-}
-
-/// The least of the real eigenvalues; in three dimensions by the trigonometric form (Smith 1961).
-inline double leastEigenvalue(SymmTensor<2> a) { return 0.5*(a.xx + a.yy) - std::sqrt(0.25*sqr(a.xx - a.yy) + sqr(a.xy)); }
-inline double leastEigenvalue(SymmTensor<3> a)
-{
-    const double mean = trace(a)/3;
-    const SymmTensor<3> b = a - mean*SymmTensor<3>{1, 0, 0, 1, 0, 1};
-    const double p = std::sqrt(doubleDot(b, b)/6);
-    if (p <= 1e-12*std::abs(mean)) return mean - p;
-    const double r = std::fmax(-1.0, std::fmin(1.0, determinant(b)/(2*p*p*p)));
-    constexpr double turn = 2.0943951023931953; // 2 pi/3
-    return mean + 2*p*std::cos(std::acos(r)/3 + turn);
-}
-
-/// (a b + b a)/2
-template<int dim> constexpr SymmTensor<dim> symm(Vector<dim> a, Vector<dim> b) { return 0.5*twiceSymm(a, b); }
-
-/// The unit tensor, and the number of dimensions, of the space that the argument lives in.
-constexpr SymmTensor<2> identity(Vector<2>) { return {1, 0, 1}; }
-constexpr SymmTensor<3> identity(Vector<3>) { return {1, 0, 0, 1, 0, 1}; }
-constexpr SymmTensor<2> identity(SymmTensor<2>) { return {1, 0, 1}; }
-constexpr SymmTensor<3> identity(SymmTensor<3>) { return {1, 0, 0, 1, 0, 1}; }
-template<int dim> constexpr int dimensions(Vector<dim>) { return dim; }
-
-/// The mirror image in a plane of unit normal n: R a with R = I - 2 n n, and R S R.
+/// a - 2 (a.n) n: the mirror image in a plane of unit normal n. A scalar is its own.
 template<int dim> constexpr Vector<dim> mirrored(Vector<dim> a, Vector<dim> n) { return a - 2*dot(a, n)*n; }
-template<int dim> constexpr SymmTensor<dim> mirrored(SymmTensor<dim> S, Vector<dim> n)
-{
-    const auto s = S*n;
-    return S + -2.0*twiceSymm(s, n) + 4*dot(n, s)*outer(n);
-}
+template<int dim> constexpr double mirrored(double a, Vector<dim>) { return a; }
+
+/// The number of dimensions of the space that the argument lives in.
+template<int dim> constexpr int dimensions(Vector<dim>) { return dim; }
 
 /// Positions and vectors on disk and in dictionaries always have three components; a 2-D scene lives in the x-y plane.
 template<int dim> constexpr Vector<dim> in(Vector<3> a)
@@ -150,31 +70,5 @@ template<int dim> constexpr Vector<dim> in(Vector<3> a)
 }
 constexpr Vector<3> in3D(Vector<2> a) { return {a.x, a.y, 0}; }
 constexpr Vector<3> in3D(Vector<3> a) { return a; }
-
-template<class T> constexpr int components = sizeof(T)/sizeof(double);
-
-constexpr void fetch(double& q, const auto& component) { q = component(0); }
-constexpr void fetch(Vector<2>& q, const auto& component) { q = {component(0), component(1)}; }
-constexpr void fetch(Vector<3>& q, const auto& component) { q = {component(0), component(1), component(2)}; }
-constexpr void fetch(SymmTensor<2>& q, const auto& component) { q = {component(0), component(1), component(2)}; }
-constexpr void fetch(SymmTensor<3>& q, const auto& component)
-{
-    q = {component(0), component(1), component(2), component(3), component(4), component(5)};
-}
-
-/// Two symmetric tensors that one loop sums.
-template<int dim> struct TensorPair
-{
-    SymmTensor<dim> a, b;
-};
-
-constexpr void store(double q, const auto& set) { set(0, q); }
-constexpr void store(Vector<2> q, const auto& set) { set(0, q.x); set(1, q.y); }
-constexpr void store(Vector<3> q, const auto& set) { set(0, q.x); set(1, q.y); set(2, q.z); }
-constexpr void store(SymmTensor<2> q, const auto& set) { set(0, q.xx); set(1, q.xy); set(2, q.yy); }
-constexpr void store(SymmTensor<3> q, const auto& set)
-{
-    set(0, q.xx); set(1, q.xy); set(2, q.xz); set(3, q.yy); set(4, q.yz); set(5, q.zz);
-}
 
 }

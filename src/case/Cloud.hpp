@@ -1,6 +1,7 @@
 /// A cloud of particles on disk, `<time>/lagrangian/<cloud>/`, as OpenFOAM and ParaView read it: `positions` and one file per field.
 #pragma once
 #include "CaseError.hpp"
+#include "values.hpp"
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -10,17 +11,6 @@
 namespace sph
 {
 
-enum class FieldClass
-{
-    label,
-    scalar,
-    vector,
-    symmTensor
-};
-
-/// What is on disk per particle: 1, 1, 3 or 6 numbers (6 in OpenFOAM's order xx xy xz yy yz zz).
-constexpr int componentsOf(FieldClass c) { return c == FieldClass::vector ? 3 : c == FieldClass::symmTensor ? 6 : 1; }
-
 /// A field in memory, one array per component; read-only view. A null component is written as zeros (z of a 2-D scene).
 struct FieldView
 {
@@ -28,6 +18,9 @@ struct FieldView
     FieldClass type = FieldClass::scalar;
     std::vector<const double*> component;
 };
+
+/// The view of a field whose values are of this type: each component at its place on disk.
+FieldView fieldView(const std::string& name, const ValueType&, const std::vector<const double*>& component);
 
 struct CloudField
 {

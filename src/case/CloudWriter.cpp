@@ -26,6 +26,8 @@ const char* classOf(FieldClass type)
         return "vectorField";
     case FieldClass::symmTensor:
         return "symmTensorField";
+    case FieldClass::tensor:
+        return "tensorField";
     }
     return "";
 }
@@ -82,7 +84,7 @@ void writeBinary(OutputFile& file, const FieldView& field, std::size_t i)
         const auto label = labelOf(field, i);
         return file.writeBytes(&label, sizeof label);
     }
-    double value[6];
+    double value[9];
     const int components = componentsOf(field.type);
     for (int c = 0; c < components; ++c) value[c] = valueOf(field, c, i);
     file.writeBytes(value, std::size_t(components) * sizeof(double));
@@ -154,6 +156,14 @@ void writePositions(const std::filesystem::path& folder, const std::string& loca
     file.close();
 }
 
+}
+
+FieldView fieldView(const std::string& name, const ValueType& type, const std::vector<const double*>& component)
+{
+    assert(int(component.size()) == type.components);
+    FieldView view{name, type.fieldClass, std::vector<const double*>(std::size_t(componentsOf(type.fieldClass)), nullptr)};
+    for (std::size_t c = 0; c < component.size(); ++c) view.component[std::size_t(type.place[c])] = component[c];
+    return view;
 }
 
 void writeCloud(const std::filesystem::path& timeFolder, const std::string& cloud, std::size_t n, const FieldView& positions,

@@ -75,7 +75,7 @@ Header readHeader(FoamScanner& in)
 
 FieldClass fieldClass(const Header& header)
 {
-    static const std::vector<std::string> known{"labelField", "scalarField", "vectorField", "symmTensorField"};
+    static const std::vector<std::string> known{"labelField", "scalarField", "vectorField", "symmTensorField", "tensorField"};
     const auto at = std::find(known.begin(), known.end(), header.className);
     if (at == known.end())
         throw ScanError(header.classLine, fmt::format("class \"{}\" is not a field of a cloud. {}", header.className,

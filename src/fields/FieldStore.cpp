@@ -4,9 +4,9 @@
 namespace sph
 {
 
-template<int dim> void FieldStore<dim>::allocate(const std::string& name, const FieldInfo& info, int n)
+template<int dim> void FieldStore<dim>::allocate(const std::string& name, const FieldInfo& info, const ValueType& type)
 {
-    fields_.try_emplace(name, Field{info, std::vector<Array>(n, Array(size_, 0.0))});
+    fields_.try_emplace(name, Field{info, type, std::vector<Array>(std::size_t(type.components), Array(size_, 0.0))});
 }
 
 template<int dim> double* FieldStore<dim>::component(const std::string& name, int c)

@@ -3,6 +3,7 @@
 #pragma once
 #include "fieldTags.hpp"
 #include <array>
+#include <concepts>
 #include <map>
 #include <new>
 #include <set>
@@ -32,21 +33,22 @@ public:
     struct Field
     {
         FieldInfo info;
+        ValueType type;
         std::vector<Array> component;
         bool state = false;      ///< travels with the particles when they are sorted; derived fields are recomputed instead
         bool imaged = true;      ///< has room for images; what no pass reads at a neighbour needs none
     };
 
-    /// `n` arrays of the current size, filled with 0; asking twice is harmless.
-    void allocate(const std::string& name, const FieldInfo& info, int n);
-    template<class F> void allocate(F) { allocate(F::info.name, F::info, fieldComponents<F, dim>); }
+    /// An array of the current size for each component, filled with 0; asking twice is harmless.
+    void allocate(const std::string& name, const FieldInfo& info, const ValueType& type);
+    template<class F> void allocate(F) { allocate(F::info.name, F::info, valueType<FieldValue<F, dim>>); }
     /// The same, for a field that keeps its values from step to step.
-    void allocateState(const std::string& name, const FieldInfo& info, int n)
+    void allocateState(const std::string& name, const FieldInfo& info, const ValueType& type)
     {
-        allocate(name, info, n);
+        allocate(name, info, type);
         fields_.at(name).state = true;
     }
-    template<class F> void allocateState(F) { allocateState(F::info.name, F::info, fieldComponents<F, dim>); }
+    template<class F> void allocateState(F) { allocateState(F::info.name, F::info, valueType<FieldValue<F, dim>>); }
 
     bool has(const std::string& name) const { return fields_.contains(name); }
     template<class F> requires requires { F::info; } bool has(F) const { return has(std::string(F::info.name)); }

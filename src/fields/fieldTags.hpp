@@ -2,7 +2,7 @@
 ///
 /// The member template `At` carries the symbol of the papers, so that a term writes i.rho and j.rho.
 #pragma once
-#include "Vector.hpp"
+#include "values.hpp"
 
 namespace sph
 {
@@ -24,7 +24,7 @@ struct Position            { static constexpr FieldInfo info{"positions", "m"}; 
 struct Velocity            { static constexpr FieldInfo info{"U", "m/s", Image::velocity};              template<int dim> struct At { Vector<dim> v; }; };
 struct Mass                { static constexpr FieldInfo info{"m", "kg"};                                template<int dim> struct At { double m; }; };
 struct DynamicViscosity    { static constexpr FieldInfo info{"mu", "Pa s"};                             template<int dim> struct At { double mu; }; };
-struct Phase               { static constexpr FieldInfo info{"phase", "1"};                             template<int dim> struct At { double phase; }; };
+struct Phase               { static constexpr FieldInfo info{"phase", "1"};                             template<int dim> struct At { Label phase; }; };
 struct Density             { static constexpr FieldInfo info{"rho", "kg/m^3"};                          template<int dim> struct At { double rho; }; };
 struct Volume              { static constexpr FieldInfo info{"V", "m^3"};                               template<int dim> struct At { double V; }; };
 struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::pressure};               template<int dim> struct At { double p; }; };
@@ -72,7 +72,14 @@ template<class... F> struct Fields
 };
 
 template<class F, int dim> using At = typename F::template At<dim>;
-template<class F, int dim> constexpr int fieldComponents = sizeof(At<F, dim>)/sizeof(double);
+/// The one value that a field's At holds.
+constexpr auto unwrap(auto named)
+{
+    auto [value] = named;
+    return value;
+}
+template<class F, int dim> using FieldValue = decltype(unwrap(At<F, dim>{}));
+template<class F, int dim> constexpr int fieldComponents = components<FieldValue<F, dim>>;
 
 /// `Values<Fields<Density, Pressure>, dim>` has the members rho and p and no other: reading a field that was not declared does not
 /// compile.
@@ -80,11 +87,8 @@ template<class List, int dim> struct Values;
 template<class... F, int dim> struct Values<Fields<F...>, dim> : At<F, dim>...
 {};
 
-/// The one value that a field's At holds.
-constexpr auto unwrap(auto named)
-{
-    auto [value] = named;
-    return value;
-}
+/// How many numbers those are.
+template<class V> constexpr int valueComponents = 0;
+template<class... F, int dim> constexpr int valueComponents<Values<Fields<F...>, dim>> = (fieldComponents<F, dim> + ... + 0);
 
 }

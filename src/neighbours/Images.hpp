@@ -148,7 +148,7 @@ private:
 template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store, const std::string& name)
 {
     if (F::info.image == Image::placed) return;
-    using Value = decltype(unwrap(At<F, dim>{}));
+    using Value = FieldValue<F, dim>;
     const auto p = store.template pointers<F>(name);
     [[maybe_unused]] auto ofGhosts = p;
     if constexpr (F::info.ofGhosts != nullptr)

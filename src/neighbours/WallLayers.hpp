@@ -53,7 +53,7 @@ public:
     void evaluatePressure(FieldStore<dim>&, const GhostPressure<dim>* rule) const;
 
     /// Gives the wall particles of a stencil what its particle sees in them. `columns`: the fields that the stencil has gathered, each with
-    /// its `info` and number of `components`, first to last; `own`: where each column comes from; `scale`: the column of gradientScale, or -1.
+    /// its `info` and `type`, first to last; `own`: where each column comes from; `scale`: the column of gradientScale, or -1.
     void continueInto(Stencil<dim>&, const GhostVelocity<dim>& rule, const auto& columns, std::span<const double* const> own, int scale) const;
 
     std::size_t bytes() const;
@@ -189,13 +189,9 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
                 store(seen(q, f.info.image), [&](int c, double a) { stencil.field[column + c][t] = a; });
             };
             if (f.info.image == Image::copied)
-                for (int c = 0; c < f.components; ++c) stencil.field[column + c][t] = own[std::size_t(column + c)][i];
-            else if (isSeenByWalls(f.info.image))
-            {
-                if (f.components == dim) see(Vector<dim>{});
-                else see(SymmTensor<dim>{});
-            }
-            column += f.components;
+                for (int c = 0; c < f.type.components; ++c) stencil.field[column + c][t] = own[std::size_t(column + c)][i];
+            else if (isSeenByWalls(f.info.image)) withDirectedValue<dim>(f.type, see);
+            column += f.type.components;
         }
         if (scale >= 0) stencil.field[scale][t] = own[std::size_t(scale)][i];
     }

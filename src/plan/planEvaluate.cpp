@@ -13,8 +13,8 @@ template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
     for (const auto& g : groups_)
         for (const auto* e : g.chosen)
         {
-            for (const auto& f : e->results) store.allocate(g.resultName(f), f.info, f.components);
-            forEachRead(*e, [&](const FieldUse<dim>& f) { store.allocate(f.name, f.info, f.components); });
+            for (const auto& f : e->results) store.allocate(g.resultName(f), f.info, f.type);
+            forEachRead(*e, [&](const FieldUse<dim>& f) { store.allocate(f.name, f.info, f.type); });
         }
 }
 
@@ -40,7 +40,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
             pass.sources.clear();
             pass.operations.clear();
             for (const auto& f : pass.columns)
-                for (int c = 0; c < f.components; ++c) pass.sources.push_back(store.component(f.name, c));
+                for (int c = 0; c < f.type.components; ++c) pass.sources.push_back(store.component(f.name, c));
             const auto factor = [&](bool needed, const FieldInfo& info)
             {
                 if (needed) pass.sources.push_back(store.component(info.name, 0));

@@ -192,7 +192,7 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
                 if (pass.firstColumn.try_emplace(f.name, column).second)
                 {
                     pass.columns.push_back(f);
-                    column += f.components;
+                    column += f.type.components;
                     refresh(f);
                 }
         }

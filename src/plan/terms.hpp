@@ -13,6 +13,7 @@
 #include "Coefficients.hpp"
 #include "Images.hpp"
 #include "Stencil.hpp"
+#include "laneSums.hpp"
 #include <concepts>
 #include <map>
 #include <memory>
@@ -42,7 +43,7 @@ template<class T> requires requires { typename T::Provides; } struct Results<T> 
 template<class T> requires requires { typename T::Advances; } struct Results<T> { using type = typename AsList<typename T::Advances>::type; };
 
 template<class List, int dim> struct ValueOf { using type = Values<List, dim>; };
-template<class F, int dim> struct ValueOf<Fields<F>, dim> { using type = decltype(unwrap(At<F, dim>{})); };
+template<class F, int dim> struct ValueOf<Fields<F>, dim> { using type = FieldValue<F, dim>; };
 }
 
 template<class T> using ReadsOf = typename detail::Reads<T>::type;
@@ -99,72 +100,6 @@ template<int dim, class... F> Values<Fields<F...>, dim> read(Values<Fields<F...>
     return v;
 }
 
-/// Sum of f(0) ... f(n - 1) in vector lanes. Each component is a scalar of its own: GCC 12 reduces scalars, not structs.
-template<class F> double sum(double, int n, const F& f)
-{
-    double a = 0;
-    #pragma omp simd reduction(+: a)
-    for (int t = 0; t < n; ++t) a += f(t);
-    return a;
-}
-template<class F> Vector<2> sum(Vector<2>, int n, const F& f)
-{
-    double a = 0, b = 0;
-    #pragma omp simd reduction(+: a, b)
-    for (int t = 0; t < n; ++t) { const Vector<2> q = f(t); a += q.x; b += q.y; }
-    return {a, b};
-}
-template<class F> Vector<3> sum(Vector<3>, int n, const F& f)
-{
-    double a = 0, b = 0, c = 0;
-    #pragma omp simd reduction(+: a, b, c)
-    for (int t = 0; t < n; ++t) { const Vector<3> q = f(t); a += q.x; b += q.y; c += q.z; }
-    return {a, b, c};
-}
-
-template<class F> SymmTensor<2> sum(SymmTensor<2>, int n, const F& f)
-{
-    double xx = 0, xy = 0, yy = 0;
-    #pragma omp simd reduction(+: xx, xy, yy)
-    for (int t = 0; t < n; ++t) { const SymmTensor<2> q = f(t); xx += q.xx; xy += q.xy; yy += q.yy; }
-    return {xx, xy, yy};
-}
-template<class F> SymmTensor<3> sum(SymmTensor<3>, int n, const F& f)
-{
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    #pragma omp simd reduction(+: xx, xy, xz, yy, yz, zz)
-    for (int t = 0; t < n; ++t)
-    {
-        const SymmTensor<3> q = f(t);
-        xx += q.xx; xy += q.xy; xz += q.xz; yy += q.yy; yz += q.yz; zz += q.zz;
-    }
-    return {xx, xy, xz, yy, yz, zz};
-}
-template<class F> TensorPair<2> sum(TensorPair<2>, int n, const F& f)
-{
-    double axx = 0, axy = 0, ayy = 0, bxx = 0, bxy = 0, byy = 0;
-    #pragma omp simd reduction(+: axx, axy, ayy, bxx, bxy, byy)
-    for (int t = 0; t < n; ++t)
-    {
-        const TensorPair<2> q = f(t);
-        axx += q.a.xx; axy += q.a.xy; ayy += q.a.yy;
-        bxx += q.b.xx; bxy += q.b.xy; byy += q.b.yy;
-    }
-    return {{axx, axy, ayy}, {bxx, bxy, byy}};
-}
-template<class F> TensorPair<3> sum(TensorPair<3>, int n, const F& f)
-{
-    double axx = 0, axy = 0, axz = 0, ayy = 0, ayz = 0, azz = 0, bxx = 0, bxy = 0, bxz = 0, byy = 0, byz = 0, bzz = 0;
-    #pragma omp simd reduction(+: axx, axy, axz, ayy, ayz, azz, bxx, bxy, bxz, byy, byz, bzz)
-    for (int t = 0; t < n; ++t)
-    {
-        const TensorPair<3> q = f(t);
-        axx += q.a.xx; axy += q.a.xy; axz += q.a.xz; ayy += q.a.yy; ayz += q.a.yz; azz += q.a.zz;
-        bxx += q.b.xx; bxy += q.b.xy; bxz += q.b.xz; byy += q.b.yy; byz += q.b.yz; bzz += q.b.zz;
-    }
-    return {{axx, axy, axz, ayy, ayz, azz}, {bxx, bxy, bxz, byy, byz, bzz}};
-}
-
 /// Names of fields where they are not those of the tags: of one scalar of several, or of a rate that is kept apart.
 using Names = std::map<std::string, std::string>;
 inline std::string nameIn(const Names& names, const char* tag)
@@ -178,12 +113,12 @@ template<int dim> struct FieldUse
 {
     FieldInfo info;
     std::string name;            ///< in this scene
-    int components;
+    ValueType type;
     void (*refresh)(const Images<dim>&, FieldStore<dim>&, const std::string& name);
 };
 template<int dim, class... F> std::vector<FieldUse<dim>> uses(Fields<F...>, const Names& names = {})
 {
-    return {{F::info, nameIn(names, F::info.name), fieldComponents<F, dim>, &Images<dim>::template refresh<F>}...};
+    return {{F::info, nameIn(names, F::info.name), valueType<FieldValue<F, dim>>, &Images<dim>::template refresh<F>}...};
 }
 
 /// Where bound terms find their numbers: arrays of the store, and the stencil column of each component read at j. `adds`: something
@@ -209,8 +144,8 @@ template<class T, int dim> class Bound final : public Operation<dim>
     using Own = OwnValues<T, dim>;
     using Neighbour = NeighbourValues<T, dim>;
     using Result = ResultValue<T, dim>;
-    static constexpr int countOf(auto value) { return std::is_empty_v<decltype(value)> ? 0 : int(sizeof(value)/sizeof(double)); }
-    static constexpr int nOwn = countOf(Own{}), nNeighbour = countOf(Neighbour{}), nResult = countOf(Result{});
+    static constexpr int nOwn = valueComponents<Own>, nNeighbour = valueComponents<Neighbour>;
+    static constexpr int nResult = []<class... F>(Fields<F...>) { return (fieldComponents<F, dim> + ...); }(ResultsOf<T>{});
 
     T term_;
     bool adds_;
@@ -222,10 +157,10 @@ template<class T, int dim> class Bound final : public Operation<dim>
     /// set(c, value) for component c of the result, counted over all its fields.
     static void eachComponent(const Result& result, const auto& set)
     {
-        if constexpr (requires { store(result, set); }) store(result, set);
-        else components(ResultsOf<T>{}, result, set);
+        if constexpr (ResultsOf<T>::count == 1) store(result, set);
+        else eachOfSeveral(ResultsOf<T>{}, result, set);
     }
-    template<class... F> static void components(Fields<F...>, const Result& result, const auto& set)
+    template<class... F> static void eachOfSeveral(Fields<F...>, const Result& result, const auto& set)
     {
         int first = 0;
         ([&] { const auto& [q] = static_cast<const At<F, dim>&>(result); store(q, [&](int c, double a) { set(first + c, a); }); first += fieldComponents<F, dim>; }(), ...);
@@ -244,7 +179,7 @@ public:
         int k = 0;
         if constexpr (PairTerm<T, dim>)
             for (const auto& f : uses<dim>(ReadsOf<T>{}, b.names))
-                for (int c = 0; c < f.components; ++c) column_[std::size_t(k++)] = b.firstColumn.at(f.name) + c;
+                for (int c = 0; c < f.type.components; ++c) column_[std::size_t(k++)] = b.firstColumn.at(f.name) + c;
     }
 
     [[gnu::flatten]] void gather(const Stencil<dim>& stencil) const override
@@ -262,12 +197,12 @@ public:
                 {
                     const Sweep sweep{s};
                     using Sum = decltype(term(stencil.pair(0), i, j(0), sweep));
-                    total += term.finish(i, sum(Sum{}, stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
+                    total += term.finish(i, sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
                 }
             else
             {
                 using Sum = decltype(term(stencil.pair(0), i, j(0)));
-                const Sum all = sum(Sum{}, stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
+                const Sum all = sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
                 if constexpr (requires { term.finish(i, all); }) total = term.finish(i, all);
                 else total = all;
             }

@@ -24,7 +24,7 @@ FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& con
       where_(d.where("field")),
       reference_(std::move(reference))
 {
-    static const std::vector<std::string> components{"x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"};
+    static const std::vector<std::string> components{"x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
     if (d.found("component"))
     {
         component_ = d.choose("component", components);
@@ -60,7 +60,8 @@ int FieldComparison::component(const SampledField& field) const
             throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
         return -1;
     }
-    const auto& names = componentNames(field.type());
+    const auto own = componentNames(field.type());
+    const std::vector<std::string> names(own.begin(), own.end());
     const auto found = std::find(names.begin(), names.end(), component_);
     if (found == names.end())
         throw CaseError(where_, fmt::format("field {} has no component \"{}\". {}", field_, component_,

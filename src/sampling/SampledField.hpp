@@ -30,9 +30,6 @@ public:
     }
 };
 
-/// "" of a scalar, "x" "y" "z" of a vector, "xx" "xy" ... of a symmetric tensor: the names of dictionaries and columns.
-const std::vector<std::string>& componentNames(FieldClass);
-
 /// "p", "U_x U_y U_z": the names of the columns of a field.
 std::vector<std::string> columnNames(const SampledField&);
 

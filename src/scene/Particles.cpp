@@ -35,7 +35,7 @@ template<int dim> std::map<Image, std::vector<FieldUse<dim>>> rulesOf(const Sett
 {
     std::map<Image, std::vector<FieldUse<dim>>> rules;
     for (const auto& [image, fields] : settings.ruleReads)
-        for (const auto& f : fields) rules[image].push_back({f.info, f.name, f.in(dim), nullptr});
+        for (const auto& f : fields) rules[image].push_back({f.info, f.name, f.type(dim), nullptr});
     return rules;
 }
 }
@@ -78,7 +78,7 @@ template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(Place place) co
 
 template<int dim> void Particles<dim>::allocateState()
 {
-    const auto allocate = [&](const StateField& f, const std::string& name) { store_.allocateState(name, f.info, f.in(dim)); };
+    const auto allocate = [&](const StateField& f, const std::string& name) { store_.allocateState(name, f.info, f.type(dim)); };
     for (const auto& evolving : settings_.state)
     {
         allocate(evolving.value, evolving.value.name);

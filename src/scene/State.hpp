@@ -19,12 +19,13 @@ struct StateField
 {
     FieldInfo info;
     std::string name;
-    std::array<int, 2> components;   ///< in two and three dimensions
-    int in(int dimension) const { return components[std::size_t(dimension) - 2]; }
+    std::array<ValueType, 2> types;  ///< in two and three dimensions
+    const ValueType& type(int dimension) const { return types[std::size_t(dimension) - 2]; }
+    int in(int dimension) const { return type(dimension).components; }
 };
 template<class F> StateField stateField(F, const std::string& name = F::info.name)
 {
-    return {F::info, name, {fieldComponents<F, 2>, fieldComponents<F, 3>}};
+    return {F::info, name, {valueType<FieldValue<F, 2>>, valueType<FieldValue<F, 3>>}};
 }
 
 /// What a field is loaded from.
@@ -47,7 +48,6 @@ struct Evolving
     std::optional<StateField> rate = {};       ///< value += dt rate; without one the value is moved by a stage of its model, or stays
     bool advancedByModel = false;              ///< at steps of its own: prediction and kick leave it alone
     bool written = true;                       ///< into time folders; what is not follows from the rest
-    bool label = false;                        ///< a whole number
     std::string onDisk = {};                   ///< where the file has another name
     std::function<void(const Loading&)> missing = {};   ///< where the time folder has no such field; default 0
     std::function<void(const Loading&)> check = {};     ///< throws CaseError where a value cannot be

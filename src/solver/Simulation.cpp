@@ -93,20 +93,12 @@ public:
 
     FieldView field(const std::string& name) const override
     {
-        FieldView view{name, name == "phase" ? FieldClass::label : FieldClass::scalar, {}};
         const auto& fields = particles_.store().fields();
         const auto found = fields.find(name);
-        if (found == fields.end()) return {name, view.type, {nullptr}};
-        for (const auto& a : found->second.component) view.component.push_back(a.data());
-        if (view.component.size() == dim)
-        {
-            view.type = FieldClass::vector;
-            view.component.resize(3, nullptr);
-        }
-        if (dim == 2 && view.component.size() == 3 && view.type != FieldClass::vector)
-            view = {name, FieldClass::symmTensor, {view.component[0], view.component[1], nullptr, view.component[2], nullptr, nullptr}};
-        if (view.component.size() == 6) view.type = FieldClass::symmTensor;
-        return view;
+        if (found == fields.end()) return {name, name == Phase::info.name ? FieldClass::label : FieldClass::scalar, {nullptr}};
+        std::vector<const double*> component;
+        for (const auto& a : found->second.component) component.push_back(a.data());
+        return fieldView(name, found->second.type, component);
     }
 
     std::vector<FieldView> fields() const override

@@ -22,11 +22,7 @@ State stateOfAll(const Settings& settings)
     };
     m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
     State state{x, v, m};
-    if (settings.multiphase())
-    {
-        state.push_back({stateField(Phase{})});
-        state.back().label = true;
-    }
+    if (settings.multiphase()) state.push_back({stateField(Phase{})});
     return state;
 }
 

@@ -55,11 +55,12 @@ std::vector<double> colouringValues(const Cloud& cloud, const std::string& field
 {
     std::vector<double> values(cloud.size());
     const auto found = cloud.fields.find(field);
-    if (found == cloud.fields.end() || found->second.type == FieldClass::symmTensor)
+    const auto hasSize = [](const CloudField& f) { return componentsOf(f.type) <= 3; };
+    if (found == cloud.fields.end() || !hasSize(found->second))
     {
         std::vector<std::string> known;
         for (const auto& [name, content] : cloud.fields)
-            if (content.type != FieldClass::symmTensor) known.push_back(name);
+            if (hasSize(content)) known.push_back(name);
         diagnostics.error(
             where, fmt::format("the cloud has no scalar or vector field \"{}\". {}", field, suggestion(field, "fields", known)));
         return values;

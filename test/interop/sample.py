@@ -18,7 +18,7 @@ def positions(t):
 
 
 def fields(t):
-    """Symmetric tensors in OpenFOAM's order xx xy xz yy yz zz."""
+    """In OpenFOAM's order: symmetric tensors xx xy xz yy yz zz, tensors xx xy xz yx yy yz zx zy zz."""
     particles = range(PARTICLES)
     return {
         "U": [(i + t, -0.25*i, 0.0) for i in particles],
@@ -26,6 +26,8 @@ def fields(t):
         "phase": [(i % 3,) for i in particles],
         "uniform": [(0.375,) for i in particles],
         "sigma": [tuple(factor + 0.5*i for factor in range(1, 7)) for i in particles],
+        "planeStrain": [(1 + 0.5*i, 2 + 0.5*i, 0.0, 4 + 0.5*i, 0.0, 6 + 0.5*i) for i in particles],
+        "gradU": [(1 + 0.5*i, 2 + 0.5*i, 0.0, 4 + 0.5*i, 6 + 0.5*i, 0.0, 0.0, 0.0, 0.0) for i in particles],
     }
 
 

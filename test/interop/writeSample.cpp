@@ -53,7 +53,9 @@ void writeParticles(const std::filesystem::path& folder, double t, const sph::Wr
                      {"rho", FieldClass::scalar, {rho.data()}},
                      {"phase", FieldClass::label, {phase.data()}},
                      {"uniform", FieldClass::scalar, {uniform.data()}},
-                     {"sigma", FieldClass::symmTensor, {xx.data(), xy.data(), xz.data(), yy.data(), yz.data(), zz.data()}}},
+                     {"sigma", FieldClass::symmTensor, {xx.data(), xy.data(), xz.data(), yy.data(), yz.data(), zz.data()}},
+                     sph::fieldView("planeStrain", sph::valueType<sph::PlaneStrainStress>, {xx.data(), xy.data(), yy.data(), zz.data()}),
+                     sph::fieldView("gradU", sph::valueType<sph::Tensor<2>>, {xx.data(), xy.data(), yy.data(), zz.data()})},
                     options);
     sph::writeCloud(folder, "empty", 0, {"positions", FieldClass::vector, {nullptr, nullptr, nullptr}},
                     {{"rho", FieldClass::scalar, {nullptr}}}, options);

@@ -21,30 +21,8 @@ template<int dim> struct LinearFit
 {
     SymmTensor<dim> B;
     Vector<dim> gradient;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.B, q.gradient); }
 };
-template<class F> LinearFit<2> sum(LinearFit<2>, int n, const F& f)
-{
-    double xx = 0, xy = 0, yy = 0, x = 0, y = 0;
-    #pragma omp simd reduction(+: xx, xy, yy, x, y)
-    for (int t = 0; t < n; ++t)
-    {
-        const LinearFit<2> q = f(t);
-        xx += q.B.xx; xy += q.B.xy; yy += q.B.yy; x += q.gradient.x; y += q.gradient.y;
-    }
-    return {{xx, xy, yy}, {x, y}};
-}
-template<class F> LinearFit<3> sum(LinearFit<3>, int n, const F& f)
-{
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, x = 0, y = 0, z = 0;
-    #pragma omp simd reduction(+: xx, xy, xz, yy, yz, zz, x, y, z)
-    for (int t = 0; t < n; ++t)
-    {
-        const LinearFit<3> q = f(t);
-        xx += q.B.xx; xy += q.B.xy; xz += q.B.xz; yy += q.B.yy; yz += q.B.yz; zz += q.B.zz;
-        x += q.gradient.x; y += q.gradient.y; z += q.gradient.z;
-    }
-    return {{xx, xy, xz, yy, yz, zz}, {x, y, z}};
-}
 
 struct RenormalisedDensityGradient
 {

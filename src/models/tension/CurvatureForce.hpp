@@ -50,6 +50,13 @@ struct AdheringColourGradient : SmoothedColourGradient
     }
 };
 
+/// Two symmetric tensors that one loop sums.
+template<int dim> struct TensorPair
+{
+    SymmTensor<dim> a, b;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.a, q.b); }
+};
+
 /// kappa_i = div n = [sum_j V_j (n_j - n_i) gradW_ij] : [sum_j V_j (x_j - x_i) gradW_ij]^-1   over particles with a normal
 ///
 /// n = gradC/|gradC|; normals shorter than 0.01/H mean no interface. The inverse makes the divergence exact for linear n although

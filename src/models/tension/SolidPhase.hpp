@@ -49,7 +49,7 @@ struct SolidPhaseStress
 
     auto operator()(const auto& ij, const auto& i, const auto& j, Sweep s) const
     {
-        const double phase_j = j.wall > 0 ? phases + j.wall - 1 : j.phase;
+        const double phase_j = j.wall > 0 ? phases + j.wall - 1 : double(j.phase);
         return (phase_j == other(i.phase, s) ? 1.0 : 0.0)*sqr(j.V)*ij.gradW;
     }
     auto finish(const auto& i, const auto& sum, Sweep s) const

@@ -83,7 +83,7 @@ TEST(CloudErrors, nameAWrongClass)
 {
     EXPECT_EQ(ofField(header("vectorFeld") + "3{(0 0 0)}\n"),
               U + ":4: class \"vectorFeld\" is not a field of a cloud. Did you mean \"vectorField\"? "
-                  "Known classes: labelField, scalarField, vectorField, symmTensorField.");
+                  "Known classes: labelField, scalarField, vectorField, symmTensorField, tensorField.");
     EXPECT_EQ(ofPositions(header("vectorField") + "3{(0 0 0)}\n"),
               P + ":4: class \"vectorField\" is not that of positions, Cloud<...>");
 }

@@ -27,7 +27,10 @@ std::vector<FieldView> fieldViews()
             {"rho", FieldClass::scalar, {rho.data()}},
             {"same", FieldClass::scalar, {same.data()}},
             {"U", FieldClass::vector, {x.data(), y.data(), nullptr}},
-            {"sigma", FieldClass::symmTensor, {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data()}}};
+            {"sigma", FieldClass::symmTensor, {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data()}},
+            fieldView("planeStrain", valueType<PlaneStrainStress>, {x.data(), y.data(), z.data(), rho.data()}),
+            fieldView("gradU", valueType<Tensor<2>>, {x.data(), y.data(), z.data(), rho.data()}),
+            {"gradW", FieldClass::tensor, {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data(), z.data(), y.data(), x.data()}}};
 }
 
 void expectSameBits(const std::vector<double>& a, const std::vector<double>& b)
@@ -47,7 +50,7 @@ void expectRoundTrip(WriteFormat format)
     expectSameBits(cloud.x, x);
     expectSameBits(cloud.y, y);
     expectSameBits(cloud.z, z);
-    ASSERT_EQ(cloud.fields.size(), 5u);
+    ASSERT_EQ(cloud.fields.size(), 8u);
     EXPECT_EQ(cloud.fields.at("phase").type, FieldClass::label);
     EXPECT_EQ(cloud.fields.at("sigma").type, FieldClass::symmTensor);
     expectSameBits(cloud.fields.at("phase").component[0], phase);
@@ -55,6 +58,14 @@ void expectRoundTrip(WriteFormat format)
     expectSameBits(cloud.fields.at("same").component[0], same);
     expectSameBits(cloud.fields.at("U").component[2], {0, 0, 0});
     expectSameBits(cloud.fields.at("sigma").component[3], rho);
+    const std::vector<double> none(3, 0.0);
+    EXPECT_EQ(cloud.fields.at("planeStrain").type, FieldClass::symmTensor);
+    for (int k = 0; const auto* values : {&x, &y, &none, &z, &none, &rho}) expectSameBits(cloud.fields.at("planeStrain").component[k++], *values);
+    EXPECT_EQ(cloud.fields.at("gradU").type, FieldClass::tensor);
+    for (int k = 0; const auto* values : {&x, &y, &none, &z, &rho, &none, &none, &none, &none})
+        expectSameBits(cloud.fields.at("gradU").component[k++], *values);
+    for (int k = 0; const auto* values : {&x, &y, &z, &rho, &phase, &same, &z, &y, &x})
+        expectSameBits(cloud.fields.at("gradW").component[k++], *values);
 }
 
 std::string bytes(const auto&... values)

@@ -33,6 +33,25 @@ TEST(FieldStore, CarriesNoThirdComponentIn2D)
     EXPECT_EQ(space.bytesPerParticle(), 8u * (3 + 6));
 }
 
+// What a field is on disk follows from the type of its values, and not from how many arrays it has: 3 are a vector in space and a
+// symmetric tensor in the plane.
+TEST(FieldStore, KnowsWhatItsValuesAre)
+{
+    FieldStore<2> plane;
+    plane.allocate(Velocity{});
+    plane.allocate(Stress{});
+    plane.allocate(Phase{});
+    plane.allocate(Density{});
+    EXPECT_EQ(plane.fields().at("U").type, valueType<Vector<2>>);
+    EXPECT_EQ(plane.fields().at("S").type, valueType<SymmTensor<2>>);
+    EXPECT_EQ(plane.fields().at("phase").type.fieldClass, FieldClass::label);
+    EXPECT_EQ(plane.fields().at("rho").type.fieldClass, FieldClass::scalar);
+    FieldStore<3> space;
+    space.allocate(Velocity{});
+    EXPECT_EQ(space.fields().at("U").type, valueType<Vector<3>>);
+    EXPECT_EQ(space.fields().at("U").component.size(), plane.fields().at("S").component.size());
+}
+
 // Asking twice changes nothing, also when the first to ask wanted a state; growth keeps values and fills with 0.
 TEST(FieldStore, KeepsValuesThroughGrowth)
 {

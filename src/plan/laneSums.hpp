@@ -1,0 +1,54 @@
+/// Sum of f(0) ... f(n - 1) in vector lanes, of any value with up to 13 numbers (a tensor, a vector and a scalar).
+///
+/// Each number is a scalar of its own, since GCC 12 reduces scalars, and arrays at a loss of a factor 2; those that a value does not have are
+/// never added to, and go. A struct of the loop's body whose address is taken, as `store` does, keeps the loop from being vectorised: `numbers`
+/// takes it by value. The instructions are those of a loop written out for each type (objdump of all terms).
+#pragma once
+#include "values.hpp"
+#include <utility>
+
+namespace sph
+{
+
+namespace detail
+{
+template<int n> struct Numbers
+{
+    double number[n];
+};
+template<class Value> constexpr Numbers<components<Value>> numbers(const Value value)
+{
+    Numbers<components<Value>> q;
+    store(value, [&](int c, double a) { q.number[c] = a; });
+    return q;
+}
+}
+
+template<class Value, class F> Value sum(int n, const F& f)
+{
+    constexpr int count = components<Value>;
+    static_assert(count <= 13, "a term sums up to 13 numbers at once");
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0;
+    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12)
+    for (int t = 0; t < n; ++t)
+    {
+        const auto q = detail::numbers<Value>(f(t));
+        s0 += q.number[0];
+        if constexpr (count > 1) s1 += q.number[1];
+        if constexpr (count > 2) s2 += q.number[2];
+        if constexpr (count > 3) s3 += q.number[3];
+        if constexpr (count > 4) s4 += q.number[4];
+        if constexpr (count > 5) s5 += q.number[5];
+        if constexpr (count > 6) s6 += q.number[6];
+        if constexpr (count > 7) s7 += q.number[7];
+        if constexpr (count > 8) s8 += q.number[8];
+        if constexpr (count > 9) s9 += q.number[9];
+        if constexpr (count > 10) s10 += q.number[10];
+        if constexpr (count > 11) s11 += q.number[11];
+        if constexpr (count > 12) s12 += q.number[12];
+    }
+    const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12};
+    return [&]<std::size_t... c>(std::index_sequence<c...>) { return Value{all[c]...}; }(std::make_index_sequence<count>{});
+}
+
+}
