@@ -51,7 +51,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
             {
                 auto names = e->names;
                 names.insert(g.group.names.begin(), g.group.names.end());
-                const bool adds = !written.insert(g.resultName(e->results[0])).second && !e->advances;
+                const bool adds = !written.insert(g.resultName(e->results[0])).second && !e->provides && !e->advances;
                 pass.operations.push_back(e->bind(coefficients, {store, names, pass.firstColumn, adds}));
             }
         }

@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sph
 {
@@ -63,9 +64,11 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();
     checkApart();
-    evaluate();
+    if (restored.empty()) evaluate();
     if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
-    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    if (restored.empty() && plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    if (restored.empty()) complete();
+    else observe();
 }
 
 template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(Place place) const
@@ -84,8 +87,8 @@ template<int dim> void Particles<dim>::allocateState()
         allocate(evolving.value, evolving.value.name);
         if (!evolving.rate || evolving.advancedByModel) continue;
         if (settings_.integration.predicts) allocate(evolving.value, evolving.startName());
-        if (settings_.integration.keepsRates) allocate(*evolving.rate, evolving.rate->name);
     }
+    for (const auto& rate : settings_.keptRates()) allocate(rate, rate.name);
 }
 
 template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
@@ -114,6 +117,9 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.check) evolving.check(loading);
     }
+    for (const auto& rate : settings_.keptRates())
+        if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
+            for (int c = 0; c < rate.in(dim); ++c) std::copy_n(found->second.component[std::size_t(c)].begin(), owned_, store_.component(rate.name, c));
 }
 
 /// Wraps across periodic faces; a particle that touched a wall is put back, one that is well beyond it is an error.
@@ -173,16 +179,20 @@ template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
     keepInside();
-    const auto pointers = [&] { const auto p = store_.pointers(Position{}); std::array<const double*, dim> x; std::copy(p.begin(), p.end(), x.begin()); return x; };
-    cells_.build(pointers(), owned_, 0.5*(settings_.resolution.H() + skin_));
+    cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5*(settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
-    images_.build(store_, owned_);
-    lists_.build(pointers(), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
-    images_.listLayers(lists_);
-    bind();
+    makeLists();
     for (const auto& part : parts_) part->sorted(*this);
     travelled_ = 0;
     ++rebuilds_;
+}
+
+template<int dim> void Particles<dim>::makeLists()
+{
+    images_.build(store_, owned_);
+    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
+    images_.listLayers(lists_);
+    bind();
 }
 
 template<int dim> void Particles<dim>::bind()
@@ -228,12 +238,31 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
     plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
 }
 
+/// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
+template<int dim> void Particles<dim>::observe()
+{
+    std::map<std::string, std::vector<Array>> kept;
+    for (const auto& [name, field] : store_.fields())
+        if (field.state && plan_.provides(name)) kept[name] = field.component;
+    std::vector<double> memories;
+    for (const auto& part : parts_) memories.push_back(part->memory());
+
+    // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
+    if (travelled_ > 0.5*skin_) makeLists();
+    else images_.move(store_);
+    evaluateFirst();
+    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    complete();
+
+    for (const auto& [name, component] : kept)
+        for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
+}
+
 template<int dim> void Particles<dim>::settle()
 {
     rebuild();
-    evaluate();
-    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-    complete();
+    observe();
 }
 
 template<int dim> std::size_t Particles<dim>::bytes() const

@@ -20,7 +20,10 @@ public:
     void evaluate();
     /// A further group of the plan, after an evaluation and at the same positions. `deltaT` [s] for laws that advance a state.
     void evaluate(const std::string& group, double deltaT = 0);
-    /// Sorts the particles, and evaluates all fields at the present state.
+    /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so
+    /// the bytes of a run, stay as they are.
+    void observe();
+    /// The same after the particles have been sorted: what is written is what a restart begins with.
     void settle();
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
@@ -88,6 +91,8 @@ private:
     void bind();
     /// The first group and what joins it, for positions and images as they are.
     void evaluateFirst();
+    /// Images and lists for the present positions.
+    void makeLists();
 };
 
 }

@@ -83,6 +83,14 @@ struct Settings
     bool needsParticles = true;                ///< at the start; else they come in
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
+    /// Rates that the next step begins with: as much state as what they change.
+    std::vector<StateField> keptRates() const
+    {
+        std::vector<StateField> rates;
+        for (const auto& evolving : state)
+            if (integration.keepsRates && evolving.rate && !evolving.advancedByModel) rates.push_back(*evolving.rate);
+        return rates;
+    }
     bool has(const std::string& entry, const std::string& word) const
     {
         const auto found = chosen.find(entry);

@@ -45,7 +45,9 @@ public:
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 
-    /// Sorts the particles, rebuilds the lists and evaluates all fields at the present state: before writing, and before looking.
+    /// Evaluates all fields at the present state, for whoever looks at them; leaves no trace in the run.
+    virtual void observe() = 0;
+    /// The same after the particles have been sorted and lists rebuilt: before writing.
     virtual void settle() = 0;
     virtual std::size_t size() const = 0;
     virtual FieldView positions() const = 0;

@@ -236,7 +236,7 @@ ParticleView Run::view() const
 void Run::sample(bool writeTime, bool end)
 {
     if (functions_->empty() || !functions_->due(time_, writeTime, end)) return;
-    if (!writeTime) simulation_->settle();
+    if (!writeTime) simulation_->observe();
     for (const auto& report : functions_->execute(view(), time_, writeTime, end)) log_ << report << '\n';
 }
 

@@ -38,6 +38,7 @@ void read(const Reading& reading)
         reading.select(local ? "localTransportVelocity" : "transportVelocity");
         reading.select("transportStress");
         settings.state.push_back({stateField(TransportVelocity{})});
+        settings.state.push_back({stateField(TransportAcceleration{})}); // of the last evaluation
         settings.carriers.push_back(TransportVelocity::info.name);
         settings.parts.push_back(partOf<Transporter>());
     }
