@@ -9,7 +9,6 @@
 #include "Kernel.hpp"
 #include "NeighbourLists.hpp"
 #include "records.hpp"
-#include "select.hpp"
 #include <algorithm>
 #include <span>
 
@@ -48,21 +47,18 @@ template<int dim> struct Stencil
     };
 
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart; or null. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the
-    /// kernel until `applyFactors`.
+    /// doubles apart. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the kernel
+    /// until `applyFactors`.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
                                const double* records, std::size_t recordArray, std::span<const double* const> columns,
                                const K kernel, bool readsW, long nullParticle)
     {
         i = particle;
-        const double* p[dim];
-        for (int c = 0; c < dim; ++c) p[c] = position[c];
         Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return p[c][particle]; });
-        const int packed = records ? std::min(int(columns.size()), packedColumns) : 0;
-        n = records ? fromRecords(records, list, within, x_i, sqr(kernel.H), packed)
-                    : gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
+        fetch(x_i, [&](int c) { return position[c][particle]; });
+        const int packed = std::min(int(columns.size()), packedColumns);
+        n = fromRecords(records, list, within, x_i, sqr(kernel.H), packed);
         for (; n%lanes; ++n)
         {
             j[n] = nullParticle;
@@ -83,9 +79,8 @@ template<int dim> struct Stencil
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
 
         std::size_t c = packed;
-        if (records)
-            for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
-                gatherColumns(records + array*recordArray, j, n, field + c);
+        for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
+            gatherColumns(records + array*recordArray, j, n, field + c);
         for (; c < columns.size(); ++c)
         {
             const double* const source = columns[c];
