@@ -32,6 +32,7 @@ template<int dim> struct Stencil
     int i, n;                                    ///< particle; entries, a multiple of the lanes
     alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
+    int kept[capacity];                          ///< of a list with a skin, those within the support
 
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
@@ -58,22 +59,17 @@ template<int dim> struct Stencil
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return position[c][particle]; });
         const int packed = std::min(int(columns.size()), packedColumns);
-        n = fromRecords(records, list, within, x_i, sqr(kernel.H), packed);
-        for (; n%lanes; ++n)
+        if (!within)
         {
-            j[n] = nullParticle;
-            for (int c = 0; c < dim; ++c) x[c][n] = 0;
-            r[n] = sqr(2*kernel.H);
-            for (int c = 0; c < packed; ++c) field[c][n] = columns[c][nullParticle];
+            int found = selectRecords<dim>(records, list.data(), int(list.size()), x_i, sqr(kernel.H), kept);
+            while (found%lanes) kept[found++] = int(nullParticle);
+            list = {kept, std::size_t(found)};
         }
+        n = int(list.size());
+        fromRecords(records, list.data(), x_i, sqr(kernel.H), packed);
 
         #pragma GCC ivdep
-        for (int t = 0; t < n; ++t)
-        {
-            const double r_ij = std::sqrt(r[t]);
-            r[t] = r_ij;
-            dWdrOverR[t] = kernel.dWdrOverR(r_ij);
-        }
+        for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
         if (readsW)
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
@@ -112,13 +108,11 @@ template<int dim> struct Stencil
             for (int t = 0; t < n; ++t) W[t] *= weight[t];
     }
 
-    int fromRecords(const double* records, std::span<const int> list, bool within, Vector<dim> x_i, double radiusSqr, int packed)
+    void fromRecords(const double* records, const int* list, Vector<dim> x_i, double radiusSqr, int packed)
     {
         const auto gather = [&]<int count>(std::integral_constant<int, count>)
         {
-            const auto n_list = int(list.size());
-            return within ? gatherRecords<dim, count, false>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field)
-                          : gatherRecords<dim, count>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field);
+            gatherRecords<dim, count>(records, list, n, x_i, radiusSqr, *this);
         };
         switch (packed)
         {

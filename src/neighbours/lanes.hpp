@@ -71,6 +71,7 @@ template<> struct Lanes<2> : detail::AnyLanes<2>
 {
     static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
     static unsigned bits(Mask m) { return unsigned(m[0] & 1) | unsigned(m[1] & 2); }
+    static Doubles sqrt(Doubles v) { return Doubles{__builtin_sqrt(v[0]), __builtin_sqrt(v[1])}; }
     template<class V> static V compress(V v, unsigned bits) { return V{bits & 1 ? v[0] : v[1], v[1]}; }
     static Doubles loadFirst(const double* from, int) { return Doubles{*from, 0}; }
     static Ints loadFirst(const int* from, int) { return Ints{*from, 0}; }
@@ -81,8 +82,9 @@ template<> struct Lanes<2> : detail::AnyLanes<2>
 #if defined(__AVX2__)
 template<> struct Lanes<4> : detail::AnyLanes<4>
 {
-    static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
+    static Longs widened(Ints v) { return Longs(_mm256_cvtepi32_epi64(__m128i(v))); }
     static unsigned bits(Mask m) { return unsigned(_mm256_movemask_pd(__m256d(m))); }
+    static Doubles sqrt(Doubles v) { return _mm256_sqrt_pd(v); }
     static Ints compress(Ints v, unsigned bits) { return Ints(_mm_permutevar_ps(__m128(v), load<__m128i>(&orders[bits]))); }
     template<class V> static V compress(V v, unsigned bits)
     {
@@ -112,8 +114,9 @@ template<> struct Lanes<8> : detail::AnyLanes<8>
     using Mask = __mmask8;
     static Mask less(Doubles a, Doubles b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
     static Doubles choose(Mask mask, Doubles a, Doubles b) { return _mm512_mask_mov_pd(b, mask, a); }
-    static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
+    static Longs widened(Ints v) { return Longs(_mm512_cvtepi32_epi64(__m256i(v))); }
     static unsigned bits(Mask m) { return m; }
+    static Doubles sqrt(Doubles v) { return _mm512_sqrt_pd(v); }
     static Doubles compress(Doubles v, unsigned bits) { return _mm512_maskz_compress_pd(Mask(bits), v); }
     static Longs compress(Longs v, unsigned bits) { return Longs(_mm512_maskz_compress_epi64(Mask(bits), __m512i(v))); }
     static Ints compress(Ints v, unsigned bits) { return Ints(_mm256_maskz_compress_epi32(Mask(bits), __m256i(v))); }

@@ -13,51 +13,67 @@ namespace sph
 
 constexpr int recordSize = 8; ///< doubles: one cache line
 
-/// Of the listed particles (a multiple of 8 indices) keeps those within the radius: indices, x_i - x_j, squared distances and the first
-/// nFields columns, packed; each needs room for 8 more. Returns their number. With `selects` false the list holds nothing beyond the radius
-/// but null particles at its end: all stay, null particles with x_i - x_j = 0 at twice the radius.
-template<int dim, int nFields, bool selects = true, class L = WidestLanes, class Column>
-inline int gatherRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, long* j, Column (&xij)[dim],
-                         double* rSqr, Column* field)
+namespace detail
+{
+/// x_i - x_j and its square of as many particles as there are lanes.
+template<int dim, class L> struct Differences
+{
+    typename L::Doubles x[dim], sqr;
+
+    Differences(Vector<dim> x_i, const TwoColumns<L> (&column)[2])
+    {
+        x[0] = x_i.x - column[0].first;
+        x[1] = x_i.y - column[0].second;
+        sqr = x[0]*x[0] + x[1]*x[1];
+        if constexpr (dim == 3)
+        {
+            x[2] = x_i.z - column[1].first;
+            sqr += x[2]*x[2];
+        }
+    }
+};
+}
+
+/// Of the listed particles (a multiple of 8 indices) writes those within the radius to `kept`, which needs room for 8 more. Returns their
+/// number.
+template<int dim, class L = WidestLanes>
+inline int selectRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, int* kept)
+{
+    const typename L::Doubles limit = L::all(radiusSqr);
+    long found = 0;
+    for (int t = 0; t < n; t += L::count)
+    {
+        TwoColumns<L> column[2];
+        for (int c = 0; c < dim - 1; ++c)
+            column[c] = loadColumns<L>([&](int k) { return records + long(list[t + k])*recordSize + 2*c; });
+        const unsigned bits = L::bits(L::less(detail::Differences<dim, L>(x, column).sqr, limit));
+        L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t), bits));
+        found += std::popcount(bits);
+    }
+    return int(found);
+}
+
+/// Indices, x_i - x_j, distances and the first nFields columns of the listed particles (a multiple of 8 indices), all within the
+/// radius but for null particles at the end, which stay with x_i - x_j = 0 at twice the radius.
+template<int dim, int nFields, class L = WidestLanes, class Block>
+inline void gatherRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, Block& to)
 {
     using Doubles = typename L::Doubles;
     const Doubles limit = L::all(radiusSqr), beyond = L::all(4*radiusSqr);
-    int found = 0;
     for (int t = 0; t < n; t += L::count)
     {
+        const double* record[L::count];
+        for (int k = 0; k < L::count; ++k) record[k] = records + long(list[t + k])*recordSize;
         TwoColumns<L> column[recordSize/2];
-        for (int c = 0; c < (dim + nFields + 1)/2; ++c)
-            column[c] = loadColumns<L>([&](int k) { return records + std::size_t(list[t + k])*recordSize + 2*c; });
+        for (int c = 0; c < (dim + nFields + 1)/2; ++c) column[c] = loadColumns<L>([&](int k) { return record[k] + 2*c; });
 
-        Doubles dx = x.x - column[0].first, dy = x.y - column[0].second, dz{}, r2 = dx*dx + dy*dy;
-        if constexpr (dim == 3)
-        {
-            dz = x.z - column[1].first;
-            r2 += dz*dz;
-        }
-        const auto near = L::less(r2, limit);
-        const unsigned bits = L::bits(near);
-        const auto keep = [&](auto* to, auto q)
-        {
-            if constexpr (selects) L::store(to + found, L::compress(q, bits));
-            else L::store(to + found, q);
-        };
-        if constexpr (!selects)
-        {
-            dx = L::choose(near, dx, Doubles{});
-            dy = L::choose(near, dy, Doubles{});
-            dz = L::choose(near, dz, Doubles{});
-            r2 = L::choose(near, r2, beyond);
-        }
-        keep(xij[0], dx);
-        keep(xij[1], dy);
-        if constexpr (dim == 3) keep(xij[2], dz);
-        keep(rSqr, r2);
-        keep(j, L::widened(L::template load<typename L::Ints>(list + t)));
-        for (int f = 0; f < nFields; ++f) keep(field[f], (dim + f)%2 ? column[(dim + f)/2].second : column[(dim + f)/2].first);
-        found += selects ? std::popcount(bits) : L::count;
+        const detail::Differences<dim, L> ij(x, {column[0], column[1]});
+        const auto near = L::less(ij.sqr, limit);
+        for (int c = 0; c < dim; ++c) L::store(&to.x[c][t], L::choose(near, ij.x[c], Doubles{}));
+        L::store(&to.r[t], L::sqrt(L::choose(near, ij.sqr, beyond)));
+        L::store(&to.j[t], L::widened(L::template load<typename L::Ints>(list + t)));
+        for (int f = 0; f < nFields; ++f) L::store(&to.field[f][t], (dim + f)%2 ? column[(dim + f)/2].second : column[(dim + f)/2].first);
     }
-    return found;
 }
 
 /// Eight further columns of n particles (a multiple of 8 indices) from another packed array.

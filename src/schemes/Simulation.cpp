@@ -215,6 +215,7 @@ public:
     double powderDrift() const override { return initialPowderVolume_ > 0 ? summary_.powderVolume/initialPowderVolume_ - 1 : 0; }
     int solverIterations() const override { return particles_.implicitViscosity() ? particles_.implicitViscosity()->iterations() : 0; }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
+    int slowPairPasses() const override { return particles_.slowPlan() ? particles_.slowPlan()->pairPasses() : 0; }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }

@@ -68,6 +68,8 @@ public:
     /// By how much mass and powder miss what `flows` says, relative.
     virtual Imbalance imbalance() const = 0;
     virtual int pairPasses() const = 0;
+    /// Of what acts once in a step of several parts; `pairPasses` counts those of each part.
+    virtual int slowPairPasses() const = 0;
     /// Of the last step's implicit viscosity; 0 without.
     virtual int solverIterations() const = 0;
     /// Of the powder in the last step of the flow; 0 without a suspension.
