@@ -66,6 +66,8 @@ public:
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
     virtual int pairPasses() const = 0;
+    /// Of what acts once in a step of several parts; `pairPasses` counts those of each part.
+    virtual int slowPairPasses() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;
