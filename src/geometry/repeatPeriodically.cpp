@@ -92,6 +92,7 @@ void repeatPeriodically(Geometry& g, double reach)
     g.reach = reach;
     g.grid = std::make_shared<PatchGrid>(g, reach);
     g.tree = std::make_shared<PatchTree>(g.patches);
+    g.coverers = findCoverers(g);
 }
 
 }

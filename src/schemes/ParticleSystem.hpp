@@ -2,6 +2,7 @@
 #pragma once
 #include "Images.hpp"
 #include "ImplicitViscosity.hpp"
+#include "LeakGuard.hpp"
 #include "Migration.hpp"
 #include "Openings.hpp"
 #include "Plan.hpp"
@@ -39,7 +40,7 @@ public:
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
-    void moved(double distance) { travelled_ += distance; }
+    void moved(double distance) { travelled_ += distance*images_.closingSpeed(); }
 
     std::size_t size() const { return owned_; }
     FieldStore<dim>& store() { return store_; }
@@ -54,6 +55,7 @@ public:
     const NeighbourLists<dim>& lists() const { return lists_; }
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
+    const Leaks& leaks() const { return leakGuard_.leaks(); }
 
 private:
     const Settings& settings_;
@@ -63,6 +65,7 @@ private:
     Plan<dim> plan_;
     FieldStore<dim> store_;
     Images<dim> images_;
+    LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
@@ -78,7 +81,6 @@ private:
     long rebuilds_ = 0;
 
     void load(const Cloud&, bool restarted);
-    void keepInside();
     std::span<const int> held() const { return openings_ ? openings_->held() : std::span<const int>{}; }
     /// What the terms of surface tension read of the walls.
     void evaluateWalls();

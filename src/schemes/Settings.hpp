@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Coefficients.hpp"
 #include "Geometry.hpp"
+#include "LeakGuard.hpp"
 #include "Opening.hpp"
 #include <string>
 #include <vector>
@@ -74,6 +75,7 @@ struct Settings
     /// Whether viscosity is a field.
     bool variableViscosity() const { return multiphase() || suspension(); }
     bool solvesForVelocity() const { return integrator == Integrator::semiImplicit || integrator == Integrator::quasiSteady; }
+    Leaked leaked = Leaked::putBack;           ///< what becomes of particles in a solid
     bool weighted = false;                     ///< some wall is curved or has edges: images carry volume factors
 };
 

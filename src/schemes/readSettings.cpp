@@ -263,6 +263,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     setContactAngles(geometry, settings);
     readTransport(theCase, settings);
     readIntegration(dict, settings);
+    settings.leaked = readLeakGuard(dict);
     if (settings.suspension()) readMigration(dict, settings);
     settings.openings = readOpenings(theCase, geometry, c);
     for (const auto& opening : settings.openings)
