@@ -95,13 +95,9 @@ public:
     virtual Foot foot(const Vector<3>& x) const = 0;
     /// Whether a point of the surface lies in or on another solid.
     using Covered = std::function<bool(const Vector<3>&)>;
-    /// The foot on the face of the given normal, for a shape with faces. A face goes on beyond those of its edges that are covered: where a
-    /// block stands on a floor there is no edge that the fluid could go round.
-    virtual Foot footOnFace(const Vector<3>& x, const Vector<3>& normal, const Covered&) const
-    {
-        static_cast<void>(normal);
-        return foot(x);
-    }
+    /// The foot on the face of the given normal, for a shape with faces. A face goes on beyond those of its edges that are covered at the place
+    /// next to `source`, of which x may be an image: where a block stands on a floor there is no edge that the fluid could go round.
+    virtual Foot footOnFace(const Vector<3>& x, const Vector<3>& /*normal*/, const Vector<3>& /*source*/, const Covered&) const { return foot(x); }
     /// The feet of an x in the solid: on each face of a shape with faces.
     virtual std::vector<Foot> feetFromInside(const Vector<3>& x) const { return {foot(x)}; }
     /// Encloses the surface; infinite along directions in which it does not end.

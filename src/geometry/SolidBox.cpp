@@ -33,14 +33,14 @@ Foot SolidBox::foot(const Vector<3>& x) const
     return f;
 }
 
-Foot SolidBox::footOnFace(const Vector<3>& x, const Vector<3>& normal, const Covered& covered) const
+Foot SolidBox::footOnFace(const Vector<3>& x, const Vector<3>& normal, const Vector<3>& source, const Covered& covered) const
 {
     int across = 0;
     while (normal.*coordinates[across] == 0) ++across;
     const auto n = coordinates[across];
     const bool upper = normal.*n > 0;
     const double d = upper ? x.*n - high_.*n : low_.*n - x.*n;
-    Vector<3> onFace = x;
+    Vector<3> onFace = source;
     onFace.*n = upper ? high_.*n : low_.*n;
     const auto isCovered = [&](double Vector<3>::*c, double level)
     {

@@ -136,10 +136,11 @@ double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
     for (const int q : coverers[std::size_t(patch)])
     {
         const Foot other = patches[std::size_t(q)].shape->foot(y);
-        const double depth = -other.distance, alongside = dot(f.normal, other.normal);
+        const double alongside = dot(f.normal, other.normal);
+        double depth = -other.distance;
         if (depth < -touching) continue;
-        // What has got into both solids of a corner sees both surfaces, as it does in the corner of a box.
-        if (f.distance <= 0 && alongside > -0.5 && patches[std::size_t(q)].shape->foot(x).distance <= 0) continue;
+        // What has got a little into the other solid itself sees this surface as it does in the corner of a box.
+        if (depth > touching) depth = std::min(depth, depth + patches[std::size_t(q)].shape->foot(x).distance);
         if (depth <= touching)
         {
             // Surfaces on one another: back to back there is no fluid between them; flush the first of them is the wall.
@@ -171,7 +172,7 @@ Foot Geometry::footInUnion(int patch, const Vector<3>& x) const
         return free;
     }
     if (f.on == Foot::On::face && std::isfinite(f.margin))
-        f = shape.footOnFace(x, f.normal, [&](const Vector<3>& y) { return isCovered(patch, y); });
+        f = shape.footOnFace(x, f.normal, x, [&](const Vector<3>& y) { return isCovered(patch, y); });
     f.exposure = exposure(patch, x, f);
     return f;
 }
@@ -180,7 +181,8 @@ Foot Geometry::footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>
 {
     const auto& shape = *patches[std::size_t(patch)].shape;
     const Foot seen = footInUnion(patch, source);
-    Foot f = seen.on == Foot::On::face ? shape.footOnFace(x, seen.normal, [&](const Vector<3>& y) { return isCovered(patch, y); }) : shape.foot(x);
+    Foot f = seen.on == Foot::On::face ? shape.footOnFace(x, seen.normal, source, [&](const Vector<3>& y) { return isCovered(patch, y); })
+                                           : shape.foot(x);
     f.exposure = seen.exposure;
     return f;
 }
