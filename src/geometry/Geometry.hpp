@@ -96,6 +96,9 @@ private:
 /// Fills `patches` from `originals`, each periodic copy once, `grid`, `tree` and `coverers`, for the given reach [m].
 void repeatPeriodically(Geometry&, double reach);
 
+/// Faces of boxes that lie on planes or behind them go on into the solid: a block that stands on a floor, or is let into it, is the same.
+void sinkIntoPlanes(Geometry&);
+
 /// Which patches other solids may cover: where a body (fluid outside) touches or overlaps another solid. Walls of a container among
 /// themselves are none of it: their feet behind one another are outside the domain. Spheres that touch are none either.
 std::vector<std::vector<int>> findCoverers(const Geometry&);

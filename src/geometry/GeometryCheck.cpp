@@ -161,12 +161,13 @@ class Check
     /// The images of the fluid on one side of a plate must not reach the fluid on the other: each lie as deep as the support, and are seen from as far.
     void thickness()
     {
+        std::set<int> refused; // copies of one box are as thin
         for (std::size_t k = 0; k < g_.patches.size(); ++k)
         {
             const auto& p = g_.patches[k];
             const auto d = p.shape->description();
             if (d.type != "box" || d.fluid == FluidSide::inside) continue;
-            if (std::none_of(g_.originals.begin(), g_.originals.end(), [&](const Patch& q) { return q.shape == p.shape; })) continue;
+            if (refused.contains(p.wall)) continue;
             double thinnest = Box::infinity;
             for (int direction = 0; direction < g_.dimension; ++direction)
             {
@@ -176,11 +177,14 @@ class Check
                 if (g_.mayBeCovered(int(k)) && (isHidden(int(k), c, low, -1) || isHidden(int(k), c, high, 1))) continue;
                 thinnest = high - low;
             }
-            if (thinnest < 2 * H_ * (1 - 1e-12))
+            if (thinnest >= 2 * H_ * (1 - 1e-12)) continue;
+            refused.insert(p.wall);
+            {
                 diagnostics_.error(g_.walls[p.wall].where,
                                    fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
                                                "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
                                                g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
+            }
         }
     }
 

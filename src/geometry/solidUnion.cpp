@@ -5,6 +5,8 @@
 /// that the image lies on the bisector of the solid. And an edge in another solid is none: the faces of a block that stands on a floor go on
 /// into it, so that the fluid beside the block has the images of the corner of a box.
 #include "Geometry.hpp"
+#include "Plane.hpp"
+#include "SolidBox.hpp"
 #include "closestApproach.hpp"
 #include "components.hpp"
 #include <algorithm>
@@ -50,6 +52,35 @@ bool meets(const Shape& body, const Shape& other, const std::vector<Vector<3>>& 
     return std::any_of(points.begin(), points.end(), [&](const auto& x) { return other.foot(x).distance <= tolerance; });
 }
 
+}
+
+void sinkIntoPlanes(Geometry& g)
+{
+    for (auto& patch : g.patches)
+    {
+        if (!dynamic_cast<const SolidBox*>(patch.shape.get())) continue;
+        const Box given = patch.shape->bounds();
+        Box box = given;
+        for (const auto c : coordinates)
+            for (const double side : {-1.0, 1.0})
+            {
+                const double level = side < 0 ? given.low.*c : given.high.*c;
+                if (!std::isfinite(level)) continue;
+                Box face = given;
+                face.low.*c = face.high.*c = level;
+                for (const auto d : coordinates)
+                    if (std::isinf(face.low.*d)) face.low.*d = face.high.*d = 0;
+                const auto points = corners(face);
+                const bool isBehind = std::any_of(g.patches.begin(), g.patches.end(), [&](const Patch& q)
+                {
+                    if (!dynamic_cast<const Plane*>(q.shape.get()) || side*(q.shape->foot(points[0]).normal.*c) > -0.5) return false;
+                    return std::all_of(points.begin(), points.end(), [&](const auto& x) { return q.shape->foot(x).distance <= g.tolerance(); });
+                });
+                auto& end = side < 0 ? box.low : box.high;
+                if (isBehind) end.*c += side*2*g.reach;
+            }
+        if (box.low != given.low || box.high != given.high) patch.shape = std::make_shared<SolidBox>(box.low, box.high);
+    }
 }
 
 std::vector<std::vector<int>> findCoverers(const Geometry& g)
@@ -135,12 +166,13 @@ double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
     double share = 1;
     for (const int q : coverers[std::size_t(patch)])
     {
-        const Foot other = patches[std::size_t(q)].shape->foot(y);
-        const double alongside = dot(f.normal, other.normal);
-        double depth = -other.distance;
+        const auto& solid = *patches[std::size_t(q)].shape;
+        double depth = -solid.foot(y).distance;
         if (depth < -touching) continue;
-        // What has got a little into the other solid itself sees this surface as it does in the corner of a box.
-        if (depth > touching) depth = std::min(depth, depth + patches[std::size_t(q)].shape->foot(x).distance);
+        // The side of the other solid that x sees. What has got a little into it sees this surface as it does in the corner of a box.
+        const Foot seen = solid.foot(x);
+        const double alongside = dot(f.normal, seen.normal);
+        if (depth > touching) depth = std::min(depth, depth + seen.distance);
         if (depth <= touching)
         {
             // Surfaces on one another: back to back there is no fluid between them; flush the first of them is the wall.

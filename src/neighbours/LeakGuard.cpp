@@ -20,6 +20,23 @@ Leaked readLeakGuard(const Dictionary& sphSchemes)
     return sphSchemes.choose("leakedParticles", std::vector<std::string>{"putBack", "stop"}, "putBack") == "stop" ? Leaked::stop : Leaked::putBack;
 }
 
+/// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.
+template<int dim> template<class Depth> std::optional<Vector<dim>> LeakGuard<dim>::nearestWayOut(const Vector<dim>& x, const Depth& depth) const
+{
+    const int rings = 20;
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int a = -1; a <= 1; ++a)
+            for (int b = -1; b <= 1; ++b)
+                for (int c = dim == 3 ? -1 : 0; c <= (dim == 3 ? 1 : 0); ++c)
+                {
+                    const Vector<3> direction{double(a), double(b), double(c)};
+                    if (a == 0 && b == 0 && c == 0) continue;
+                    const auto y = x + deepestInSpacings*spacing_*ring/rings/mag(direction)*in<dim>(direction);
+                    if (depth(y) <= -closestInSpacings*spacing_) return y;
+                }
+    return {};
+}
+
 template<int dim>
 typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i,
                                                     const Images<dim>& images) const
@@ -70,9 +87,23 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
         sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
     }
-    // No surface that bounds the fluid leads out of where solids overlap.
-    if (buried)
-        for (const int p : images.wallsNear(x_i)) found.lost = found.lost || geometry_.patches[std::size_t(p)].shape->foot(in3D(x_i)).distance < -closest;
+    // Where solids overlap there may be no surface that leads out.
+    const auto depth = [&](const Vector<dim>& y)
+    {
+        double least = 1e300;
+        for (const int p : images.wallsNear(y)) least = std::min(least, geometry_.patches[std::size_t(p)].shape->foot(in3D(y)).distance);
+        return -least;
+    };
+    if (buried && depth(x_i) > closest)
+    {
+        const auto out = nearestWayOut(x_i, depth);
+        found.lost = !out;
+        if (out)
+        {
+            sph::store(*out, [&](int c, double q) { x[c][i] = q; });
+            for (int c = 0; c < dim; ++c) v[c][i] = 0;
+        }
+    }
     return found;
 }
 

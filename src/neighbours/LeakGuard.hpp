@@ -6,6 +6,7 @@
 #pragma once
 #include "Dictionary.hpp"
 #include "Images.hpp"
+#include <optional>
 
 namespace sph
 {
@@ -41,6 +42,7 @@ template<int dim> class LeakGuard
         int wall = -1;
     };
     Found keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i, const Images<dim>&) const;
+    template<class Depth> std::optional<Vector<dim>> nearestWayOut(const Vector<dim>& x, const Depth& depth) const;
     [[noreturn]] void refuse(std::size_t i, const Vector<3>& x, const Found&) const;
 
 public:
