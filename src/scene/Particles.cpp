@@ -47,7 +47,9 @@ template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
     : settings_(settings), geometry_(geometry), coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing),
+      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing,
+              skinInSpacings*settings.resolution.spacing),
+      leakGuard_(geometry, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
       kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
 {
     plan_.allocate(store_);
@@ -122,63 +124,10 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
             for (int c = 0; c < rate.in(dim); ++c) std::copy_n(found->second.component[std::size_t(c)].begin(), owned_, store_.component(rate.name, c));
 }
 
-/// Wraps across periodic faces; a particle that touched a wall is put back, one that is well beyond it is an error.
-template<int dim> void Particles<dim>::keepInside()
-{
-    const auto x = store_.pointers(Position{});
-    const auto v = store_.pointers(Velocity{});
-    const double low[3] = {geometry_.low.x, geometry_.low.y, geometry_.low.z}, high[3] = {geometry_.high.x, geometry_.high.y, geometry_.high.z};
-    const double spacing = coefficients_.spacing, closest = 0.02*spacing;
-    std::size_t lost = owned_;
-    #pragma omp parallel for schedule(static) reduction(min: lost)
-    for (std::size_t i = 0; i < owned_; ++i)
-    {
-        bool outside = false;
-        for (int c = 0; c < dim; ++c)
-        {
-            if (geometry_.periodic[c])
-            {
-                const double L = high[c] - low[c];
-                if (x[c][i] < low[c] && x[c][i] >= low[c] - L) x[c][i] += L;
-                if (x[c][i] >= high[c] && x[c][i] < high[c] + L) x[c][i] -= L;
-            }
-            // One support beyond an open face is left to the walls to judge.
-            const double slack = geometry_.periodic[c] ? 0 : coefficients_.support;
-            outside = outside || !(x[c][i] >= low[c] - slack && x[c][i] <= high[c] + slack);
-        }
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][i]; });
-        for (int p : outside ? std::span<const int>{} : images_.wallsNear(x_i))
-        {
-            const Foot f = geometry_.patches[p].shape->foot(in3D(x_i));
-            if (f.distance >= closest) continue;
-            if (f.distance < -0.5*spacing) { outside = true; break; }
-            const auto n = in<dim>(f.normal);
-            x_i += (closest - f.distance)*n;
-            Vector<dim> v_i;
-            fetch(v_i, [&](int c) { return v[c][i]; });
-            const double inward = std::fmin(0.0, dot(v_i, n));
-            sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
-            sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
-        }
-        if (outside && i < lost) lost = i;
-    }
-    if (lost < owned_)
-    {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][lost]; });
-        const double d = geometry_.distance(in3D(x_i));
-        const bool beyondWall = d < 0;
-        throw CaseError(fmt::format("particle {} at {} {}", lost, at(in3D(x_i)),
-                                    beyondWall ? fmt::format("is {:.3g} m beyond a wall", -d)
-                                               : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
-    }
-}
-
 template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
-    keepInside();
+    leakGuard_(store_, owned_, images_);
     cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5*(settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
     makeLists();

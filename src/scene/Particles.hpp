@@ -1,6 +1,7 @@
 /// The particles with their images, lists, plan and the parts of models: everything that stages move, and nothing of time.
 #pragma once
 #include "Images.hpp"
+#include "LeakGuard.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include <memory>
@@ -28,7 +29,7 @@ public:
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
-    void moved(double distance) { travelled_ += distance; }
+    void moved(double distance) { travelled_ += distance*images_.closingSpeed(); }
 
     std::size_t size() const { return owned_; }
     const Settings& settings() const { return settings_; }
@@ -63,6 +64,7 @@ public:
 
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
+    const Leaks& leaks() const { return leakGuard_.leaks(); }
     std::size_t bytes() const;
 
 private:
@@ -72,6 +74,7 @@ private:
     Plan<dim> plan_;
     FieldStore<dim> store_;
     Images<dim> images_;
+    LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
@@ -84,7 +87,6 @@ private:
 
     void allocateState();
     void load(const Cloud&, bool restarted);
-    void keepInside();
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();

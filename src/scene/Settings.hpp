@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Coefficients.hpp"
 #include "Geometry.hpp"
+#include "LeakGuard.hpp"
 #include "Part.hpp"
 #include "Plan.hpp"
 #include "State.hpp"
@@ -72,6 +73,7 @@ struct Settings
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
     std::set<std::string> separate;                ///< results that somebody wants by themselves
 
+    Leaked leaked = Leaked::putBack;               ///< what becomes of particles in a solid
     bool variableViscosity = false;            ///< viscosity is a field
     bool integratedDensity = false;            ///< density evolves
     bool normaliseDensity = true;

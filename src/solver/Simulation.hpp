@@ -1,6 +1,7 @@
 /// The particles of a case and the step that moves them.
 #pragma once
 #include "Cloud.hpp"
+#include "LeakGuard.hpp"
 #include "RunTime.hpp"
 #include "Settings.hpp"
 #include "readSettings.hpp"
@@ -71,6 +72,8 @@ public:
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;
+    /// What was put back out of the solid since the start of the run.
+    virtual Leaks leaks() const = 0;
     /// Of all arrays but the neighbour lists, per owned particle.
     virtual double bytesPerParticle() const = 0;
 };

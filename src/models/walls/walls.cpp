@@ -40,6 +40,7 @@ void read(const Reading& reading)
     const auto& pressure = reading.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, reading.paper() ? "mirrored" : "hydrostatic");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Image::pressure] = {stateField(Density{})};
+    settings.leaked = readLeakGuard(reading.schemes);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored")));
