@@ -44,6 +44,7 @@ inline int selectRecords(const double* records, const int* list, int n, Vector<d
 {
     const typename L::Doubles limit = L::all(radiusSqr);
     long found = 0;
+    #pragma GCC unroll 2 // with AVX2 the force pass gains 1 to 2 %
     for (int t = 0; t < n; t += L::count)
     {
         TwoColumns<L> column[2];
