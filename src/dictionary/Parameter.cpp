@@ -58,7 +58,7 @@ std::string Range::text() const
 
 std::string Range::wrong(const std::string& keyword, double value) const
 {
-    if (!complaint.empty()) return complaint;
+    if (!complaint.empty()) return fmt::format(fmt::runtime(complaint), value);
     const bool below = std::isfinite(high);
     const auto must = low == 0 && !below      ? lowIncluded ? "not be negative" : "be positive"
                       : !below && lowIncluded ? fmt::format("be at least {}", low)
@@ -135,9 +135,16 @@ Direction::Direction(std::string keyword, const Default<Vector<3>>& fallback, st
 Vector<3> Direction::read(const Dictionary& d, const Vector<3>& harmless) const
 {
     const auto v = d.getVector(keyword(), units::none, harmless);
-    if (const double length = mag(v); length > 0) return v/length;
-    error(d, fmt::format("\"{}\" must have a direction, not (0 0 0)", keyword()));
+    if (const double length = mag(v); length > 0) return scaled_ ? v/length : v;
+    error(d, fmt::format("{} must have a direction, not (0 0 0)", keyword()));
     return harmless;
+}
+
+Vector<3> Direction::asGiven(const Dictionary& d) const
+{
+    auto unscaled = *this;
+    unscaled.scaled_ = false;
+    return unscaled(d);
 }
 
 Choice::Choice(std::string keyword, ChoiceWords choices, const Default<std::string>& fallback, std::string meaning)

@@ -35,7 +35,7 @@ struct Range
 {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
     bool lowIncluded = true, highIncluded = true;
-    std::string complaint = {}; ///< in place of: "keyword" must be ..., found ..
+    std::string complaint = {}; ///< in place of: "keyword" must be ..., found ..; a {} in it stands for the value
 
     bool holds(double value) const;
     /// A value that is possible: 0, else 1, else the end that is included.
@@ -222,10 +222,13 @@ public:
 /// A vector whose length does not matter but must not be 0; of length one when read.
 class Direction : public ValueParameter<Vector<3>>
 {
+    bool scaled_ = true;
     Vector<3> read(const Dictionary&, const Vector<3>& harmless) const override;
 
 public:
     Direction(std::string keyword, const Default<Vector<3>>&, std::string meaning);
+    /// The vector of the length that was given.
+    Vector<3> asGiven(const Dictionary&) const;
 };
 
 /// One of several words, all of them known beforehand.

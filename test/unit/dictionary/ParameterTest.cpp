@@ -52,6 +52,7 @@ TEST(Parameters, given)
     EXPECT_EQ(density(p.dict), "continuity");
     EXPECT_EQ(density.index(p.dict), 1);
     EXPECT_EQ(normal(p.dict), (Vector<3>{0, 0, 1}));
+    EXPECT_EQ(normal.asGiven(p.dict), (Vector<3>{0, 0, 2}));
     EXPECT_TRUE(closed(p.dict));
     EXPECT_EQ(title(p.dict), "a b");
     EXPECT_EQ(sizes(p.dict).size(), 1u);
@@ -78,7 +79,7 @@ TEST(Parameters, mistakes)
     EXPECT_EQ(read(theta, "theta 0.2;"), "constant/d:1: \"theta\" must be 0.5 to 1, found 0.2");
     EXPECT_EQ(read(steps, "steps 0;"), "constant/d:1: \"steps\" must be at least 1, found 0");
     EXPECT_EQ(read(steps, "steps 1.5;"), "constant/d:1: \"steps\" must be an integer, found \"1.5\"");
-    EXPECT_EQ(read(normal, "normal (0 0 0);"), "constant/d:1: \"normal\" must have a direction, not (0 0 0)");
+    EXPECT_EQ(read(normal, "normal (0 0 0);"), "constant/d:1: normal must have a direction, not (0 0 0)");
     EXPECT_EQ(read(density, "density continuty;"),
               "constant/d:1: density \"continuty\" is unknown. Did you mean \"continuity\"? Known density: numberDensity, continuity.");
     EXPECT_EQ(read(formats, "formats (stll);"), "constant/d:1: \"stll\" is unknown. Did you mean \"stl\"? Known formats: vtp, stl.");
