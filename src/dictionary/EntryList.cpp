@@ -32,9 +32,23 @@ void merge(Entries& into, const Entries& more)
 
 ListedEntry::ListedEntry(const Parameter& p, const EntryList& holds) : info(p.info()), inside(holds) {}
 
-ListedEntry::ListedEntry(const Choice& choice, std::vector<std::pair<std::string, EntryList>> byWord) : info(choice.info())
+ListedEntry::ListedEntry(const Choice& choice, const Cases& byWord) : info(choice.info())
 {
-    for (auto& [word, entries] : byWord) cases.push_back({word, std::move(entries)});
+    for (const auto& [word, entries] : byWord)
+        if (!entries.empty()) cases.push_back({word.word, entries});
+}
+
+Cases operator+(Cases a, const Cases& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+ChoiceWords wordsOf(const Cases& cases)
+{
+    ChoiceWords words;
+    for (const auto& [word, entries] : cases) words.push_back(word);
+    return words;
 }
 
 EntryList& EntryList::operator+=(const EntryList& more)

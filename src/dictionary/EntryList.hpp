@@ -8,6 +8,8 @@ namespace sph
 {
 
 struct EntryList;
+/// The words of a choice, and what comes beside it with each.
+using Cases = std::vector<std::pair<ChoiceWord, EntryList>>;
 
 struct ListedEntry
 {
@@ -19,7 +21,7 @@ struct ListedEntry
     /// A sub-dictionary (or a list of them, or freely named ones) with what it holds.
     ListedEntry(const Parameter& p, const EntryList& holds);
     /// A choice with the entries that go with its words.
-    ListedEntry(const Choice& choice, std::vector<std::pair<std::string, EntryList>> byWord);
+    ListedEntry(const Choice& choice, const Cases&);
 };
 
 struct EntryList : std::vector<ListedEntry>
@@ -29,6 +31,10 @@ struct EntryList : std::vector<ListedEntry>
     EntryList& operator+=(const EntryList& more);
     friend EntryList operator+(EntryList a, const EntryList& b) { return a += b; }
 };
+
+Cases operator+(Cases, const Cases&);
+/// The words alone, for the choice itself.
+ChoiceWords wordsOf(const Cases&);
 
 /// A list by file. Several parts of the suite may add to one file; entries of one keyword are merged.
 class EntryRegistry

@@ -154,12 +154,16 @@ public:
     T operator()(const Dictionary& d) const
     {
         assert((fallback_ || info_.isRequired) && "the reader must decide the default");
-        if (fallback_) return (*this)(d, *fallback_);
+        return fallback_ ? (*this)(d, *fallback_) : needed(d);
+    }
+    T operator()(const Dictionary& d, const T& fallback) const { return given(d) ? read(d, fallback) : fallback; }
+    /// Here the entry must be there, though it need not be everywhere.
+    T needed(const Dictionary& d) const
+    {
         if (given(d)) return read(d, harmless_);
         d.get<std::string>(keyword()); // which says that it is missing
         return harmless_;
     }
-    T operator()(const Dictionary& d, const T& fallback) const { return given(d) ? read(d, fallback) : fallback; }
     std::optional<T> ifGiven(const Dictionary& d) const { return given(d) ? std::optional(read(d, harmless_)) : std::nullopt; }
 };
 
