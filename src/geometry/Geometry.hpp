@@ -86,6 +86,8 @@ void repeatPeriodically(Geometry&, double reach);
 /// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic
 /// directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
+/// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.
+double bedPeriod(const Dictionary& geometry);
 /// All types of walls and their entries.
 EntryList geometryEntries();
 

@@ -291,7 +291,14 @@ const Choice& shapeType()
     return type;
 }
 
-double bedPeriod(const Dictionary& wall) { return shapeType().is(wall, "sphereBed") ? entry::period(wall, 0) : 0; }
+double bedPeriod(const Dictionary& geometry)
+{
+    const auto walls = geometry.subDictOrEmpty("walls");
+    for (const auto& name : walls.keys())
+        if (walls.isDictionary(name))
+            if (const auto wall = walls.subDict(name); shapeType().is(wall, "sphereBed")) return entry::period(wall, 0);
+    return 0;
+}
 
 std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, const Geometry& g)
 {

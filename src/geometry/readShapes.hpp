@@ -17,7 +17,6 @@ bool isSingleShape(const Dictionary& wall);
 /// The choice `type` of a wall, and the entries of each.
 const Choice& shapeType();
 Cases shapes();
-/// Period [m] of a bed of spheres, 0 of any other wall.
-double bedPeriod(const Dictionary& wall);
+
 
 }
