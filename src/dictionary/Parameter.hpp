@@ -86,7 +86,8 @@ struct ChoiceWords : std::vector<ChoiceWord>
 {
     ChoiceWords() = default;
     ChoiceWords(std::initializer_list<ChoiceWord> words) : vector(words) {}
-    ChoiceWords(const std::vector<std::string>& words) : vector(words.begin(), words.end()) {}
+    ChoiceWords(std::span<const std::string> words) : vector(words.begin(), words.end()) {}
+    ChoiceWords(const std::vector<std::string>& words) : ChoiceWords(std::span(words)) {}
     std::vector<std::string> words() const;
 };
 
@@ -316,7 +317,9 @@ class SubDictionary : public Parameter
 public:
     SubDictionary(std::string keyword, Required, std::string meaning);
     SubDictionary(std::string keyword, ByScene, std::string meaning);
-    Dictionary operator()(const Dictionary& d) const { return info_.isRequired ? d.subDict(keyword()) : d.subDictOrEmpty(keyword()); }
+    Dictionary operator()(const Dictionary& d) const { return info_.isRequired ? needed(d) : d.subDictOrEmpty(keyword()); }
+    /// Here it must be there, though it need not be everywhere.
+    Dictionary needed(const Dictionary& d) const { return d.subDict(keyword()); }
 };
 
 /// `( {..} {..} )`, or a dictionary of named ones; none where it is missing and not required.

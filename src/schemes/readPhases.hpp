@@ -1,5 +1,6 @@
 /// constant/phaseProperties and constant/g: the materials of a case.
 #pragma once
+#include "EntryList.hpp"
 #include "Settings.hpp"
 
 namespace sph
@@ -13,6 +14,8 @@ namespace sph
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
 /// says why.
 void readPhases(const Case&, Settings&);
+EntryList phaseEntries();
+EntryList gravityEntries();
 
 /// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (eq. 14 of Barker et al. 2012 has the other sign), shared
 /// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at
