@@ -16,7 +16,7 @@ const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"}, no
 const Text expression{"U", required, "velocity [m/s], \"vector(sin(2*pi()*$x), 0, 0)\"; $x, $y, $z are the position [m]"};
 
 /// The types of velocity, with what each needs.
-const Cases& velocities()
+static const Cases& velocities()
 {
     static const Cases all{{"uniform", {value}},
                            {{"taylorGreen", "u = U sin(kx) cos(ky), v = -U cos(kx) sin(ky), k = 2 pi/L"}, {U, L}},
@@ -26,7 +26,7 @@ const Cases& velocities()
                            {"expression", {expression}}};
     return all;
 }
-const Choice& type()
+static const Choice& type()
 {
     static const Choice choice{"type", wordsOf(velocities()), required, "of the velocity"};
     return choice;

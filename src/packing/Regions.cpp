@@ -16,7 +16,7 @@ const Direction axis{"axis", required, "along the axis"}, normal{"normal", requi
 const DictionaryList of{"of", required, "regions, each with its own entries"};
 
 /// The types of regions, with what each needs.
-const Cases& regions()
+static const Cases& regions()
 {
     static const Cases all{{"all", {}},
                            {"none", {}},
@@ -29,7 +29,7 @@ const Cases& regions()
                            {{"difference", "the first without the others"}, {of}}};
     return all;
 }
-const Choice& region()
+static const Choice& region()
 {
     static const Choice choice{"region", wordsOf(regions()), required, "type of the region"};
     return choice;

@@ -15,7 +15,7 @@ const DictionaryList comparisons{"fields", byScene("the one comparison that stan
 const SubDictionary reference{"reference", required, "what to compare with"};
 const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}}, required, "of the reference"};
 
-const Choice& name()
+static const Choice& name()
 {
     static const Choice formulaOrMeasure{"name", wordsOf(formulas() + measures()), required, "formula or measure"};
     return formulaOrMeasure;

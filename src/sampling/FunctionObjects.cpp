@@ -65,7 +65,7 @@ const Scalar time{"executeInterval", units::s, required, positive, "time between
 const Count times{"executeInterval", 1, atLeast(1), "write times or steps between two samples"};
 const FreeName function{"<function>", "dictionary", "a function object; its name is that of the folder below postProcessing"};
 
-const Choice& type()
+static const Choice& type()
 {
     static const Choice choice{"type", wordsOf(types()), required, "what it measures"};
     return choice;
