@@ -16,12 +16,12 @@ namespace sph
 namespace entry
 {
 const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the surface on which the fluid is"};
-const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"}, centre{"centre", units::m, required, "centre"},
+const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"}, centre{"centre", units::m, required, "of the shape"},
     apex{"apex", units::m, required, "tip of the cone"}, semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"},
     min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"},
     latticeOrigin{"origin", units::m, byScene("the lowest corner of the domain"), "where a cell of the lattice begins"};
 const Direction normal{"normal", required, "into the fluid"}, axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
-const Scalar radius{"radius", units::m, required, positive, "radius"},
+const Scalar radius{"radius", units::m, required, positive, "of the shape, or of each sphere"},
     halfAngle{"halfAngle", degrees, required, positiveBelow(90).saying("halfAngle must be between 0 and 90 degrees, not {}"), "between axis and surface"},
     ringRadius{"ringRadius", units::m, required, positive, "of the circle in the middle of the tube"},
     tubeRadius{"tubeRadius", units::m, required, positive, "of the tube, less than ringRadius"},

@@ -2,7 +2,6 @@
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace sph
 {
@@ -54,11 +53,10 @@ std::string typeText(const ParameterInfo& i)
 
 std::string defaultText(const ParameterInfo& i) { return i.isRequired ? "required" : i.fallback; }
 
-std::string wordsText(const ParameterInfo& i)
+/// True where words alone do not tell all.
+bool wordsNeedLines(const ListedEntry& e)
 {
-    std::string text;
-    for (const auto& [word, meaning] : i.choices) text += (text.empty() ? "" : "; ") + word + (meaning.empty() ? "" : " (" + meaning + ")");
-    return text;
+    return !e.cases.empty() || std::ranges::any_of(e.info.choices, [](const ChoiceWord& c) { return !c.meaning.empty(); });
 }
 
 std::string inText(const Entries& entries, int depth)
@@ -71,9 +69,10 @@ std::string inText(const Entries& entries, int depth)
         const auto head = defaultText(i).empty() ? typeText(i) : fmt::format("{}; {}{}", typeText(i), i.isRequired ? "" : "default ", defaultText(i));
         text += fmt::format("{}{:<16} {}\n", indent, i.keyword, head);
         if (!i.meaning.empty()) text += fmt::format("{}{:16} {}\n", indent, "", i.meaning);
-        for (const auto& [word, meaning] : i.choices)
+        if (!i.choices.empty() && !wordsNeedLines(e)) text += fmt::format("{}{:16} {}\n", indent, "", list(i.choices.words()));
+        for (const auto& [word, meaning] : wordsNeedLines(e) ? i.choices : ChoiceWords{})
         {
-            text += fmt::format("{}    {:<12} {}\n", indent, word, meaning);
+            text += fmt::format("{}    {}{}\n", indent, word, meaning.empty() ? "" : ": " + meaning);
             for (const auto& [choice, beside] : e.cases)
                 if (choice == word) text += inText(beside, depth + 2);
         }
@@ -90,23 +89,24 @@ std::string cellText(std::string text)
     return text;
 }
 
-void addTables(const Entries& entries, const std::string& path, const std::string& meaning, std::string& page)
+/// `with`: the words of choices that these entries come with.
+void addTables(const Entries& entries, const std::string& path, const std::string& with, const std::string& meaning, std::string& page)
 {
-    page += fmt::format("{}{}\n\n| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ", path);
-    const auto afterTitle = page.size();
+    page += fmt::format("{}`{}`{}\n\n{}| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ", path, with,
+                        meaning.empty() ? "" : meaning + "\n\n");
     for (const auto& [i, inside, cases] : entries)
     {
         std::string says = i.meaning;
-        if (!i.choices.empty()) says += (says.empty() ? "" : ": ") + wordsText(i);
+        for (const auto& [word, what] : i.choices)
+            says += fmt::format("{}`{}`{}", &word == &i.choices.front().word ? ": " : ", ", word, what.empty() ? "" : " (" + what + ")");
         const auto type = i.range.empty() ? i.type : i.type + " " + i.range;
         const auto fallback = i.isRequired ? "**required**" : i.isFixed ? "`" + i.fallback + "`" : cellText(i.fallback);
         page += fmt::format("| `{}` | {} | {} | {} | {} |\n", i.keyword, cellText(type), i.unit, fallback, cellText(says));
     }
-    if (!meaning.empty()) page.insert(afterTitle - std::string("| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n").size(), meaning + "\n\n");
     for (const auto& [i, inside, cases] : entries)
     {
-        for (const auto& [word, beside] : cases) addTables(beside, fmt::format("{}, `{} {}`", path, i.keyword, word), "", page);
-        if (!inside.empty()) addTables(inside, fmt::format("{} : `{}`", path, i.keyword), "", page);
+        for (const auto& [word, beside] : cases) addTables(beside, path, fmt::format("{}, {} `{}`", with, i.keyword, word), "", page);
+        if (!inside.empty()) addTables(inside, path + "." + i.keyword, with, "", page);
     }
 }
 
@@ -134,7 +134,7 @@ std::string asTemplate(const Entries& entries, int depth)
         std::string says = i.meaning;
         if (!i.unit.empty()) says += fmt::format(" [{}]", i.unit);
         if (!i.range.empty()) says += fmt::format(", {}", i.range);
-        if (!i.choices.empty()) says += ": " + wordsText(i);
+        if (!i.choices.empty() && !wordsNeedLines(e)) says += ": " + list(i.choices.words());
         if (!i.isRequired && !i.isFixed && !i.fallback.empty()) says += fmt::format("; default: {}", i.fallback);
         std::string lines;
         if (i.type.ends_with("of dictionaries"))
@@ -143,6 +143,8 @@ std::string asTemplate(const Entries& entries, int depth)
             lines = fmt::format("{0}{1}    // {2}\n{0}{{\n{3}{0}}}\n", indent, i.keyword, says, asTemplate(e.inside, depth + 1));
         else
             lines = fmt::format("{}{:<16} {:<16} // {}\n", indent, i.keyword, (i.example.empty() ? "name" : i.example) + ";", says);
+        if (wordsNeedLines(e))
+            for (const auto& [word, meaning] : i.choices) lines += fmt::format("{}//-     {}{}\n", indent, word, meaning.empty() ? "" : ": " + meaning);
         const auto chosen = i.isFixed ? i.fallback : i.choices.empty() ? "" : i.choices.front().word;
         text += i.isRequired ? lines : commentedOut(lines);
         for (const auto& [word, beside] : e.cases)
@@ -197,7 +199,7 @@ std::string listText(const ReferencePart& part)
 std::string markdownText(const ReferencePart& part)
 {
     std::string page;
-    addTables(part.entries, part.path, part.meaning, page);
+    addTables(part.entries, part.path, "", part.meaning, page);
     return page;
 }
 

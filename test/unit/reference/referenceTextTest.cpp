@@ -82,6 +82,6 @@ TEST(Reference, listsSayAll)
     for (const auto* part : {"number [spacings], 0 to 0.5; default 0\n", "largest displacement of each component", "nearest to the walls", "choice; required"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     const auto page = markdownText(findPart(reference(), "constant/geometry"));
-    for (const auto* part : {"| `dimension` | whole number 2 to 3 |  | **required** | of space |", "## constant/geometry : `walls`", "`type cone`"})
+    for (const auto* part : {"| `dimension` | whole number 2 to 3 |  | **required** | of space |", "## `constant/geometry.walls`\n", "## `constant/geometry.walls.<wall>`, type `cone`\n"})
         EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
 }
