@@ -9,9 +9,11 @@ namespace sph
 
 namespace entry
 {
-const Choice stopAt{"stopAt",
-                    {"endTime", {"writeNow", "write and stop"}, {"noWriteNow", "stop without writing"}, {"nextWrite", "stop at the next write"}}, // as StopAt
-                    "endTime", "when the run ends"};
+const Choice stopAt{
+    "stopAt",
+    {"endTime", {"writeNow", "write and stop"}, {"noWriteNow", "stop without writing"}, {"nextWrite", "stop at the next write"}}, // as StopAt
+    "endTime",
+    "when the run ends"};
 const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"), "end of the run"},
     deltaT{"deltaT", units::s, byScene("that of the limits; needed without adjustTimeStep"), positive, "time step"},
     maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step"},
@@ -21,17 +23,24 @@ const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits
     runTimeModifiable{"runTimeModifiable", true, "read controlDict anew where it changes during the run"};
 /// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
 const Choice writeControl{"writeControl",
-                          {"none", {"timeStep", "writeInterval counts steps"}, {"runTime", "writes after a time has passed"},
-                           {"adjustable", "steps are fitted to the times of writing"}, {"clockTime", "by the clock"}, {"cpuTime", "by the processor's clock"},
+                          {"none",
+                           {"timeStep", "writeInterval counts steps"},
+                           {"runTime", "writes after a time has passed"},
+                           {"adjustable", "steps are fitted to the times of writing"},
+                           {"clockTime", "by the clock"},
+                           {"cpuTime", "by the processor's clock"},
                            {"adjustableRunTime", "as adjustable"}},
-                          "none", "when time folders are written"};
-const Count purgeWrite{"purgeWrite", 0, nonNegative.saying("purgeWrite must not be negative, found {}"), "number of time folders that are kept; 0: all"};
+                          "none",
+                          "when time folders are written"};
+const Count purgeWrite{"purgeWrite", 0, nonNegative.saying("purgeWrite must not be negative, found {}"),
+                       "number of time folders that are kept; 0: all"};
 const Choice writeFormat{"writeFormat", {"ascii", "binary"}, "ascii", "of the files; packParticles writes binary by default"},
     timeFormat{"timeFormat", {"general", "fixed", "scientific"}, "general", "of the names of time folders"},
     writeCompression{"writeCompression", {"off", "uncompressed", "no", "false", "none"}, "off", "for OpenFOAM's sake: nothing is compressed"};
 constexpr int mostDigits = std::numeric_limits<double>::max_digits10;
 const Count writePrecision{"writePrecision", byScene("as many as a number needs"),
-                           between(1, mostDigits).saying(fmt::format("writePrecision must be 1 to {} digits, found {{}}", mostDigits)), "digits of numbers in ascii files"},
+                           between(1, mostDigits).saying(fmt::format("writePrecision must be 1 to {} digits, found {{}}", mostDigits)),
+                           "digits of numbers in ascii files"},
     timePrecision{"timePrecision", 6, between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
                   "digits of the names of time folders"};
 }

@@ -21,7 +21,8 @@ void merge(Entries& into, const Entries& more)
         }
         merge(same->inside, entry.inside);
         for (const auto& choice : entry.info.choices)
-            if (std::ranges::find(same->info.choices, choice.word, &ChoiceWord::word) == same->info.choices.end()) same->info.choices.push_back(choice);
+            if (std::ranges::find(same->info.choices, choice.word, &ChoiceWord::word) == same->info.choices.end())
+                same->info.choices.push_back(choice);
         for (const auto& [word, entries] : entry.cases)
             if (const auto found = std::ranges::find(same->cases, word, [](const auto& c) { return c.first; }); found != same->cases.end())
                 merge(found->second, entries);

@@ -1,6 +1,6 @@
 /// The entries that a file or a sub-dictionary may have, for the reference that `sphDictionary -list` prints.
 ///
-///     EntryList profileEntries() { return {nPoints, bins, region.with({low, high}), type.with({{"line", lineEntries()}})}; }
+///     EntryList entries() { return {nPoints, bins, {region, {min, max}}, {type, {{"line", {start, end}}, {"plane", planeEntries()}}}}; }
 #pragma once
 #include "Parameter.hpp"
 

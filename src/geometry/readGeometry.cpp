@@ -18,7 +18,8 @@ const SubDictionary walls{"walls", notGiven, "the walls"};
 const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
 const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
                           between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"), "of the first phase on the wall"};
-const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"}, omega{"omega", units::none/units::s, Vector<3>{}, "rate at which it turns"},
+const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"},
+    omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
 }
 

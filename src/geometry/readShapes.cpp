@@ -20,9 +20,11 @@ const VectorParameter point{"point", units::m, required, "a point of the plane o
     apex{"apex", units::m, required, "tip of the cone"}, semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"},
     min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"},
     latticeOrigin{"origin", units::m, byScene("the lowest corner of the domain"), "where a cell of the lattice begins"};
-const Direction normal{"normal", required, "into the fluid"}, axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
+const Direction normal{"normal", required, "into the fluid"},
+    axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
 const Scalar radius{"radius", units::m, required, positive, "of the shape, or of each sphere"},
-    halfAngle{"halfAngle", degrees, required, positiveBelow(90).saying("halfAngle must be between 0 and 90 degrees, not {}"), "between axis and surface"},
+    halfAngle{"halfAngle", degrees, required, positiveBelow(90).saying("halfAngle must be between 0 and 90 degrees, not {}"),
+              "between axis and surface"},
     ringRadius{"ringRadius", units::m, required, positive, "of the circle in the middle of the tube"},
     tubeRadius{"tubeRadius", units::m, required, positive, "of the tube, less than ringRadius"},
     period{"period", units::m, required, positive, "edge of the lattice's cubic cell, of hcp the distance of neighbours"};
@@ -260,15 +262,16 @@ struct ShapeType
 const std::vector<ShapeType>& catalogue()
 {
     using namespace entry;
-    static const std::vector<ShapeType> types{{{"plane", ""}, plane, {point, entry::normal}},
-                                              {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"}, box, {entry::min, entry::max, fluid}},
-                                              {{"sphere", "in 2-D a circle"}, sphere, {centre, radius, fluid}},
-                                              {{"cylinder", "without ends"}, cylinder, {point, axis, radius, fluid}},
-                                              {{"cone", "one nappe, without end; in 3-D"}, cone, {apex, axis, halfAngle, fluid}},
-                                              {{"torus", "in 3-D"}, torus, {centre, axis, ringRadius, tubeRadius, fluid}},
-                                              {{"ellipsoid", "axes along x, y and z; in 2-D an ellipse"}, ellipsoid, {centre, semiAxes, fluid}},
-                                              {{"sphereBed", "equal spheres in the fluid, on all points of a lattice"}, sphereBed, {lattice, radius, period, latticeOrigin}},
-                                              {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}}};
+    static const std::vector<ShapeType> types{
+        {{"plane", ""}, plane, {point, entry::normal}},
+        {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"}, box, {entry::min, entry::max, fluid}},
+        {{"sphere", "in 2-D a circle"}, sphere, {centre, radius, fluid}},
+        {{"cylinder", "without ends"}, cylinder, {point, axis, radius, fluid}},
+        {{"cone", "one nappe, without end; in 3-D"}, cone, {apex, axis, halfAngle, fluid}},
+        {{"torus", "in 3-D"}, torus, {centre, axis, ringRadius, tubeRadius, fluid}},
+        {{"ellipsoid", "axes along x, y and z; in 2-D an ellipse"}, ellipsoid, {centre, semiAxes, fluid}},
+        {{"sphereBed", "equal spheres in the fluid, on all points of a lattice"}, sphereBed, {lattice, radius, period, latticeOrigin}},
+        {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}}};
     return types;
 }
 

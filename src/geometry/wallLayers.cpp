@@ -11,7 +11,10 @@ namespace sph
 
 namespace entry
 {
-const Choice walls{"walls", {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}}, "reflected", "how walls act on the fluid"};
+const Choice walls{"walls",
+                   {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}},
+                   "reflected",
+                   "how walls act on the fluid"};
 }
 
 namespace

@@ -9,15 +9,20 @@ namespace entry
 {
 const FreeName opening{"<opening>", "dictionary", "an opening of the case's own name"};
 const Choice type{"type", {"inlet", "outlet"}, required, "of the opening"},
-    profile{"profile", {{"uniform", "the same velocity everywhere"}, {"developed", "that of developed flow in the section"}}, "uniform", "of the velocity"};
-const VectorParameter point{"point", units::m, required, "a point of the plane"}, min{"min", units::m, byScene("endless"), "the plane is open within this box alone, to a spacing"},
+    profile{"profile",
+            {{"uniform", "the same velocity everywhere"}, {"developed", "that of developed flow in the section"}},
+            "uniform",
+            "of the velocity"};
+const VectorParameter point{"point", units::m, required, "a point of the plane"},
+    min{"min", units::m, byScene("endless"), "the plane is open within this box alone, to a spacing"},
     max{"max", units::m, byScene("endless"), "highest corner of that box"};
 const Direction normal{"normal", required, "into the scene"};
 const Scalar velocity{"velocity", units::mPerS, notGiven, positive, "mean over the section"},
-    flowRate{"flowRate", units::m3/units::s, notGiven, positive, "in place of velocity; in 2-D [m^2/s]"},
+    flowRate{"flowRate", units::m3 / units::s, notGiven, positive, "in place of velocity; in 2-D [m^2/s]"},
     pressure{"pressure", units::pressure, notGiven, "alone: drives the flow; beside velocity or flowRate: the most that they may need"},
     pressureOutside{"pressure", units::pressure, 0, "at the plane"},
-    phi{"phi", units::none, byScene("that of constant/transportProperties"), nonNegative, "volume fraction of the powder that comes in, of a suspension"};
+    phi{"phi", units::none, byScene("that of constant/transportProperties"), nonNegative,
+        "volume fraction of the powder that comes in, of a suspension"};
 }
 
 namespace

@@ -11,8 +11,9 @@ using PressureField = std::function<double(const Vector<3>&)>;
 
 namespace entry
 {
-const Text pressure{"pressure", byScene("that of the positions"),
-                    "at the start [Pa], \"1000*9.81*(0.1 - $y)\"; $x, $y, $z are the position [m]; goes with `density continuity;` in system/sphSchemes"};
+const Text pressure{
+    "pressure", byScene("that of the positions"),
+    "at the start [Pa], \"1000*9.81*(0.1 - $y)\"; $x, $y, $z are the position [m]; goes with `density continuity;` in system/sphSchemes"};
 }
 
 PressureField readPressure(const Dictionary&);

@@ -8,8 +8,8 @@ namespace sph
 
 namespace entry
 {
-const VectorParameter centre{"centre", units::m, required, "of the region"}, min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"},
-    point{"point", units::m, required, "a point of the plane"};
+const VectorParameter centre{"centre", units::m, required, "of the region"}, min{"min", units::m, required, "lowest corner"},
+    max{"max", units::m, required, "highest corner"}, point{"point", units::m, required, "a point of the plane"};
 const Scalar radius{"radius", units::m, required, positive, "of the region"},
     length{"length", units::m, byScene("endless"), positive, "half of it to either side of the centre"};
 const Direction axis{"axis", required, "along the axis"}, normal{"normal", required, "to the side that is meant"};

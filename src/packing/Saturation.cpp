@@ -15,7 +15,8 @@ namespace entry
 {
 const Word phase{"phase", required, "phase that is given"}, gas{"gas", required, "phase that is left in the rest"};
 const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"), "share of the void space"};
-const Count seed{"seed", 1, anyNumber, "of chance"}, number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"), "of drops, at places chosen by chance"};
+const Count seed{"seed", 1, anyNumber, "of chance"},
+    number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"), "of drops, at places chosen by chance"};
 const ListOf<Vector<3>> centres{"centres", units::m, byScene("chosen by chance"), "of the drops"};
 const VectorParameter point{"point", units::m, required, "a point of the layer's middle plane"};
 const Direction normal{"normal", required, "across the layer"};
@@ -70,8 +71,11 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
 
 EntryList saturationEntries()
 {
-    return {entry::phase, entry::gas, entry::value,
-            {entry::placement, {{"layer", {entry::point, entry::normal}}, {"random", {entry::seed}}, {"drops", {entry::centres, entry::number, entry::seed}}}}};
+    return {entry::phase,
+            entry::gas,
+            entry::value,
+            {entry::placement,
+             {{"layer", {entry::point, entry::normal}}, {"random", {entry::seed}}, {"drops", {entry::centres, entry::number, entry::seed}}}}};
 }
 
 Saturation readSaturation(const Dictionary& dict, std::span<const std::string> phases, const Vector<3>& up)

@@ -15,18 +15,21 @@ const Word fillPhase{"phase", required, "phase in the region, or none"};
 const VectorParameter U{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
 const Word lattice{"lattice", byScene("cubic"), "cubic; hexagonal in 2-D, fcc and bcc in 3-D"};
 const Scalar jitter{"jitter", Unit{units::none, "spacings"}, 0,
-                    between(0, 0.5).saying("a jitter of {:g} spacings is none of 0 to 0.5: beyond, neighbours change places"), "largest displacement of each component"};
+                    between(0, 0.5).saying("a jitter of {:g} spacings is none of 0 to 0.5: beyond, neighbours change places"),
+                    "largest displacement of each component"};
 const Count seed{"seed", 1, anyNumber, "of the jitter"};
 const Switch allowEmpty{"allowEmpty", false, "a phase may have no particles"};
 const SubDictionary relax{"relax", byScene("no relaxation"), "move particles until their number density is even"},
-    saturation{"saturation", notGiven, "give a share of the void space to one phase"}, velocity{"velocity", byScene("at rest"), "velocity at the start"};
+    saturation{"saturation", notGiven, "give a share of the void space to one phase"},
+    velocity{"velocity", byScene("at rest"), "velocity at the start"};
 
 const RelaxationSettings usual;
 const Count steps{"steps", usual.steps, nonNegative, "most steps"};
-const ListOf<double> bias{"bias", std::vector<double>{usual.bias[0], usual.bias[1]}, "pressure that all particles share, at the start and at the end"};
+const ListOf<double> bias{"bias", std::vector<double>{usual.bias[0], usual.bias[1]},
+                          "pressure that all particles share, at the start and at the end"};
 const Scalar tolerance{"tolerance", units::none, usual.tolerance, nonNegative, "scatter of the number density at walls at which to stop"},
-    coefficient{"coefficient", units::none, usual.coefficient, positiveUpTo(1).saying("coefficient {:g} makes the relaxation unstable; above 0 and at most 1"),
-                "of each step; 0.2 to 0.8 do"};
+    coefficient{"coefficient", units::none, usual.coefficient,
+                positiveUpTo(1).saying("coefficient {:g} makes the relaxation unstable; above 0 and at most 1"), "of each step; 0.2 to 0.8 do"};
 }
 
 namespace

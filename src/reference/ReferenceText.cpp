@@ -92,8 +92,8 @@ std::string cellText(std::string text)
 /// `with`: the words of choices that these entries come with.
 void addTables(const Entries& entries, const std::string& path, const std::string& with, const std::string& meaning, std::string& page)
 {
-    page += fmt::format("{}`{}`{}\n\n{}| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ", path, with,
-                        meaning.empty() ? "" : meaning + "\n\n");
+    page += fmt::format("{}`{}`{}\n\n{}| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ", path,
+                        with, meaning.empty() ? "" : meaning + "\n\n");
     for (const auto& [i, inside, cases] : entries)
     {
         std::string says = i.meaning;
@@ -144,7 +144,8 @@ std::string asTemplate(const Entries& entries, int depth)
         else
             lines = fmt::format("{}{:<16} {:<16} // {}\n", indent, i.keyword, (i.example.empty() ? "name" : i.example) + ";", says);
         if (wordsNeedLines(e))
-            for (const auto& [word, meaning] : i.choices) lines += fmt::format("{}//-     {}{}\n", indent, word, meaning.empty() ? "" : ": " + meaning);
+            for (const auto& [word, meaning] : i.choices)
+                lines += fmt::format("{}//-     {}{}\n", indent, word, meaning.empty() ? "" : ": " + meaning);
         const auto chosen = i.isFixed ? i.fallback : i.choices.empty() ? "" : i.choices.front().word;
         text += i.isRequired ? lines : commentedOut(lines);
         for (const auto& [word, beside] : e.cases)
@@ -175,7 +176,8 @@ ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
         const auto end = std::min(path.find('.', at + 1), path.size());
         const auto word = path.substr(at + 1, end - at - 1);
         auto found = below(part.entries, word);
-        if (!found) throw CaseError(fmt::format("{} has no entry \"{}\". {}", path.substr(0, at), word, suggestion(word, "entries", wordsBelow(part))));
+        if (!found)
+            throw CaseError(fmt::format("{} has no entry \"{}\". {}", path.substr(0, at), word, suggestion(word, "entries", wordsBelow(part))));
         part.entries = std::move(*found);
         at = end;
     }

@@ -11,7 +11,8 @@ namespace sph
 namespace entry
 {
 const Word liquid{"liquid", byScene("the first of constant/phaseProperties"), "phase whose saturation and flow are measured"};
-const Scalar length{"length", units::m, byScene("the shortest period of the domain, else its length in x"), positive, "length of Bond and Reynolds number"},
+const Scalar length{"length", units::m, byScene("the shortest period of the domain, else its length in x"), positive,
+                    "length of Bond and Reynolds number"},
     porosity{"porosity", units::none, byScene("the share of sampled points outside of the walls"),
              positiveUpTo(1).saying("porosity is a fraction of the bed, above 0 and at most 1"), "share of the pores in the bed"};
 const Count samples{"samples", 64, atLeast(2), "points in each direction by which porosity and wall area are found"};

@@ -12,7 +12,8 @@ namespace entry
 {
 const SubDictionary slit{"slit", required, "box of the slit"}, reservoir{"reservoir", required, "box of the reservoir beside it"};
 const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
-const Scalar foot{"foot", units::m, required, "height of the slit's lower end"}, level{"level", units::m, required, "height of both surfaces at the start"},
+const Scalar foot{"foot", units::m, required, "height of the slit's lower end"},
+    level{"level", units::m, required, "height of both surfaces at the start"},
     contactAngle{"contactAngle", degrees, required,
                  Range{.low = 0, .high = 90, .highIncluded = false}.saying("the liquid rises where its contact angle lies between 0 and 90 degrees"),
                  "of the plates"},
@@ -38,8 +39,10 @@ CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, cons
     if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
     if (start_ < foot_) entry::level.error(d, "the slit must be immersed: level lies below foot");
-    if (slipLength_ > 0 && start_ == foot_) entry::slipLength.error(d, "friction of the whole tank needs a slit that is immersed: level lies at foot");
-    if (slipLength_ > 0 && slipLength_ >= 0.5 * (slit_.high.x - slit_.low.x)) entry::slipLength.error(d, "must be less than half the width of the slit");
+    if (slipLength_ > 0 && start_ == foot_)
+        entry::slipLength.error(d, "friction of the whole tank needs a slit that is immersed: level lies at foot");
+    if (slipLength_ > 0 && slipLength_ >= 0.5 * (slit_.high.x - slit_.low.x))
+        entry::slipLength.error(d, "must be less than half the width of the slit");
 }
 
 EntryList CapillaryRise::entries()

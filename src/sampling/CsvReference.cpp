@@ -18,8 +18,8 @@ const SubDictionary columns{"columns", required, "names of the columns"}, units{
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
 const Word coordinate{"coordinate", required, "column of the coordinate"}, time{"time", byScene("none: a steady reference"), "column of the time"},
     timeAlone{"time", required, "column of the time"}, value{"value", required, "column of the value"};
-const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"}, timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"},
-    valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
+const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"},
+    timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"}, valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
 const FreeName column{"<column>", "word or number", "what the column must hold"};
 const Direction axis{"axis", byScene("that of the coordinate column x, y or z"), "coordinate of a point: (point - origin).axis"};
 const Switch mirror{"mirror", false, "take the coordinate's absolute value, for profiles given from the middle"};

@@ -11,7 +11,8 @@ namespace sph
 
 namespace entry
 {
-const DictionaryList comparisons{"fields", byScene("the one comparison that stands here"), "several comparisons, each with its own field, reference ..."};
+const DictionaryList comparisons{"fields", byScene("the one comparison that stands here"),
+                                 "several comparisons, each with its own field, reference ..."};
 const SubDictionary reference{"reference", required, "what to compare with"};
 const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}}, required, "of the reference"};
 

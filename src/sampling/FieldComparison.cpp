@@ -13,11 +13,17 @@ namespace sph
 
 namespace entry
 {
-const Choice component{"component", {"x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"}, byScene("the magnitude of the difference"), "component to compare"},
+const Choice component{
+    "component", {"x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"}, byScene("the magnitude of the difference"), "component to compare"},
     norm{"norm", {"relative", "absolute"}, "relative", "errors divided by the reference, or as they are"},
-    cellMeans{"cellMeans", {"x", "y", "z"}, notGiven, "direction along which the reference is averaged over a spacing: all that particles have of a cusp"},
-    points{"points", {"particles", {"rows", "the rows of a csv reference, all of the same weight, where the field is interpolated"}}, "particles", "where to compare"};
-const Scalar scale{"scale", Unit{units::none, "of the field"}, byScene("the same norm of the reference"), positive, "what relative errors are divided by"};
+    cellMeans{
+        "cellMeans", {"x", "y", "z"}, notGiven, "direction along which the reference is averaged over a spacing: all that particles have of a cusp"},
+    points{"points",
+           {"particles", {"rows", "the rows of a csv reference, all of the same weight, where the field is interpolated"}},
+           "particles",
+           "where to compare"};
+const Scalar scale{"scale", Unit{units::none, "of the field"}, byScene("the same norm of the reference"), positive,
+                   "what relative errors are divided by"};
 const Switch removeMean{"removeMean", false, "compare up to a constant, as for a pressure without a level"};
 const Word phaseAlone{"phase", byScene("all"), "compare its particles alone"};
 const SubDictionary region{"region", byScene("everywhere"), "compare points within this box alone"};
@@ -33,8 +39,9 @@ std::string readComponent(const Dictionary& d) { return entry::component.ifGiven
 
 EntryList FieldComparison::entries()
 {
-    return {entry::field,      entry::component, entry::norm, entry::scale, entry::points, entry::phaseAlone, {entry::region, {entry::min, entry::max}},
-            entry::cellMeans, entry::removeMean};
+    return {
+        entry::field,     entry::component, entry::norm, entry::scale, entry::points, entry::phaseAlone, {entry::region, {entry::min, entry::max}},
+        entry::cellMeans, entry::removeMean};
 }
 
 FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference,

@@ -27,7 +27,8 @@ struct Type
 template<class Object> Type type(const char* name, const char* meaning)
 {
     return {{name, meaning},
-            [](const Dictionary& d, const FunctionContext& context) -> std::unique_ptr<FunctionObject> { return std::make_unique<Object>(d, context); },
+            [](const Dictionary& d, const FunctionContext& context) -> std::unique_ptr<FunctionObject>
+            { return std::make_unique<Object>(d, context); },
             Object::entries};
 }
 

@@ -13,9 +13,10 @@ namespace entry
 {
 const ListOf<Vector<3>> centres{"centres", units::m, required, "centres of the two solids"};
 const Scalar radius{"radius", units::m, required, positive, "of the solids"},
-    contactAngle{"contactAngle", degrees, required,
-                 Range{.low = 0, .high = 180, .highIncluded = false}.saying("a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
-                 "of the solids"};
+    contactAngle{
+        "contactAngle", degrees, required,
+        Range{.low = 0, .high = 180, .highIncluded = false}.saying("a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
+        "of the solids"};
 }
 
 namespace

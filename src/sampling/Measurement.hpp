@@ -23,7 +23,8 @@ std::vector<std::string> measureNames();
 /// The measures with their entries.
 Cases measures();
 
-/// Reads the parameters of measure `name`, nothing where it is none of measureNames(); `phases` are those that `phase` may name, tables lie in the case's folder.
+/// Reads the parameters of measure `name`, nothing where it is none of measureNames(); `phases` are those that `phase` may name, tables lie in
+/// the case's folder.
 Measure readMeasure(const std::string& name, const Dictionary&, const Geometry&, const std::vector<std::string>& phases,
                     const std::filesystem::path& caseFolder);
 

@@ -8,8 +8,8 @@ namespace sph
 
 namespace entry
 {
-const Scalar depth{"depth", units::m, required, positive, "of the reservoir before the dam is gone"}, g{"g", units::mPerS2, 9.81, positive, "gravity"},
-    rho{"rho", units::density, 1000, positive, "density"};
+const Scalar depth{"depth", units::m, required, positive, "of the reservoir before the dam is gone"},
+    g{"g", units::mPerS2, 9.81, positive, "gravity"}, rho{"rho", units::density, 1000, positive, "density"};
 const Direction up{"up", Vector<3>{0, 1, 0}, "against gravity"};
 }
 

@@ -11,7 +11,8 @@ namespace entry
 const Scalar phi{"phi", units::none, required, positive, "mean volume fraction of the powder"},
     phiMax{"phiMax", units::none, required, positiveUpTo(1).saying("{:.6g} is no volume fraction"), "volume fraction at which powder is packed"},
     exponent{"exponent", units::none, required, positive, "exponent c of Krieger's law"},
-    ratio{"ratio", units::none, required, positiveBelow(1).saying("D_c/D_eta must be above 0 and less than 1: from there on there is no steady state"),
+    ratio{"ratio", units::none, required,
+          positiveBelow(1).saying("D_c/D_eta must be above 0 and less than 1: from there on there is no steady state"),
           "D_c/D_eta of Phillips' fluxes"},
     pressureGradient{"pressureGradient", units::forcePerVolume, 0, "fall of the pressure along the flow; for U"},
     mu{"mu", units::viscosity, 1, positive, "viscosity of the binder; for U"};
@@ -49,7 +50,8 @@ SuspensionChannel::SuspensionChannel(const Dictionary& d)
 {
     if (pipe_) speedScale_ *= 0.5;
     const double mean = entry::phi(d), ratio = entry::ratio(d);
-    if (!pipe_ && std::abs(dot(direction_, normal_)) > 1e-6) entry::normal.error(d, "normal must be at right angles to direction, along which the flow goes");
+    if (!pipe_ && std::abs(dot(direction_, normal_)) > 1e-6)
+        entry::normal.error(d, "normal must be at right angles to direction, along which the flow goes");
     if (mean >= phiMax_) entry::phi.error(d, "must be less than phiMax");
     n_ = exponent_*(1/std::min(ratio, 0.999) - 1);
     // The mean grows with the value at the walls.

@@ -7,7 +7,8 @@ namespace sph
 
 namespace entry
 {
-const Scalar speed{"speed", units::mPerS, required, positive, "largest speed at the start"}, period{"period", units::m, required, positive, "of the vortices"},
+const Scalar speed{"speed", units::mPerS, required, positive, "largest speed at the start"},
+    period{"period", units::m, required, positive, "of the vortices"},
     viscosity{"nu", units::kinematicViscosity, 0, nonNegative, "kinematic viscosity"}, rho{"rho", units::density, 1, positive, "density"};
 }
 

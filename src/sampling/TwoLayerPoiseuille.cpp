@@ -50,7 +50,8 @@ TwoLayerPoiseuille::TwoLayerPoiseuille(const Dictionary& d) : TwoLayerPoiseuille
 
 EntryList TwoLayerPoiseuille::entries()
 {
-    return {entry::viscosities, entry::heights, entry::densities, entry::pressureGradient, entry::acceleration, entry::direction, entry::normal, entry::origin};
+    return {entry::viscosities,  entry::heights,   entry::densities, entry::pressureGradient,
+            entry::acceleration, entry::direction, entry::normal,    entry::origin};
 }
 
 double TwoLayerPoiseuille::speed(double y) const

@@ -12,7 +12,8 @@ namespace entry
 {
 const Scalar share{"share", units::none, required, positiveBelow(1).saying("must be above 0 and less than 1: the whole way is never gone"),
                    "share of the way from the start to the last value"},
-    time{"time", units::s, required, positive, "the exact time"}, start{"start", Unit{units::none, "of the field"}, required, "its uniform value at t = 0"};
+    time{"time", units::s, required, positive, "the exact time"},
+    start{"start", Unit{units::none, "of the field"}, required, "its uniform value at t = 0"};
 const Direction wallNormal{"normal", Vector<3>{0, 1, 0}, "of the wall through origin, into the fluid"};
 }
 

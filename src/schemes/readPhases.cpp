@@ -11,12 +11,15 @@ namespace sph
 namespace entry
 {
 const VectorParameter bodyForce{"bodyForce", units::forcePerVolume, Vector<3>{}, "on all phases alike"};
-const Scalar mu{"mu", units::viscosity, 0, nonNegative, "dynamic viscosity"}, exponent{"exponent", units::none, 7, positive, "of Tait's equation of state"};
+const Scalar mu{"mu", units::viscosity, 0, nonNegative, "dynamic viscosity"},
+    exponent{"exponent", units::none, 7, positive, "of Tait's equation of state"};
 const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS, byScene("automatic: 10 times the largest velocity that `expected` implies"), positive,
                                  "speed of sound, the same for all phases or not"};
 const SubDictionary expected{"expected", byScene("needed for soundSpeed automatic"), "what the scene is expected to see"};
-const Scalar depth{"depth", units::m, 0, nonNegative, "of the liquid: v = sqrt(g depth)"}, radius{"radius", units::m, 0, nonNegative, "of curvature: v = sqrt(sigma/(rho radius))"},
-    velocity{"velocity", units::mPerS, 0, nonNegative, "largest velocity"}, pressure{"pressure", units::pressure, 0, nonNegative, "difference: v = sqrt(p/rho)"};
+const Scalar depth{"depth", units::m, 0, nonNegative, "of the liquid: v = sqrt(g depth)"},
+    radius{"radius", units::m, 0, nonNegative, "of curvature: v = sqrt(sigma/(rho radius))"},
+    velocity{"velocity", units::mPerS, 0, nonNegative, "largest velocity"},
+    pressure{"pressure", units::pressure, 0, nonNegative, "difference: v = sqrt(p/rho)"};
 const FreeName dimensions{"dimensions", "list of numbers", "of value, as OpenFOAM has them; not looked at"};
 }
 
@@ -51,7 +54,8 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
 EntryList phaseEntries()
 {
     using namespace entry;
-    return {phases, {phaseName, {rho, mu, soundSpeed, exponent}}, entry::sigma, bodyForce, {expected, {entry::velocity, depth, pressure, entry::radius}}};
+    return {
+        phases, {phaseName, {rho, mu, soundSpeed, exponent}}, entry::sigma, bodyForce, {expected, {entry::velocity, depth, pressure, entry::radius}}};
 }
 EntryList gravityEntries() { return {entry::dimensions, entry::gravity}; }
 
@@ -99,8 +103,10 @@ void readPhases(const Case& theCase, Settings& settings)
             if (most.velocity > 0)
                 settings.reasons.push_back(fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
             else
-                entry::soundSpeed.error(phase, fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
-                                                      "radius; }}` to choose it from", name));
+                entry::soundSpeed.error(
+                    phase, fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
+                                       "radius; }}` to choose it from",
+                                       name));
         }
         c.soundSpeed.push_back(sound);
         const double exponent = entry::exponent(phase);

@@ -9,7 +9,8 @@ namespace entry
 {
 const SubDictionary suspension{"suspension", required, "powder in the liquid"};
 const Scalar phi{"phi", units::none, byScene("the field phi of the time folder"), nonNegative, "volume fraction of the powder at the start"},
-    phiMax{"phiMax", units::none, required, positiveUpTo(1).saying("{:.6g} is no volume fraction: powder takes up at most the whole volume"), "of the densest packing"},
+    phiMax{"phiMax", units::none, required, positiveUpTo(1).saying("{:.6g} is no volume fraction: powder takes up at most the whole volume"),
+           "of the densest packing"},
     exponent{"exponent", units::none, required, positive, "exponent of Krieger's viscosity; mu of constant/phaseProperties is that of the binder"},
     phiCritical{"phiCritical", units::none, byScene("0.99 phiMax"), positive, "from where on the viscosity is capped"},
     Dc{"Dc", units::none, required, positive, "D_c of Phillips' fluxes"}, Deta{"Deta", units::none, required, positive, "D_eta of Phillips' fluxes"},
@@ -47,7 +48,8 @@ Suspension readSuspension(const Dictionary& d)
         entry::phiCritical.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}: there the viscosity is infinite", s.phiCritical, s.phiMax));
     s.phi = entry::phi.ifGiven(d);
     if (s.phi && *s.phi >= s.phiMax)
-        entry::phi.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", *s.phi, s.phiMax));
+        entry::phi.error(d,
+                         fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", *s.phi, s.phiMax));
     const double a = readLength(d), Dc = entry::Dc(d), Deta = entry::Deta(d);
     s.Dc_a2 = Dc*sqr(a);
     s.Deta_a2 = Deta*sqr(a);
@@ -77,12 +79,15 @@ void readTransport(const Case& theCase, Settings& settings)
     if (!entry::suspension.given(dict)) return;
     settings.coefficients.suspension = readSuspension(d);
     if (settings.multiphase()) entry::suspension.error(dict, "goes with one phase alone; constant/phaseProperties lists several");
-    if (!(settings.coefficients.viscosity[0] > 0)) entry::suspension.error(dict, "needs the viscosity `mu` of its binder in constant/phaseProperties");
+    if (!(settings.coefficients.viscosity[0] > 0))
+        entry::suspension.error(dict, "needs the viscosity `mu` of its binder in constant/phaseProperties");
     const auto& s = *settings.coefficients.suspension;
     const double packed = settings.coefficients.viscosity[0]*std::pow(1 - s.phiCritical/s.phiMax, -s.exponent)*std::exp(s.exponent);
     if (s.phiCritical < s.phiMax && !(packed < largestViscosity))
-        entry::exponent.error(d, fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
-                                           "smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
+        entry::exponent.error(d,
+                              fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
+                                          "smaller exponent, or a smaller phiCritical",
+                                          s.exponent, packed, largestViscosity));
     dict.reportUnused();
 }
 

@@ -17,10 +17,13 @@ namespace entry
 {
 const Text baseCase{"baseCase", ".", "the case that is run"};
 const ListOf<double> resolutions{"resolutions", required, "$n is one of these at a time"};
-const SubDictionary setResolution{"setResolution", byScene("nothing, of one resolution alone"), "what a resolution means: entries of the case's files, as of $n"},
+const SubDictionary setResolution{"setResolution", byScene("nothing, of one resolution alone"),
+                                  "what a resolution means: entries of the case's files, as of $n"},
     variants{"variants", byScene("one, called base"), "entries that differ, on top of setResolution"};
-const FreeName variant{"<variant>", "dictionary", "a variant of the case"}, file{"<file>", "dictionary", "file of the case with the entries to change, \"system/sphSchemes\" { .. }"};
-const ListOf<std::string> steps{"steps", std::vector<std::string>{"packParticles", "meshToGhost", "sphFoamLike"}, "applications that make a run, with arguments in quotes"},
+const FreeName variant{"<variant>", "dictionary", "a variant of the case"},
+    file{"<file>", "dictionary", "file of the case with the entries to change, \"system/sphSchemes\" { .. }"};
+const ListOf<std::string> steps{"steps", std::vector<std::string>{"packParticles", "meshToGhost", "sphFoamLike"},
+                                "applications that make a run, with arguments in quotes"},
     peers{"peers", std::vector<std::string>{}, "tables with other codes' rows, drawn beside"};
 const Count repeats{"repeats", 1, atLeast(1), "runs of which the least cost counts"},
     core{"core", byScene("the last one that the process may use"), anyNumber, "processor core of the runs"};
@@ -29,8 +32,11 @@ const Switch plots{"plots", true, "draw the diagrams"};
 
 const DictionaryList errors{"errors", required, "which errors of the function objects count"};
 const Word function{"function", "errors", "function object of the type errors"}, field{"field", required, "field of its table, as U.x"};
-const Choice norm{"norm", errorNorms(), "L2", "L1, L2, Linf at a time; mean and rms over time: |mean value/mean reference - 1|, sqrt(mean (value - reference)^2/mean reference^2)"};
-const Scalar time{"time", units::s, byScene("the end"), nonNegative, "when"}, averageFrom{"averageFrom", units::s, byScene("needed of mean and rms"), nonNegative, "begin of the mean over time"};
+const Choice norm{
+    "norm", errorNorms(), "L2",
+    "L1, L2, Linf at a time; mean and rms over time: |mean value/mean reference - 1|, sqrt(mean (value - reference)^2/mean reference^2)"};
+const Scalar time{"time", units::s, byScene("the end"), nonNegative, "when"},
+    averageFrom{"averageFrom", units::s, byScene("needed of mean and rms"), nonNegative, "begin of the mean over time"};
 }
 
 namespace

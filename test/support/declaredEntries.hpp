@@ -117,7 +117,8 @@ inline std::string difference(const std::string& file, const EntryList& declared
         for (std::size_t at = file.size(); at < dictionary.size();)
         {
             const auto end = std::min(dictionary.find('.', at + 1), dictionary.size());
-            if (const auto word = dictionary.substr(at + 1, end - at - 1); word.find_first_not_of("0123456789") != std::string::npos) path += "." + word;
+            if (const auto word = dictionary.substr(at + 1,
+                                                    end - at - 1); word.find_first_not_of("0123456789") != std::string::npos) path += "." + word;
             at = end;
         }
         found.insert(path + "." + keyword);

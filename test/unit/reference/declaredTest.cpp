@@ -18,7 +18,8 @@ namespace
 {
 
 const Files small{{"constant/geometry", "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }"},
-                  {"constant/phaseProperties", "phases (someName other); someName { rho 1; mu 1; soundSpeed 1; } other { rho 1; mu 1; soundSpeed 1; }"},
+                  {"constant/phaseProperties",
+                   "phases (someName other); someName { rho 1; mu 1; soundSpeed 1; } other { rho 1; mu 1; soundSpeed 1; }"},
                   {"system/sphSchemes", "resolution { spacing 0.1; }"},
                   {"0/mark", ""}};
 
@@ -30,7 +31,8 @@ std::vector<std::string> withEachField(const std::string& text)
     for (const auto* field : {"U", "p", "phi"})
     {
         texts.push_back(text);
-        for (auto at = text.find(any); at != std::string::npos; at = text.find(any, at + 1)) texts.back() = std::string(text).replace(at, any.size(), std::string("field ") + field);
+        for (auto at = text.find(any); at != std::string::npos; at = text.find(any, at + 1))
+            texts.back() = std::string(text).replace(at, any.size(), std::string("field ") + field);
     }
     return texts;
 }
@@ -115,6 +117,7 @@ TEST(Declared, controlDict)
     };
     const std::string file = "system/controlDict.";
     EXPECT_EQ(differenceOf("system/controlDict", read,
-                           {file + "application", file + "libs", file + "graphFormat", file + "DebugSwitches", file + "InfoSwitches", file + "OptimisationSwitches"}),
+                           {file + "application", file + "libs", file + "graphFormat", file + "DebugSwitches", file + "InfoSwitches",
+                            file + "OptimisationSwitches"}),
               "");
 }

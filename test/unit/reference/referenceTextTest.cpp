@@ -71,7 +71,8 @@ TEST(Reference, partsByPath)
     }
     catch (const CaseError& e)
     {
-        EXPECT_STREQ(e.what(), "system/sphSchemes.resolution has no entry \"spacin\". Did you mean \"spacing\"? Known entries: kernel, spacing, support.");
+        EXPECT_STREQ(e.what(),
+                     "system/sphSchemes.resolution has no entry \"spacin\". Did you mean \"spacing\"? Known entries: kernel, spacing, support.");
     }
 }
 
@@ -79,9 +80,11 @@ TEST(Reference, partsByPath)
 TEST(Reference, listsSayAll)
 {
     const auto text = listText(findPart(reference(), "system/packParticlesDict"));
-    for (const auto* part : {"number [spacings], 0 to 0.5; default 0\n", "largest displacement of each component", "nearest to the walls", "choice; required"})
+    for (const auto* part : {"number [spacings], 0 to 0.5; default 0\n", "largest displacement of each component", "nearest to the walls",
+                             "choice; required"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     const auto page = markdownText(findPart(reference(), "constant/geometry"));
-    for (const auto* part : {"| `dimension` | whole number 2 to 3 |  | **required** | of space |", "## `constant/geometry.walls`\n", "## `constant/geometry.walls.<wall>`, type `cone`\n"})
+    for (const auto* part : {"| `dimension` | whole number 2 to 3 |  | **required** | of space |", "## `constant/geometry.walls`\n",
+                             "## `constant/geometry.walls.<wall>`, type `cone`\n"})
         EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
 }
