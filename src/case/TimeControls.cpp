@@ -18,7 +18,7 @@ const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"),
     deltaT{"deltaT", units::s, byScene("that of the limits; needed without adjustTimeStep"), positive, "time step"},
     maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step"},
     writeInterval{"writeInterval", Unit{units::s, "s or steps"}, byScene("needed with a writeControl"), positive, "between two writes"},
-    maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run writes and ends"};
+    maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run ends"};
 const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits of stability allow"},
     runTimeModifiable{"runTimeModifiable", true, "read controlDict anew where it changes during the run"};
 /// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.

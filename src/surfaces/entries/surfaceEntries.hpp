@@ -22,7 +22,7 @@ const Scalar gridSpacing{"gridSpacing", units::m, byScene("half the particles' s
     iso{"iso", units::none, 0.5, positiveBelow(1).saying("must lie between 0 and 1"), "value of the colour function on the surface"};
 const Choice kernel{"kernel", kernelNames(), "wendlandC2", "of the colour function"},
     normalise{"normalise",
-              {"none", {"walls", "by the share of the kernel that walls leave"}, {"particles", "by the sum over the particles of all phases"}},
+              {"none", {"walls", "by the part of the kernel that lies in the fluid"}, {"particles", "by the sum over the particles of all phases"}},
               byScene("particles where there are several phases, else walls"),
               "how the kernel sum is normalised"};
 const Switch closed{"closed", false, "cap the surface along walls and domain faces"};
@@ -38,7 +38,7 @@ const VectorParameter position{"position", units::m, byScene("so that the whole 
     up{"up", units::none, byScene("against gravity"), "what is up in the picture"},
     point{"point", units::m, byScene("the middle of the domain"), "a point of the cut"};
 const Scalar zoom{"zoom", units::none, 1, positive, "enlargement"};
-const Word colourBy{"colourBy", byScene("the phase, or one colour"), "what colours the particles: a field, or phase"};
+const Word colourBy{"colourBy", byScene("phase where there are several, else U"), "what colours the particles: a field, or phase"};
 const ListOf<double> range{"range", byScene("each picture's own"), "least and largest value of the colours"};
 const Direction normal{"normal", Vector<3>{0, 0, 1}, "of the cut"};
 const Text title{"title", "", "above the picture"};
