@@ -1,6 +1,6 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
@@ -114,23 +114,13 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///         lid     { type plane; point (0 1 0); normal (0 -1 0); velocity (1 0 0); }
 ///     }
 ///
-/// Types, with their entries (lengths in m, angles in degrees):
-///
-///     plane      point normal                      normal into the fluid; of any length, as all directions here
-///     box        min max fluid                     fluid inside: planes, but none across a periodic direction that it spans
-///     sphere     centre radius fluid               a circle in 2-D
-///     cylinder   point axis radius fluid           without ends; in 2-D the axis is z and need not be given
-///     cone       apex axis halfAngle fluid         one nappe, without end; 3-D
-///     torus      centre axis ringRadius tubeRadius fluid    3-D
-///     ellipsoid  centre semiAxes fluid             axes along x, y, z; an ellipse in 2-D
-///     sphereBed  lattice radius period origin      spheres in the fluid on all points of the lattice (sphereLattice);
-///                                                  `origin`, one of its points, is the domain's min unless given
-///     spheres    spheres                           ((x y z r) (x y z r) ...), in the fluid, as from an included file
-///
-/// `fluid inside|outside` says on which side the fluid is. Every wall takes `contactAngle` (0 to 180) and `velocity`; single
-/// shapes also `omega` [rad/s] with `origin`. Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to
-/// report. Patches are repeated over the periodic directions as far as `reach` [m] outside the domain.
+/// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic
+/// directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
+/// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.
+double bedPeriod(const Dictionary& geometry);
+/// All types of walls and their entries.
+EntryList geometryEntries();
 
 /// Centres of the spheres of one period cell, and the extent of that cell. The cells of sc (1 sphere), bcc (2) and fcc (4) are
 /// cubes of edge `period`. hcp has `period` for the distance of neighbours in the close-packed layers normal to z, and a cell of

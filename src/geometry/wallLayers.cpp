@@ -9,6 +9,14 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice walls{"walls",
+                   {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}},
+                   "reflected",
+                   "how walls act on the fluid"};
+}
+
 namespace
 {
 /// Evenly spaced places along one direction.
@@ -252,10 +260,8 @@ public:
 };
 }
 
-bool wallsAreLayers(const Dictionary& sphSchemes)
-{
-    return sphSchemes.choose("walls", std::vector<std::string>{"reflected", "layers"}, "reflected") == "layers";
-}
+bool wallsAreLayers(const Dictionary& sphSchemes) { return entry::walls(sphSchemes) == "layers"; }
+EntryList wallLayersEntries() { return {entry::walls}; }
 
 std::vector<LayerParticle> makeWallLayers(const Geometry& g, double H, double spacing, Diagnostics& diagnostics)
 {

@@ -15,9 +15,13 @@ constexpr double closestInSpacings = 0.02, deepestInSpacings = 0.5;
 std::string at(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 }
 
+static const Choice leakedParticles{"leakedParticles", {{"putBack", "and counted"}, {"stop", "ends the run"}}, "putBack", "what becomes of particles in a solid"};
+
+EntryList leakGuardEntries() { return {leakedParticles}; }
+
 Leaked readLeakGuard(const Dictionary& sphSchemes)
 {
-    return sphSchemes.choose("leakedParticles", std::vector<std::string>{"putBack", "stop"}, "putBack") == "stop" ? Leaked::stop : Leaked::putBack;
+    return leakedParticles(sphSchemes) == "stop" ? Leaked::stop : Leaked::putBack;
 }
 
 /// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.

@@ -4,7 +4,7 @@
 /// the wall. One deeper in a solid than that has leaked: it is counted, and put back or the end of the run, as the dictionary says. More than
 /// half a spacing deep is an error always: from there the way back may lead out on the other side.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "Images.hpp"
 #include <optional>
 
@@ -19,6 +19,7 @@ enum class Leaked
 
 /// leakedParticles  putBack | stop;      default putBack
 Leaked readLeakGuard(const Dictionary& sphSchemes);
+EntryList leakGuardEntries();
 
 /// What has leaked since the start of the run.
 struct Leaks

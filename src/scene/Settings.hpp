@@ -106,8 +106,8 @@ struct Settings
     /// Adds a term of its own numbers under its own name; `make(coefficients)` gives it.
     template<class T> void define(const std::string& name, const auto& make, const Names& names = {})
     {
-        terms2.push_back(entry<2, T>(name, make, names));
-        terms3.push_back(entry<3, T>(name, make, names));
+        terms2.push_back(termEntry<2, T>(name, make, names));
+        terms3.push_back(termEntry<3, T>(name, make, names));
     }
 };
 
