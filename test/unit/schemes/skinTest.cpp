@@ -59,7 +59,7 @@ TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
     const double cosine = (r*r + b.x*b.x - seen*seen)/(2*r*b.x), sine = std::sqrt(1 - cosine*cosine);
     const Vector<2> outward{cosine, sine}, along{-sine, cosine}, image = r*outward, way = 1/mag(image - b)*(image - b);
     const double factor = (R + d)/(R - d);
-    const auto v = -dot(way, outward)*outward - factor*dot(way, along)*along;
+    const auto v = dot(way, outward)*outward - factor*dot(way, along)*along;
     const Vector<2> a = (R - d)*outward, velocity = 1/mag(v)*v;
     Cloud cloud;
     auto& U = cloud.fields["U"];
