@@ -1,6 +1,7 @@
 #include "wallLayers.hpp"
 #include "PatchGrid.hpp"
 #include "components.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -266,7 +267,18 @@ EntryList wallLayersEntries() { return {entry::walls}; }
 std::vector<LayerParticle> makeWallLayers(const Geometry& g, double H, double spacing, Diagnostics& diagnostics)
 {
     Layering layering(g, H, spacing);
-    for (const auto& patch : g.originals) layering.fill(patch, diagnostics);
+    for (const auto& original : g.originals)
+    {
+        // A box that stands on a plane is filled as deep as it has been sunk into it.
+        const auto given = original.shape->bounds();
+        const auto sunk = std::find_if(g.patches.begin(), g.patches.end(), [&](const Patch& p)
+        {
+            const auto b = p.shape->bounds();
+            return p.wall == original.wall && original.shape->hasEdges() && p.shape != original.shape &&
+                   std::all_of(std::begin(coordinates), std::end(coordinates), [&](auto c) { return b.low.*c <= given.low.*c && b.high.*c >= given.high.*c; });
+        });
+        layering.fill(sunk != g.patches.end() ? *sunk : original, diagnostics);
+    }
     return layering.particles();
 }
 
