@@ -51,8 +51,7 @@ public:
     /// Index of the group of that name; throws std::logic_error where there is none.
     std::size_t group(const std::string& name) const;
     bool hasGroup(const std::string& name) const;
-    /// Of all groups.
-    int pairPasses() const;
+    int pairPasses(std::size_t group = 0) const;
     /// Of the packed records.
     std::size_t bytes() const { return records_.capacity()*sizeof(double); }
     bool has(const std::string& term) const;

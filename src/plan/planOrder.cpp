@@ -217,12 +217,10 @@ template<int dim> std::size_t Plan<dim>::group(const std::string& name) const
     throw std::logic_error("the plan has no group \"" + name + "\"");
 }
 
-template<int dim> int Plan<dim>::pairPasses() const
+template<int dim> int Plan<dim>::pairPasses(std::size_t group) const
 {
-    int n = 0;
-    for (const auto& g : groups_)
-        for (const auto& pass : g.passes) n += pass.pair();
-    return n;
+    const auto& passes = groups_[group].passes;
+    return int(std::count_if(passes.begin(), passes.end(), [](const Pass& pass) { return pass.pair(); }));
 }
 
 template<int dim> bool Plan<dim>::has(const std::string& term) const

@@ -63,6 +63,7 @@ public:
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
+    /// Of an evaluation.
     virtual int pairPasses() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
