@@ -3,6 +3,7 @@
 #include "Images.hpp"
 #include "Packing.hpp"
 #include "Simulation.hpp"
+#include "readSettings.hpp"
 #include <algorithm>
 
 namespace sph
