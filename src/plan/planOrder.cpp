@@ -31,8 +31,18 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
         }
         close(passes, available);
         order(passes, available, fresh);
+        std::set<std::string> advanced;
         for (const auto* e : passes.chosen)
-            for (const auto& f : e->results) given.insert(passes.resultName(f));
+            for (const auto& f : e->results)
+            {
+                given.insert(passes.resultName(f));
+                if (e->advances) advanced.insert(passes.resultName(f));
+            }
+        for (const auto& field : outdatedBy(advanced)) // for the groups behind
+        {
+            fresh.erase(field);
+            if (!state_.contains(field)) given.erase(field);
+        }
     }
     bool pairsBehind = false;
     for (auto g = groups_.rbegin(); g != groups_.rend(); ++g)

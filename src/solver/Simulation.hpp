@@ -66,6 +66,7 @@ public:
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
+    /// Of an evaluation.
     virtual int pairPasses() const = 0;
     /// Of what acts once in a step of several parts; `pairPasses` counts those of each part.
     virtual int slowPairPasses() const = 0;

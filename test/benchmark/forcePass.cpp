@@ -1,8 +1,6 @@
 #include "forcePass.hpp"
 #include "Plan.hpp"
-#include "continuityTerms.hpp"
-#include "materialsTerms.hpp"
-#include "momentumTerms.hpp"
+#include "models.hpp"
 #include <algorithm>
 
 namespace sph
@@ -12,9 +10,7 @@ Figures forcePass(PairLimit& limit, double skin)
 {
     const std::size_t count = limit.x.size();
     const double H = 2*limit.h;
-    Catalogue<3> catalogue = continuityTerms<3>();
-    for (const auto& terms : {momentumTerms<3>(), materialsTerms<3>()}) catalogue.insert(catalogue.end(), terms.begin(), terms.end());
-    Plan<3> plan(catalogue, {"huAdamsPressure", "singlePhaseViscosity", "continuity", "integratedVolume", "tait"}, {"positions", "U", "m", "rho"});
+    Plan<3> plan(allTerms<3>(), {"huAdamsPressure", "singlePhaseViscosity", "continuity", "integratedVolume", "tait"}, {"positions", "U", "m", "rho"});
     FieldStore<3> store;
     plan.allocate(store);
     store.allocateState(Position{});

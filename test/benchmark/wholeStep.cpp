@@ -4,6 +4,7 @@
 #include "Packing.hpp"
 #include "Simulation.hpp"
 #include "TimeStepLimits.hpp"
+#include "readSettings.hpp"
 #include <algorithm>
 
 namespace sph
@@ -62,7 +63,7 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
             for (int s = 0; s < stepsATurn; ++s)
             {
                 const double deltaT = simulation->stepLimit().deltaT;
-                const int parts = settings.maxSubSteps > 1 ? partsOf(deltaT, settings, simulation->stepLimits()) : 1;
+                const int parts = settings.integration.maxSubSteps > 1 ? partsOf(deltaT, settings, simulation->stepLimits()) : 1;
                 passesOfTurn += parts*simulation->pairPasses() + simulation->slowPairPasses();
                 simulation->step(0, deltaT);
             }

@@ -18,14 +18,30 @@ Coefficients coefficients()
     c.spacing = dx;
     c.support = H;
     c.restDensity = {2};
-    c.suspension.emplace();
     return c;
+}
+
+/// Positions, velocities, masses and powder, which is counted and migrates in steps of its own.
+State stateOfPowder()
+{
+    Evolving powder{stateField(PowderFraction{}), stateField(PowderRate{})};
+    powder.advancedByModel = true;
+    powder.amount = "Powder";
+    return {{stateField(Position{})}, {stateField(Velocity{}), stateField(Acceleration{})}, {stateField(Mass{})}, powder};
+}
+/// An inlet through which particles of that mass come in.
+Opening gateOf(double phi)
+{
+    auto gate = inlet();
+    gate.values = {{"m", coefficients().restDensity[0]*dx*dx}, {"phi", phi}};
+    return gate;
 }
 
 struct Scene
 {
     Coefficients c = coefficients();
     Geometry geometry = channel(1);
+    State evolving = stateOfPowder();
     FieldStore<2> store;
     std::size_t owned = 0;
 
@@ -36,6 +52,7 @@ struct Scene
         store.allocate(HeldPressure{});
         store.allocate(Pressure{});
         store.allocate(Acceleration{});
+        store.allocate(PowderRate{});
         store.resize(0);
     }
     void exchange(Openings<2>& openings)
@@ -86,10 +103,9 @@ Opening outlet(double pressure)
 TEST(Openings, FillAnEmptyDuctAndLetInWhatTheyAreTold)
 {
     Scene scene;
-    auto gate = inlet();
+    auto gate = gateOf(0.3);
     gate.velocity = 0.5;
-    gate.phi = 0.3;
-    Openings<2> openings({gate}, scene.geometry, scene.c, {});
+    Openings<2> openings({gate}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     ASSERT_EQ(scene.owned, 60u); // six rows of ten
     EXPECT_EQ(openings.held().size(), 60u);
@@ -112,17 +128,17 @@ TEST(Openings, FillAnEmptyDuctAndLetInWhatTheyAreTold)
     EXPECT_NEAR(scene.freeMass(), 2*0.5*time, 2*dx);
     const auto flow = openings.flows().at(0);
     EXPECT_NEAR(flow.mass, scene.freeMass(), 1e-13);
-    EXPECT_NEAR(flow.powder, 0.3*scene.freeMass()/2, 1e-13);
+    EXPECT_NEAR(flow.amounts.at(0), 0.3*scene.freeMass()/2, 1e-13);
     EXPECT_NEAR(flow.flowRate, 0.5, 1e-12);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
-    EXPECT_LT(std::abs(openings.imbalance(scene.store).powder), 1e-13);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-13);
 }
 
 TEST(Openings, TakeAwayWhatHasLeft)
 {
     Scene scene;
     scene.fill(0, 1, 1, 0.2);
-    Openings<2> openings({outlet(0)}, scene.geometry, scene.c, {});
+    Openings<2> openings({outlet(0)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     for (int step = 0; step < 50; ++step)
     {
@@ -141,7 +157,7 @@ TEST(Openings, TakeAwayWhatHasLeft)
     }
     EXPECT_EQ(scene.owned, 20u + 60u);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
-    EXPECT_LT(std::abs(openings.imbalance(scene.store).powder), 1e-14);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-14);
 }
 
 // A domain that goes on beyond what is held: the rest of the duct is emptied at the start, and does not count.
@@ -149,7 +165,7 @@ TEST(Openings, EmptyTheDuctFarBeyond)
 {
     Scene scene;
     scene.fill(-3, 4, 0, 0);
-    Openings<2> openings({inlet(), outlet(0)}, scene.geometry, scene.c, {});
+    Openings<2> openings({gateOf(0), outlet(0)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     EXPECT_EQ(scene.owned, 220u); // ten rows, and six beyond each plane
     EXPECT_EQ(openings.held().size(), 120u);
@@ -162,11 +178,11 @@ TEST(Openings, HoldTheDensityOfTheirPressure)
 {
     Scene scene;
     scene.store.allocateState(Density{});
-    scene.store.allocateState(StartDensity{});
+    scene.evolving.push_back({stateField(Density{}), stateField(DensityRate{})});
     scene.c.stiffness = {40};
     scene.c.exponent = {7};
     scene.fill(-0.6, 1.6, 1, 0);
-    Openings<2> openings({outlet(5)}, scene.geometry, scene.c, {});
+    Openings<2> openings({outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     const double expected = 2*std::pow(1 + 5/40.0, 1/7.0);
     EXPECT_EQ(openings.held().size(), 60u);
@@ -178,7 +194,7 @@ TEST(Openings, ContinueThePressure)
 {
     Scene scene;
     scene.fill(-0.6, 1.6, 1, 0);
-    Openings<2> openings({inlet(), outlet(5)}, scene.geometry, scene.c, {});
+    Openings<2> openings({gateOf(0), outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     const auto pressureAt = [](double x) { return 5 + 8*(1 - x); };
     for (std::size_t i = 0; i < scene.owned; ++i) scene.store.component("p", 0)[i] = pressureAt(scene.store.component("positions", 0)[i]);
@@ -194,10 +210,10 @@ TEST(Openings, ContinueThePressure)
 TEST(Openings, AreDrivenByPressure)
 {
     Scene scene;
-    auto gate = inlet();
+    auto gate = gateOf(0);
     gate.velocity = 0.4;
     gate.pressure = 6;
-    Openings<2> openings({gate}, scene.geometry, scene.c, {});
+    Openings<2> openings({gate}, scene.geometry, scene.c, scene.evolving, {});
     scene.fill(0, 1, 0, 0);
     scene.exchange(openings);
     const auto speed = [&] { return openings.flows().at(0).flowRate; };
@@ -217,7 +233,7 @@ TEST(Openings, HoldWhatIsBeyondThem)
 {
     Scene scene;
     scene.fill(-0.6, 1, 0, 0);
-    Openings<2> openings({inlet()}, scene.geometry, scene.c, {});
+    Openings<2> openings({gateOf(0)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
     for (double* a : scene.store.pointers(Acceleration{})) std::fill_n(a, scene.owned, 3.0);
     openings.hold(scene.store);
@@ -229,14 +245,17 @@ TEST(Openings, GoOnFromTheNumbersOfTheirState)
 {
     Scene scene;
     scene.fill(0, 1, 0, 0.25);
-    auto gate = inlet();
-    gate.phi = 0.3;
-    Openings<2> first({gate}, scene.geometry, scene.c, {});
+    const auto gate = gateOf(0.3);
+    Openings<2> first({gate}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(first);
-    first.addHeldPowder(0.01);
+    std::fill_n(scene.store.component("dphidt", 0), scene.owned, 0.02);
+    first.holdRate(scene.store, "phi", 0.5);
+    EXPECT_NEAR(first.state().at("openingsHeldPowder"), double(first.held().size())*0.01*dx*dx, 1e-15);
+    for (std::size_t i = 0; i < scene.owned; ++i)
+        EXPECT_EQ(scene.store.component("dphidt", 0)[i], scene.store.component("positions", 0)[i] < 0 ? 0 : 0.02);
     scene.drift(0.3);
     scene.exchange(first);
-    Openings<2> second({gate}, scene.geometry, scene.c, first.state());
+    Openings<2> second({gate}, scene.geometry, scene.c, scene.evolving, first.state());
     std::fill_n(scene.store.component("heldBy", 0), scene.owned, 0.0); // is not on disk
     scene.exchange(second);
     EXPECT_GT(first.flows().at(0).mass, 0);
@@ -249,7 +268,7 @@ void refuses(const Opening& opening, const Geometry& geometry, const std::string
 {
     try
     {
-        Openings<2>({opening}, geometry, coefficients(), {});
+        Openings<2>({opening}, geometry, coefficients(), stateOfPowder(), {});
         FAIL() << "no error with " << word;
     }
     catch (const CaseError& e)
@@ -272,7 +291,7 @@ TEST(Openings, MustFitTheirScene)
     refuses(oblique, channel(1), "must go on straight");
     auto close = outlet(0);
     close.point = {H/2, 0, 0};
-    EXPECT_THROW(Openings<2>({inlet(), close}, channel(1), coefficients(), {}), CaseError);
+    EXPECT_THROW(Openings<2>({inlet(), close}, channel(1), coefficients(), stateOfPowder(), {}), CaseError);
 }
 
 }

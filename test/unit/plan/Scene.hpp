@@ -1,14 +1,12 @@
 /// Particles between walls with everything that an evaluation needs, and the plain sums that it is compared with.
 #pragma once
+#include "ArtificialViscosity.hpp"
+#include "DensityDiffusion.hpp"
 #include "Plan.hpp"
+#include "TransportVelocity.hpp"
 #include "WallTension.hpp"
-#include "continuityTerms.hpp"
-#include "interfacesTerms.hpp"
-#include "materialsTerms.hpp"
-#include "momentumTerms.hpp"
-#include "operatorTerms.hpp"
+#include "models.hpp"
 #include "scenes.hpp"
-#include "transportTerms.hpp"
 #include <gtest/gtest.h>
 #include <optional>
 
@@ -28,10 +26,8 @@ template<int dim> const Catalogue<dim>& wholeCatalogue()
 {
     static const Catalogue<dim> all = []
     {
-        Catalogue<dim> c;
-        for (const auto& terms : {operatorTerms<dim>(), continuityTerms<dim>(), momentumTerms<dim>(), interfacesTerms<dim>(),
-                                  materialsTerms<dim>(), transportTerms<dim>(), catalogue<dim, PressureAsStress>()})
-            c.insert(c.end(), terms.begin(), terms.end());
+        Catalogue<dim> c = allTerms<dim>();
+        for (const auto& term : catalogue<dim, PressureAsStress>()) c.push_back(term);
         return c;
     }();
     return all;
@@ -56,9 +52,10 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     c.g = {0.3, -9.81, 0.7};
     c.bodyForce = {20, 5, -3};
     c.densityScale = 1.013;
-    c.diffusion = 0.1;
-    c.artificialViscosity = 0.3;
-    c.transportVelocity = 0.7;
+    c.set(DiffusionNumber{0.1});
+    c.set(ArtificialNumber{0.3 * 0.5 * c.support * 40 * c.restDensity[0]}); // 40 m/s: the largest sound speed
+    c.set(TransportNumber{0.7});
+    c.set(KernelMarginal::of("wendlandC2", dimension, c.support));
     return c;
 }
 
@@ -97,7 +94,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "wallStress", "ghostWall", "dU", "dUTransport", "phi"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "ghostWall", "dU", "dUTransport", "phi"};
         if (integratedDensity) given.insert("rho");
         plan.emplace(wholeCatalogue<dim>(), terms, given);
         plan->allocate(store);
@@ -138,7 +135,6 @@ template<int dim> struct Scene
         lists.build(positions(store), n, images.nullParticle(), coefficients.support + 0.3 * coefficients.spacing);
         images.listLayers(lists);
         plan->bind(store, coefficients);
-        if (plan->has("wallTension")) WallTension<dim>(coefficients, kernel).evaluate(images, store);
         plan->evaluate(store, images, lists, kernel);
     }
 

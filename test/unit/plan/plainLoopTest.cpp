@@ -78,6 +78,13 @@ Terms with(Terms terms, const Terms& more)
 }
 const Terms summed{"numberDensity", "summedDensity", "taitOfPhase"}, integrated{"integratedVolume", "continuity", "taitOfPhase"};
 
+/// The number of the particle that an image mirrors.
+struct SourceNumber
+{
+    static constexpr FieldInfo info{"source", "1"};
+    template<int dim> struct At { double number; };
+};
+
 /// What all momentum equations read, at every particle and image, by plain sums.
 template<int dim> struct Plain
 {
@@ -105,12 +112,12 @@ template<int dim> struct Plain
             p[i] = c.stiffness[k] * (std::pow(rho[i] / c.restDensity[k], c.exponent[k]) - 1) + c.backgroundPressure;
         }
         // Images are sought by their source's number, carried in a field that is copied.
-        s.store.allocate(StartDensity{});
-        for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho_0", 0)[i] = double(i);
-        s.refresh(StartDensity{});
+        s.store.allocate(SourceNumber{});
+        for (std::size_t i = 0; i < s.n; ++i) s.store.component("source", 0)[i] = double(i);
+        s.refresh(SourceNumber{});
         for (std::size_t j = s.n; j < all; ++j)
         {
-            const auto source = std::size_t(s.at(StartDensity{}, j));
+            const auto source = std::size_t(s.at(SourceNumber{}, j));
             for (auto* a : {&V, &rho, &p, &M}) (*a)[j] = (*a)[source];
         }
         s.refresh(Velocity{});
@@ -220,7 +227,7 @@ template<int dim> void artificialViscosity()
                           const auto& c = q.s.coefficients;
                           const double h = 0.5 * c.support;
                           const auto x = positionOf(q.s.store, i) - positionOf(q.s.store, j);
-                          return c.artificialViscosity * h * 40 * c.restDensity[0] * q.V[i] * q.V[j] * dot(q.v(i) - q.v(j), x) /
+                          return 0.3 * h * 40 * c.restDensity[0] * q.V[i] * q.V[j] * dot(q.v(i) - q.v(j), x) /
                                  (dot(x, x) + 0.01 * h * h) * gradW; // 40 m/s: the largest sound speed
                       });
 }
@@ -498,7 +505,7 @@ template<int dim> void continuityEquation()
                               {
                                   const double rho_j = s.at(Density{}, j), V_j = s.at(Volume{}, j);
                                   rate += rho_i * V_j * dot(s.at(Velocity{}, i) - s.at(Velocity{}, j), gradW);
-                                  rate += c.diffusion * h * c.soundSpeed[0] * 2 * (rho_i - rho_j) * dot(x, gradW) /
+                                  rate += 0.1 * h * c.soundSpeed[0] * 2 * (rho_i - rho_j) * dot(x, gradW) /
                                           (r * r + 0.01 * h * h) * V_j;
                               });
                     return rate;
@@ -550,7 +557,7 @@ template<int dim> void renormalisedDiffusion()
                               {
                                   if (wall[j] > 0) return;
                                   const auto mean = 0.5 * (s.at(DensityGradient{}, i) + s.at(DensityGradient{}, j));
-                                  rate += c.diffusion * h * c.soundSpeed[0] * 2 * (rho(i) - rho(j) - dot(mean, x)) * dot(x, gradW) /
+                                  rate += 0.1 * h * c.soundSpeed[0] * 2 * (rho(i) - rho(j) - dot(mean, x)) * dot(x, gradW) /
                                           (r * r + 0.01 * h * h) * s.at(Volume{}, j);
                               });
                     return rate;
@@ -682,7 +689,7 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
                                                     weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
-            const WallTension<dim> wallTension(c, s.kernel);
+            const WallTension wallTension(c);
             expectEqual(s, Stress{},
                         [&](std::size_t i)
                         {

@@ -90,15 +90,15 @@ TEST(Plan, MergesTermsThatCanShareAStencil)
 }
 
 // Several terms add to the stress, and what reads it runs after the last of them: with the wall tension beside the interface
-// stress there is no loop over pairs more, as it is local.
+// stress there is no loop over pairs more, as it runs over walls.
 TEST(Plan, ReadsAFieldThatSeveralTermsAddTo)
 {
     const std::vector<std::string> terms{"numberDensity",   "summedDensity", "taitOfPhase",
                                          "interfaceStress", "wallTension",   "stressDivergence"};
-    const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase", "wallStress"});
+    const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase"});
     EXPECT_EQ(plan.pairPasses(), 3);
-    EXPECT_EQ(errorOf(terms, {"positions", "U", "m", "phase"}),
-              "term \"wallTension\" reads \"wallStress\" [Pa], which the scene does not give and no term provides");
+    EXPECT_EQ(errorOf({"numberDensity", "wallTension", "stressDivergence"}, {"positions", "U", "m"}),
+              "term \"wallTension\" reads \"phase\" [1], which the scene does not give and no term provides");
 }
 
 // The solid as a phase of its own takes part in the passes that are there and has its two fields. A scene of the same phases without
@@ -109,7 +109,7 @@ TEST(Plan, KnowsGhostsWallsOnlyForTheSolidPhase)
     const auto printed = [&](std::vector<std::string> terms, std::set<std::string>& fields)
     {
         terms.insert(terms.begin(), common.begin(), common.end());
-        const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase", "wallStress", "ghostWall"});
+        const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase", "ghostWall"});
         EXPECT_EQ(plan.pairPasses(), 3);
         FieldStore<2> store;
         plan.allocate(store);
@@ -121,7 +121,7 @@ TEST(Plan, KnowsGhostsWallsOnlyForTheSolidPhase)
     std::set<std::string> without, with;
     const auto plain = printed({"interfaceStress"}, without), solid = printed({"solidPhaseStress", "stressOfSolid"}, with);
     EXPECT_EQ(without, (std::set<std::string>{"positions", "m", "phase", "V", "rho", "p", "S", "dUdt"}));
-    for (const char* word : {"ghostWall", "solid", "wallStress"}) EXPECT_EQ(plain.find(word), std::string::npos) << plain;
+    for (const char* word : {"ghostWall", "solid", "wallTension"}) EXPECT_EQ(plain.find(word), std::string::npos) << plain;
     without.insert({"ghostWall", "solidStress"});
     EXPECT_EQ(with, without);
     EXPECT_NE(solid.find("p V phase ghostWall\n"), std::string::npos) << solid;

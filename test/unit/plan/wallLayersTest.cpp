@@ -2,7 +2,7 @@
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
-#include "ghostVelocities.hpp"
+#include "ghostRules.hpp"
 #include "wallLayers.hpp"
 
 namespace sph::test
@@ -16,7 +16,7 @@ Coefficients oneLiquid(int dimension)
 {
     auto c = firstPhases(threePhases(dimension, spacing, support), 1);
     c.wallTension.clear();
-    c.suspension = Suspension{0.4, 0.68, 0.66, 1.82, 0.013, 0.037, 0.025};
+    c.set(Suspension{0.4, 0.68, 0.66, 1.82, 0.013, 0.037, 0.5 * 0.025 * sqr(spacing)});
     return c;
 }
 

@@ -3,6 +3,7 @@
 #include "Coefficients.hpp"
 #include "Images.hpp"
 #include "Plane.hpp"
+#include "terms.hpp"
 #include <algorithm>
 
 namespace sph
@@ -60,6 +61,12 @@ private:
         return g;
     }
 };
+
+/// What the plan makes of a wall law: over all particles, onto what others have added, or in its place.
+template<class Law, int dim> void evaluateAtWalls(const Law& law, const Images<dim>& images, FieldStore<dim>& store, bool adds)
+{
+    Bound<Law, dim>(law, Binding<dim>{store, {}, {}, adds}).atWalls(images, 0, images.owned());
+}
 
 /// Two points at each height, the first near a periodic face: shifted copies of a ghost are no further walls.
 template<int dim> std::vector<Vector<dim>> atHeights(const std::vector<double>& heights)

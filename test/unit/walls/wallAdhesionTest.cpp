@@ -19,9 +19,13 @@ template<int dim> void nearestWallOfEach()
     channel.store.allocate(WallCosine{});
     channel.geometry.walls[0].wets = true;
     channel.geometry.walls[0].contactAngle = 60;
+    WettingAngles angles;
+    for (const auto& wall : channel.geometry.walls) angles.cosine.push_back(wall.cosine());
+    channel.coefficients.set(angles);
     const auto directions = [&](double support)
     {
-        WallAdhesion<dim>(channel.geometry, support).evaluate(channel.images, channel.store);
+        channel.coefficients.support = support;
+        evaluateAtWalls(WallAdhesion(channel.coefficients), channel.images, channel.store, false);
         std::vector<double> up;
         for (std::size_t i = 0; i < points.size(); ++i)
         {

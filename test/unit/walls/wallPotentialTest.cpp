@@ -26,7 +26,7 @@ TEST(WallPotential, StoresTheTension)
 {
     Coefficients c;
     c.support = H;
-    const WallPotential<3> wall(c);
+    const WallPotential wall(c);
     const auto Phi = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q, 0, 0); }); };
     EXPECT_NEAR(integral(0, H, Phi), 1, 1e-8);
     EXPECT_NEAR(Phi(0) * H, 35.0 / 16, 1e-8);
@@ -40,7 +40,7 @@ TEST(WallPotential, StoresTheTensionOfCurvedWalls)
 {
     Coefficients c;
     c.support = H;
-    const WallPotential<3> wall(c);
+    const WallPotential wall(c);
     for (const auto& [k1, k2] : {std::pair(-0.5 / H, -0.5 / H), std::pair(-0.5 / H, 0.0), std::pair(0.5 / H, 0.5 / H)})
     {
         const auto potential = [&](double d) { return -integral(d, H, [&](double q) { return wall.slope(q, k1, k2); }); };
@@ -59,8 +59,8 @@ template<int dim> void planeWallsAddUp()
     auto& c = channel.coefficients;
     c.support = H;
     c.restDensity = {1000, 1.2};
-    const WallPotential<dim> wall(c);
-    wall.addAcceleration(channel.images, channel.store);
+    const WallPotential wall(c);
+    evaluateAtWalls(wall, channel.images, channel.store, true);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const std::size_t phase = i % 2;
@@ -112,7 +112,7 @@ TEST(WallPotential, DoesNoWorkOnAWayRoundACorner)
     Images<2> images(g, 1.1 * H, 0.1);
     images.build(store, n);
     const auto after = store.pointers(Acceleration{});
-    WallPotential<2>(c).addAcceleration(images, store);
+    evaluateAtWalls(WallPotential(c), images, store, true);
     double work = 0, largest = 0;
     for (int k = 0; k < n; ++k)
     {

@@ -1,6 +1,7 @@
 /// Tension of walls: the kernel's marginal, and the stress on particles between plane walls.
 #include "WallTension.hpp"
 #include "Channel.hpp"
+#include "Kernel.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -9,11 +10,22 @@ namespace sph
 namespace
 {
 
-template<int dim> WallTension<dim> tensionOf(const Kernel<dim>& kernel)
+Coefficients withMarginal(Coefficients c, const std::string& kernel, int dim)
 {
-    static const Coefficients none;
-    return WallTension<dim>(none, kernel);
+    c.support = H;
+    c.set(KernelMarginal::of(kernel, dim, H));
+    return c;
 }
+/// The law with the numbers that it points at.
+struct Tension
+{
+    Coefficients coefficients;
+    WallTension law{coefficients};
+
+    Tension(const Coefficients& c, const std::string& kernel, int dim) : coefficients(withMarginal(c, kernel, dim)) {}
+    Tension(const Tension&) = delete;
+    double marginal(double d) const { return law.marginal(d); }
+};
 
 // The half space holds half of the kernel. w_1 is tabled at 257 places and read between them by straight lines, so that the
 // trapezium over the table is the integral of marginal() itself; with W' = 0 at both ends it is that of w_1 to 1e-12. Each value is
@@ -24,7 +36,7 @@ template<int dim> void marginalHoldsHalfOfTheKernel()
     for (const auto& name : kernelNames())
     {
         SCOPED_TRACE(name + " in " + std::to_string(dim) + "-D");
-        const auto tension = tensionOf(Kernel<dim>(name, H));
+        const Tension tension({}, name, dim);
         const int n = 256;
         double half = 0;
         for (int k = 0; k <= n; ++k) half += (k == 0 || k == n ? 0.5 : 1) * tension.marginal(H * k / n) * H / n;
@@ -42,8 +54,8 @@ TEST(WallTension, MarginalHoldsHalfOfTheKernelIn3D) { marginalHoldsHalfOfTheKern
 // second.
 TEST(WallTension, MarginalAtTheWallHasTheHandValue)
 {
-    EXPECT_NEAR(tensionOf(Kernel<2>("wendlandC2", H)).marginal(0) * H, 14 / (3 * std::numbers::pi), 3e-11);
-    EXPECT_NEAR(tensionOf(Kernel<3>("wendlandC2", H)).marginal(0) * H, 1.5, 6e-6);
+    EXPECT_NEAR(Tension({}, "wendlandC2", 2).marginal(0) * H, 14 / (3 * std::numbers::pi), 3e-11);
+    EXPECT_NEAR(Tension({}, "wendlandC2", 3).marginal(0) * H, 1.5, 6e-6);
 }
 
 // S_w = 2 gamma w_1(d) (I - n n) of each wall within H, with the tension of that wall and of the particle's phase: along the walls
@@ -51,10 +63,9 @@ TEST(WallTension, MarginalAtTheWallHasTheHandValue)
 template<int dim> void planeWallsAddUp()
 {
     const auto points = atHeights<dim>({0.02, 0.1, 0.25, 0.3, 0.45});
-    Channel<dim> channel(points, WallStress{}, 1e9);
-    const Kernel<dim> kernel("wendlandC2", H);
-    const WallTension<dim> tension(channel.coefficients, kernel);
-    tension.evaluate(channel.images, channel.store);
+    Channel<dim> channel(points, Stress{}, 1e9);
+    const Tension tension(channel.coefficients, "wendlandC2", dim);
+    evaluateAtWalls(tension.law, channel.images, channel.store, false);
     int nearBoth = 0, nearOne = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -68,7 +79,7 @@ template<int dim> void planeWallsAddUp()
         n.y = 1;
         const auto expected = along * (identity(n) - outer(n));
         double found[6] = {};
-        store(channel.at(WallStress{}, i), [&](int c, double q) { found[c] = q; });
+        store(channel.at(Stress{}, i), [&](int c, double q) { found[c] = q; });
         store(expected, [&](int c, double q) { EXPECT_NEAR(found[c], q, 1e-15) << "particle " << i << " component " << c; });
         EXPECT_NE(along, 0);
     }

@@ -15,7 +15,7 @@ namespace
 Coefficients suspension(int dimension, double spacing = 0.1)
 {
     auto c = firstPhases(threePhases(dimension, spacing, 2.6), 1);
-    c.suspension = Suspension{0.4, 0.68, 0.66, 1.82, 0.013, 0.037, 0.025};
+    c.set(Suspension{0.4, 0.68, 0.66, 1.82, 0.013, 0.037, 0.5 * 0.025 * sqr(spacing)});
     return c;
 }
 
@@ -38,7 +38,7 @@ template<int dim> void sumIsPlain(Geometry g)
     s.refresh(GradientScale{});
     const double *phi = s.store.component("phi", 0), *gammaDot = s.store.component("gammaDot", 0), *V = s.store.component("V", 0),
                  *N = s.store.component("gradientScale", 0), *m = s.store.component("m", 0), *rate = s.store.component("dphidt", 0);
-    const auto& k = *c.suspension;
+    const auto& k = c.of<Suspension>();
     const auto B = [&](std::size_t i) { return gammaDot[i] * sqr(phi[i]) * k.exponent / (k.phiMax - std::min(phi[i], k.phiCritical)); };
     double largest = 0, worst = 0, sum = 0, size = 0;
     for (std::size_t i = 0; i < s.n; ++i)

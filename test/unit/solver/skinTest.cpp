@@ -1,6 +1,6 @@
 /// Lists hold every pair within the kernel's support, also where images move faster than any particle.
 #include "Cylinder.hpp"
-#include "ParticleSystem.hpp"
+#include "Particles.hpp"
 #include "moves.hpp"
 #include "periodicSquare.hpp"
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Geometry disc(double R)
 }
 
 /// A pair within the support that its list lacks.
-bool isMissed(ParticleSystem<2>& particles)
+bool isMissed(Particles<2>& particles)
 {
     const auto x = particles.store().pointers(Position{});
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -74,7 +74,7 @@ TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
         U.component[1].push_back(u.y);
         U.component[2].push_back(0);
     }
-    ParticleSystem<2> particles(settings, g, cloud, {});
+    Particles<2> particles(settings, g, cloud, {});
     const long built = particles.rebuilds();
     const double step = 0.01*spacing;
     for (int k = 0; k < 20; ++k)

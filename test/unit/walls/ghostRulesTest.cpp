@@ -1,5 +1,5 @@
 /// Velocity and pressure rules of wall ghosts against the flows and columns that they are to continue exactly.
-#include "ghostVelocities.hpp"
+#include "ghostRules.hpp"
 #include "Plane.hpp"
 #include <gtest/gtest.h>
 

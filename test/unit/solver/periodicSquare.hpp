@@ -1,7 +1,7 @@
 /// A doubly periodic square of side 1, and the settings of a case in it.
 #pragma once
 #include "Case.hpp"
-#include "Settings.hpp"
+#include "readSettings.hpp"
 #include "smallCases.hpp"
 
 namespace sph::test

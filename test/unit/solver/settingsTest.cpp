@@ -1,6 +1,10 @@
 /// Mistakes in the words of a scheme, with file and line; and the choices that are made for the user.
-#include "Settings.hpp"
+#include "readSettings.hpp"
+#include "ArtificialViscosity.hpp"
+#include "Migration.hpp"
 #include "Plane.hpp"
+#include "Suspension.hpp"
+#include "TransportVelocity.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -87,9 +91,9 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     }
     EXPECT_TRUE(selects(grainCase(), "particleShifting"));
     EXPECT_TRUE(selects(grainCase(), "densityDiffusion"));
-    EXPECT_EQ(reading(columnCase()).settings.coefficients.artificialViscosity, 0.02);
-    EXPECT_TRUE(reading(columnCase()).settings.detachingGhosts);
-    EXPECT_FALSE(reading(channelCase()).settings.detachingGhosts);
+    EXPECT_EQ(reading(columnCase()).settings.coefficients.of<ArtificialNumber>().mu, 0.02 * (0.5 * 3 * 0.05) * 40 * 1000);
+    EXPECT_TRUE(reading(columnCase()).settings.has("wallPressure", "detaching"));
+    EXPECT_FALSE(reading(channelCase()).settings.has("wallPressure", "detaching"));
     expectError(edited(columnCase(), "system/sphSchemes", "tangential", "tangent"), "Did you mean \"tangential\"?");
     expectError(edited(columnCase(), "system/sphSchemes", "Viscosity 0.02", "Viscosity -1"), "system/sphSchemes:4: ");
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
@@ -101,8 +105,8 @@ TEST(Settings, WallsByLayersHaveNoInterfaceAndStick)
     const std::string schemes = "system/sphSchemes";
     const auto with = [&](const Files& files, const std::string& words) { return edited(files, schemes, "\nintegration", "\n" + words + "\nintegration"); };
     EXPECT_EQ(reading(with(channelCase(), "walls layers;")).errors, "");
-    EXPECT_TRUE(reading(with(channelCase(), "walls layers;")).settings.wallLayers);
-    EXPECT_FALSE(reading(with(channelCase(), "walls reflected;")).settings.wallLayers);
+    EXPECT_TRUE(reading(with(channelCase(), "walls layers;")).settings.has("walls", "layers"));
+    EXPECT_FALSE(reading(with(channelCase(), "walls reflected;")).settings.has("walls", "layers"));
     EXPECT_EQ(reading(with(suspensionCase(), "walls layers;")).errors, "");
     expectError(with(channelCase(), "walls layer;"), "system/sphSchemes:3: walls \"layer\" is unknown. Did you mean \"layers\"?");
     expectError(with(dropCase(), "walls layers;"), "system/sphSchemes:2: layers have no interface to continue");
@@ -129,7 +133,7 @@ TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
     const auto with = [&](const std::string& words) { return edited(channelCase(), schemes, "wallVelocity", words + "\nwallVelocity"); };
     const auto uniform = reading(with("transportVelocity 0.5;")), local = reading(with("transportVelocity 1; transportPressure local;"));
     EXPECT_EQ(uniform.errors + local.errors, "");
-    EXPECT_EQ(uniform.settings.coefficients.transportVelocity, 0.5);
+    EXPECT_EQ(uniform.settings.coefficients.of<TransportNumber>().C, 0.5);
     const auto has = [](const Reading& r, const char* term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
     EXPECT_EQ(has(uniform, "transportVelocity") + has(uniform, "transportStress") + has(local, "localTransportVelocity"), 3);
     EXPECT_EQ(has(local, "transportVelocity") + has(reading(channelCase()), "transportStress"), 0);
@@ -143,8 +147,8 @@ TEST(Settings, SurfaceTensionOnceInAStepOfParts)
     const std::string schemes = "system/sphSchemes";
     const auto with = [&](const std::string& words) { return edited(dropCase(), schemes, "predictorCorrector", words); };
     const auto settings = reading(with("leapfrog; maxSubSteps 3")).settings;
-    EXPECT_EQ(settings.maxSubSteps, 3);
-    EXPECT_DOUBLE_EQ(settings.factors.capillary, 0.5 * StepFactors{}.capillary);
+    EXPECT_EQ(settings.integration.maxSubSteps, 3);
+    EXPECT_DOUBLE_EQ(settings.integration.factors.capillary, 0.5 * StepFactors{}.capillary);
     EXPECT_EQ(settings.slowTerms, (std::vector<std::string>{"curvatureForce", "smoothedColourGradient"}));
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "curvatureForce"), 0);
     EXPECT_EQ(std::count(settings.terms.begin(), settings.terms.end(), "harmonicViscosity"), 1);
@@ -200,7 +204,7 @@ TEST(Settings, ViscosityAlongTheLineOfCentresTakesAThirdOfTheStep)
     files["system/sphSchemes"] += "viscosity cleary;\n";
     const auto r = reading(files);
     EXPECT_EQ(r.errors, "");
-    EXPECT_DOUBLE_EQ(r.settings.factors.viscous, harmonic.factors.viscous / 3);
+    EXPECT_DOUBLE_EQ(r.settings.integration.factors.viscous, harmonic.integration.factors.viscous / 3);
     const auto& terms = r.settings.terms;
     EXPECT_NE(std::find(terms.begin(), terms.end(), "singlePhaseClearyViscosity"), terms.end());
     EXPECT_EQ(std::find(terms.begin(), terms.end(), "singlePhaseViscosity"), terms.end());
@@ -251,10 +255,11 @@ TEST(Settings, SemiImplicitTakesItsEntries)
 {
     const auto with = [](const std::string& entries) { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "semiImplicit" + entries); };
     const auto settings = reading(with("; theta 0.5; tolerance 1e-9; maxIter 7")).settings;
-    EXPECT_EQ(settings.integrator, Integrator::semiImplicit);
-    EXPECT_EQ(settings.implicitSolve.theta, 0.5);
-    EXPECT_EQ(settings.implicitSolve.tolerance, 1e-9);
-    EXPECT_EQ(settings.implicitSolve.maxIter, 7);
+    EXPECT_EQ(settings.integration.scheme, "semiImplicit");
+    EXPECT_TRUE(settings.integration.solves);
+    EXPECT_EQ(settings.integration.theta, 0.5);
+    EXPECT_EQ(settings.integration.tolerance, 1e-9);
+    EXPECT_EQ(settings.integration.maxIter, 7);
     EXPECT_TRUE(selects(settings, "singlePhaseViscousRate"));
     EXPECT_FALSE(selects(reading(channelCase()).settings, "singlePhaseViscousRate"));
     expectError(with("; theta 0.4"), "is 1/2 (Crank-Nicolson) to 1 (Euler)");
@@ -276,9 +281,9 @@ TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
 TEST(Settings, StepFactorScalesAllFactors)
 {
     const auto settings = reading(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", "predictorCorrector; soundFactor 0.2; stepFactor 3;")).settings;
-    EXPECT_NEAR(settings.factors.sound, 0.6, 1e-15);
-    EXPECT_NEAR(settings.factors.viscous, 3 * StepFactors{}.viscous, 1e-15);
-    EXPECT_NEAR(settings.factors.capillary, 3 * StepFactors{}.capillary, 1e-15);
+    EXPECT_NEAR(settings.integration.factors.sound, 0.6, 1e-15);
+    EXPECT_NEAR(settings.integration.factors.viscous, 3 * StepFactors{}.viscous, 1e-15);
+    EXPECT_NEAR(settings.integration.factors.capillary, 3 * StepFactors{}.capillary, 1e-15);
 }
 
 // Each form of the contact angle selects its own terms; `scheme paper;` takes the paper's, unless the case says otherwise, has no contact angle,
@@ -289,7 +294,7 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
     {
         EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
         EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
-        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : s.wallPotential ? "wallPotential"
+        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : selects(s, "wallPotential") ? "wallPotential"
              : selects(s, "adheringColourGradient") ? "wallAdhesion" : "none";
     };
     EXPECT_STREQ(form(wetting("")), "wallPotential");
@@ -330,31 +335,39 @@ TEST(Settings, AContactAngleNeedsTensionAndAWallThatHasIt)
                     "does nothing without a wall that has a contactAngle in constant/geometry");
 }
 
+/// Terms of the group that gives the rates of the powder.
+std::vector<std::string> migrationTerms(const Reading& r)
+{
+    for (const auto& group : r.settings.groups)
+        if (group.name == ofMigration) return group.terms;
+    return {};
+}
+
 TEST(Settings, OfASuspensionAreRead)
 {
     const auto r = reading(suspensionCase());
     EXPECT_EQ(r.errors, "");
-    const auto& s = *r.settings.coefficients.suspension;
+    const auto& s = r.settings.coefficients.of<Suspension>();
     EXPECT_NEAR(s.Dc_a2, 0.4*0.05*0.05, 1e-15);
     EXPECT_NEAR(s.phiCritical, 0.99*0.68, 1e-15);
-    EXPECT_EQ(r.settings.migrationTerms, (std::vector<std::string>{"subParticleShear", "phillipsFlux"}));
+    EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"subParticleShear", "phillipsFlux"}));
     EXPECT_TRUE(selects(r.settings, "harmonicViscosity"));
     EXPECT_TRUE(selects(r.settings, "harmonicViscousRate"));
-    EXPECT_EQ(r.settings.wallVelocity, WallVelocity::reflected);
+    EXPECT_TRUE(r.settings.has("wallVelocity", "reflected"));
 
     // D_c and D_eta go with the square of what the case says: a factor 4 in time.
     const std::string transport = "constant/transportProperties";
-    const auto byDiameter = reading(edited(suspensionCase(), transport, "a radius", "a diameter")).settings.coefficients.suspension;
-    EXPECT_NEAR(byDiameter->Dc_a2, 4*s.Dc_a2, 1e-15);
-    EXPECT_NEAR(byDiameter->Deta_a2, 4*s.Deta_a2, 1e-15);
-    const auto given = reading(edited(suspensionCase(), transport, "radius 0.05", "diameter 0.1")).settings.coefficients.suspension;
-    EXPECT_EQ(given->Dc_a2, s.Dc_a2);
+    const auto byDiameter = reading(edited(suspensionCase(), transport, "a radius", "a diameter")).settings.coefficients.of<Suspension>();
+    EXPECT_NEAR(byDiameter.Dc_a2, 4*s.Dc_a2, 1e-15);
+    EXPECT_NEAR(byDiameter.Deta_a2, 4*s.Deta_a2, 1e-15);
+    const auto given = reading(edited(suspensionCase(), transport, "radius 0.05", "diameter 0.1")).settings.coefficients.of<Suspension>();
+    EXPECT_EQ(given.Dc_a2, s.Dc_a2);
 
     const auto schemes = [](const std::string& words) { return edited(suspensionCase(), "system/sphSchemes", "shifting 2;", words); };
-    EXPECT_EQ(reading(schemes("shearRate gradient;")).settings.migrationTerms[0], "velocityGradientShear");
-    EXPECT_EQ(reading(schemes("scheme paper;")).settings.migrationTerms[0], "velocityGradientShear");
-    EXPECT_EQ(reading(schemes("shearRate correctedGradient;")).settings.migrationTerms[0], "correctedGradientShear");
-    EXPECT_EQ(reading(schemes("subParticleShear 0;")).settings.migrationTerms[0], "resolvedShear");
+    EXPECT_EQ(migrationTerms(reading(schemes("shearRate gradient;")))[0], "velocityGradientShear");
+    EXPECT_EQ(migrationTerms(reading(schemes("scheme paper;")))[0], "velocityGradientShear");
+    EXPECT_EQ(migrationTerms(reading(schemes("shearRate correctedGradient;")))[0], "correctedGradientShear");
+    EXPECT_EQ(migrationTerms(reading(schemes("subParticleShear 0;")))[0], "resolvedShear");
     expectError(schemes("wallVelocity secondOrder;"), "needs a single phase of uniform viscosity");
 }
 
@@ -362,8 +375,9 @@ TEST(Settings, OfASuspensionAreRead)
 TEST(Settings, OfAPureLiquidHaveNothingOfASuspension)
 {
     const auto r = reading(channelCase());
-    EXPECT_FALSE(r.settings.suspension());
-    EXPECT_TRUE(r.settings.migrationTerms.empty());
+    EXPECT_FALSE(r.settings.coefficients.has<Suspension>());
+    EXPECT_TRUE(r.settings.groups.empty());
+    EXPECT_EQ(std::count_if(r.settings.state.begin(), r.settings.state.end(), [](const Evolving& q) { return q.value.name == "phi"; }), 0);
     expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "predictorCorrector; migrationSteps 2"), "entry \"migrationSteps\" is not used");
     expectError(edited(channelCase(), "system/sphSchemes", "wallVelocity", "shearRate stress; wallVelocity"), "entry \"shearRate\" is not used");
     expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "quasiSteady"), "and there is no suspension");

@@ -1,5 +1,6 @@
 /// Each limit by its formula with numbers worked by hand, and which one binds.
 #include "TimeStepLimits.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -34,7 +35,7 @@ Settings twoPhases()
 }
 void expectLimit(const Settings& s, double deltaT, const std::string& by, double speed = 0, double acceleration = 0)
 {
-    const auto limit = stepLimit(s, speed, acceleration);
+    const auto limit = leastOf(stepLimits(s, {speed, acceleration, 0, {}, {}}));
     EXPECT_NEAR(limit.deltaT / deltaT, 1, 1e-14);
     EXPECT_EQ(limit.by, by);
 }
@@ -62,21 +63,21 @@ TEST(StepLimit, ByTheViscosityOfAPairOverTheLighterDensity)
 TEST(StepLimit, IsNotByImplicitViscosity)
 {
     auto s = twoPhases();
-    s.integrator = Integrator::semiImplicit;
+    s.integration.solves = true;
     s.coefficients.viscosity = {30, 10};
-    s.implicitSolve.theta = 0.5;
+    s.integration.theta = 0.5;
     expectLimit(s, 0.4 * 0.5 / 20, "sound");
 }
 TEST(StepLimit, BySoundThatImplicitViscosityDamps)
 {
     auto s = quiet();
-    s.integrator = Integrator::semiImplicit;
+    s.integration.solves = true;
     s.coefficients.viscosity = {5000}; // nu 5 m^2/s, c 2 m/s
     expectLimit(s, 0.25 * 5 / 4, "damped sound", 0.1);
     expectLimit(s, 0.2 * 0.5 / 1, "damped sound", 1); // by a particle's way
-    s.implicitSolve.theta = 0.5;
+    s.integration.theta = 0.5;
     expectLimit(s, 0.4 * 0.5 / 2, "sound");
-    s.implicitSolve.theta = 1;
+    s.integration.theta = 1;
     s.coefficients.viscosity = {100}; // nu/c^2 short
     expectLimit(s, 0.4 * 0.5 / 2, "sound");
 }
@@ -91,39 +92,45 @@ TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25 * std::sqrt(0.5 / 1e4), "fo
 TEST(StepLimit, OfAStepInParts)
 {
     auto s = twoPhases();
-    s.maxSubSteps = 5;
+    s.integration.maxSubSteps = 5;
     expectLimit(s, 5 * 0.4 * 0.5 / 20, "sound");
     expectLimit(s, 5 * 0.25 * std::sqrt(0.5 / 1e6), "force", 0, 1e6);
     s.coefficients.viscosity = {30, 10};
     expectLimit(s, 5 * 0.125 * 0.25 / 15, "viscosity");
     s.coefficients.surfaceTension = {0, 1e6, 1e6, 0};
     expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
-    const auto limits = stepLimits(s, 0, 1, 1e8);
+    const auto limits = stepLimits(s, {0, 1, 1e8, {}, {}});
     EXPECT_EQ(limits.size(), 5u);
-    EXPECT_EQ(limits.back().by, "slow force");
-    EXPECT_DOUBLE_EQ(limits.back().deltaT, 0.25 * std::sqrt(0.5 / 1e8));
+    const auto slow = std::find_if(limits.begin(), limits.end(), [](const StepLimit& limit) { return limit.by == "slow force"; });
+    ASSERT_NE(slow, limits.end());
+    EXPECT_DOUBLE_EQ(slow->deltaT, 0.25 * std::sqrt(0.5 / 1e8));
     const double part = 0.125 * 0.25 / 15;
     for (const auto& [deltaT, parts] : {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
         EXPECT_EQ(partsOf(deltaT, s, limits), parts) << deltaT / part;
 }
-// Viscosities are those of the moment; four steps of the powder go to one of the flow, and creeping flow has no other limit.
+// Viscosities are those of the moment; four steps of the powder (the limit of Migration) go to one of the flow, and creeping flow has no other limit.
 TEST(StepLimit, ByMigrationAndTheViscosityOfASuspension)
 {
     auto s = quiet();
     s.coefficients.viscosity = {1e-9};
-    EXPECT_EQ(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1}).by, "viscosity");
-    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1}).deltaT, 0.125 * 0.25 / 5, 1e-15);
-    EXPECT_EQ(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1e-3}).by, "migration");
-    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{10, 5000, 1e-3}).deltaT, 4e-3, 1e-18);
-    s.integrator = Integrator::semiImplicit;
-    EXPECT_NEAR(stepLimit(s, 0, 0, 0, SuspensionLimits{5000, 1e9, 1}).deltaT, 0.25 * 5 / 4, 1e-15);
-    s.integrator = Integrator::quasiSteady;
-    EXPECT_EQ(stepLimit(s, 1e9, 1e9, 0, SuspensionLimits{10, 5000, 100}).deltaT, 400);
+    const auto limitOf = [&](double leastViscosity, double largestViscosity, double ofMigration, double speed = 0, double acceleration = 0)
+    {
+        return leastOf(stepLimits(s, {speed, acceleration, 0, leastViscosity, largestViscosity},
+                                  {{4 * ofMigration, "migration"}}));
+    };
+    EXPECT_EQ(limitOf(10, 5000, 1).by, "viscosity");
+    EXPECT_NEAR(limitOf(10, 5000, 1).deltaT, 0.125 * 0.25 / 5, 1e-15);
+    EXPECT_EQ(limitOf(10, 5000, 1e-3).by, "migration");
+    EXPECT_NEAR(limitOf(10, 5000, 1e-3).deltaT, 4e-3, 1e-18);
+    s.integration.solves = true;
+    EXPECT_NEAR(limitOf(5000, 1e9, 1).deltaT, 0.25 * 5 / 4, 1e-15);
+    s.integration.moves = false;
+    EXPECT_EQ(limitOf(10, 5000, 100, 1e9, 1e9).deltaT, 400);
 }
 TEST(StepLimit, FollowsTheFactors)
 {
     auto s = quiet();
-    s.factors.sound = 0.1;
+    s.integration.factors.sound = 0.1;
     expectLimit(s, 0.1 * 0.5 / 2, "sound");
 }
 

@@ -1,0 +1,105 @@
+/// From particles to a number: the same bits on any number of threads, and nothing that is no number gets lost.
+#include "reduce.hpp"
+#include <gtest/gtest.h>
+#include <limits>
+#include <omp.h>
+#include <random>
+
+namespace sph::test
+{
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Of either sign and of sizes from 1e-8 to 1e8, so that any other order of additions shows.
+std::vector<double> unlike(std::size_t n)
+{
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> exponent(-8, 8), sign(-1, 1);
+    std::vector<double> q(n);
+    for (double& each : q) each = std::copysign(std::pow(10, exponent(random)), sign(random));
+    return q;
+}
+struct Two
+{
+    double a = 0, b = 0;
+    Two& operator+=(const Two& other) { a += other.a; b += other.b; return *this; }
+};
+
+// 4096 to a block, and blocks in their order: what a plain loop over either gives, to the bit. Lengths end at, before and after a block.
+TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
+{
+    for (const std::size_t n : {0ul, 1ul, 4095ul, 4096ul, 4097ul, 50000ul})
+    {
+        const auto q = unlike(n);
+        double expected = 0, leastOfAll = infinity, mostOfAll = -infinity;
+        for (std::size_t begin = 0; begin < n; begin += 4096)
+        {
+            double part = 0;
+            for (std::size_t i = begin; i < std::min(n, begin + 4096); ++i) part += q[i];
+            expected += part;
+        }
+        for (const double each : q)
+        {
+            leastOfAll = std::min(leastOfAll, each);
+            mostOfAll = std::max(mostOfAll, each);
+        }
+        for (const int threads : {1, 2, 3})
+        {
+            omp_set_num_threads(threads);
+            const auto value = [&](std::size_t i) { return q[i]; };
+            EXPECT_EQ(sum(n, value), expected) << n << " on " << threads;
+            EXPECT_EQ(least(n, value), leastOfAll);
+            EXPECT_EQ(most(n, value), mostOfAll);
+            const auto both = sum(n, [&](std::size_t i) { return Two{q[i], -q[i]}; });
+            EXPECT_EQ(both.a, expected);
+            EXPECT_EQ(both.b, -expected);
+            const auto byBlocks = reduceBlocks(n, 0.0, [&](std::size_t begin, std::size_t end)
+            {
+                double part = 0;
+                for (std::size_t i = begin; i < end; ++i) part += q[i];
+                return part;
+            }, Add{});
+            EXPECT_EQ(byBlocks, expected);
+        }
+    }
+    // The order shows in these numbers: the sum the other way round has other bits.
+    const auto q = unlike(50000);
+    EXPECT_NE(sum(50000, [&](std::size_t i) { return q[i]; }), sum(50000, [&](std::size_t i) { return q[49999 - i]; }));
+}
+
+// A NaN or an infinity anywhere, in the first block or the last, alone or before and after a larger number, is in the result.
+TEST(Reduce, KeepsNaNAndInfinity)
+{
+    const std::size_t n = 9000;
+    for (const int threads : {1, 3})
+    {
+        omp_set_num_threads(threads);
+        for (const std::size_t at : {0ul, 17ul, 4095ul, 4096ul, 8999ul})
+        {
+            const auto with = [&](double special) { return [=](std::size_t i) { return i == at ? special : double(i) - 4000; }; };
+            EXPECT_TRUE(std::isnan(least(n, with(nan)))) << at;
+            EXPECT_TRUE(std::isnan(most(n, with(nan)))) << at;
+            EXPECT_TRUE(std::isnan(sum(n, with(nan)))) << at;
+            EXPECT_EQ(most(n, with(infinity)), infinity);
+            EXPECT_EQ(least(n, with(-infinity)), -infinity);
+            EXPECT_EQ(sum(n, with(infinity)), infinity);
+            EXPECT_EQ(sum(n, with(-infinity)), -infinity);
+            EXPECT_EQ(most(n, with(-infinity)), at == 8999 ? 4998 : 4999);
+            EXPECT_EQ(least(n, with(infinity)), at == 0 ? -3999 : -4000);
+        }
+        EXPECT_TRUE(std::isnan(sum(n, [](std::size_t i) { return i == 5 ? infinity : i == 8000 ? -infinity : 1; })));
+    }
+}
+
+TEST(Reduce, OfNothingIsWhereItStarts)
+{
+    const auto none = [](std::size_t) { return 1.0; };
+    EXPECT_EQ(sum(0, none), 0);
+    EXPECT_EQ(least(0, none), infinity);
+    EXPECT_EQ(most(0, none), -infinity);
+}
+
+}
+}
