@@ -7,27 +7,33 @@
 namespace sph
 {
 
-/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); velocity, pressure: by the wall's rule; velocityChange:
-/// what the velocity rule makes of a change; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
+/// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); ruled: by the rule of the field `ofRule`, without one copied;
+/// ruledChange: what that rule makes of a change; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
 /// image is rather than what its source has, written when images are moved and never refreshed.
-enum class Image { copied, mirrored, velocity, velocityChange, pressure, interface, placed };
+enum class Image { copied, mirrored, ruled, ruledChange, interface, placed };
+
+/// What a particle of a wall layer has: by its pair, whatever each particle of the fluid sees in it; or one value of its own, a mean over the fluid
+/// within sight (WallLayers.hpp).
+enum class InLayers { byPair, extrapolated };
 
 struct FieldInfo
 {
     const char *name, *unit;
     Image image = Image::copied;
     const char* ofGhosts = nullptr;  ///< field that wall ghosts take their value from, where the scene has it
+    const char* ofRule = nullptr;    ///< field whose rule images follow
+    InLayers inLayers = InLayers::byPair;
 };
 
 // clang-format off
 struct Position            { static constexpr FieldInfo info{"positions", "m"};                         template<int dim> struct At { Vector<dim> x; }; };
-struct Velocity            { static constexpr FieldInfo info{"U", "m/s", Image::velocity};              template<int dim> struct At { Vector<dim> v; }; };
+struct Velocity            { static constexpr FieldInfo info{"U", "m/s", Image::ruled, nullptr, "U"};            template<int dim> struct At { Vector<dim> v; }; };
 struct Mass                { static constexpr FieldInfo info{"m", "kg"};                                template<int dim> struct At { double m; }; };
 struct DynamicViscosity    { static constexpr FieldInfo info{"mu", "Pa s"};                             template<int dim> struct At { double mu; }; };
 struct Phase               { static constexpr FieldInfo info{"phase", "1"};                             template<int dim> struct At { Label phase; }; };
 struct Density             { static constexpr FieldInfo info{"rho", "kg/m^3"};                          template<int dim> struct At { double rho; }; };
 struct Volume              { static constexpr FieldInfo info{"V", "m^3"};                               template<int dim> struct At { double V; }; };
-struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::pressure};               template<int dim> struct At { double p; }; };
+struct Pressure            { static constexpr FieldInfo info{"p", "Pa", Image::ruled, nullptr, "p", InLayers::extrapolated};            template<int dim> struct At { double p; }; };
 struct KernelMoment        { static constexpr FieldInfo info{"M", "1/m^3"};                             template<int dim> struct At { double M; }; };
 struct GradientScale       { static constexpr FieldInfo info{"gradientScale", "1"};                      template<int dim> struct At { double N; }; };
 struct Stress              { static constexpr FieldInfo info{"S", "Pa", Image::mirrored, "solidStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
@@ -51,7 +57,7 @@ struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};    
 struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };
 struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration", "1/m", Image::mirrored}; template<int dim> struct At { Vector<dim> gradN; }; };
 struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
-struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::velocityChange};       template<int dim> struct At { Vector<dim> dv; }; };
+struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::ruledChange, nullptr, "U"};       template<int dim> struct At { Vector<dim> dv; }; };
 struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
 struct PowderFraction      { static constexpr FieldInfo info{"phi", "1"};                               template<int dim> struct At { double phi; }; };

@@ -1,4 +1,5 @@
-/// What a wall model says of its ghosts, of one pair of a particle and its ghost.
+/// How the value of an image beyond a wall follows from that of its source, where the field's tag says that there is a rule: one for each field,
+/// of the field's type, for mirror images and particles of wall layers alike.
 #pragma once
 #include "Vector.hpp"
 #include <cstddef>
@@ -6,8 +7,8 @@
 namespace sph
 {
 
-/// Where an image was mirrored, for the velocity rule: `distance` of the source from the wall [m], `normal` into the fluid at the foot
-/// point, `weight` the volume factor of this one reflection.
+/// Where an image was mirrored: `distance` of the source from the wall [m], `normal` into the fluid at the foot point, `weight` the volume factor of
+/// this one reflection.
 template<int dim> struct Reflection
 {
     double distance, weight;
@@ -17,28 +18,25 @@ template<int dim> struct Reflection
     double ratio = 1; ///< distance of the ghost from the wall over that of the source: not 1 where it is no mirror image (WallLayers.hpp)
 };
 
-/// How the velocity of a ghost follows from its source's: a wall model.
-template<int dim> class GhostVelocity
+/// What all rules have in common, whatever they act on.
+class AnyGhostRule
 {
 public:
-    virtual ~GhostVelocity() = default;
-    /// v: velocity of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
-    virtual Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const = 0;
-    /// By how much the ghost's velocity changes with that of what is mirrored: the rule's linear part.
-    virtual Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const = 0;
+    virtual ~AnyGhostRule() = default;
     /// After each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
     virtual void bind() {}
     virtual void filter() {}
 };
 
-/// How the pressure of a ghost follows from its source's.
-template<int dim> class GhostPressure
+template<class Value, int dim> class GhostRule : public AnyGhostRule
 {
 public:
-    virtual ~GhostPressure() = default;
-    virtual double operator()(double p, std::size_t source, const Reflection<dim>&) const = 0;
-    /// After each change of the arrays that the rule may read.
-    virtual void bind() = 0;
+    /// q: value of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
+    virtual Value operator()(Value q, std::size_t source, const Reflection<dim>&, bool once) const = 0;
+    /// By how much the ghost's value changes with that of what is mirrored: the rule's linear part.
+    virtual Value change(Value dq, const Reflection<dim>&) const = 0;
 };
+template<int dim> using GhostVelocity = GhostRule<Vector<dim>, dim>;
+template<int dim> using GhostPressure = GhostRule<double, dim>;
 
 }

@@ -16,6 +16,7 @@
 #include "PatchGrid.hpp"
 #include "WallLayers.hpp"
 #include "forEachFoot.hpp"
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,10 +32,19 @@ public:
     /// support and the `skin` [m] of the lists.
     Images(const Geometry&, double reach, double spacing, double skin = 0);
 
-    void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
-    GhostVelocity<dim>& ghostVelocity() const { return *ghostVelocity_; }
-    /// Without a rule ghosts have the pressure of their sources.
-    void setGhostPressure(std::unique_ptr<GhostPressure<dim>> rule) { ghostPressure_ = std::move(rule); }
+    /// How images beyond walls get the values of a field.
+    template<class F> void setRule(F, std::unique_ptr<GhostRule<FieldValue<F, dim>, dim>> rule) { rules_[F::info.name] = std::move(rule); }
+    /// Null where images have their sources' values.
+    template<class Value> const GhostRule<Value, dim>* rule(const char* field) const
+    {
+        const auto found = field ? rules_.find(field) : rules_.end();
+        return found == rules_.end() ? nullptr : dynamic_cast<const GhostRule<Value, dim>*>(found->second.get());
+    }
+    /// At the end of a step, for rules that keep a state.
+    void filterRules() const
+    {
+        for (const auto& [_, rule] : rules_) rule->filter();
+    }
     /// From now on walls are these particles, and mirror nothing.
     void setLayers(WallLayers<dim> layers) { layers_.emplace(std::move(layers)); }
     /// Null where walls mirror.
@@ -49,8 +59,7 @@ public:
     /// After each change of the arrays.
     void bindRules()
     {
-        ghostVelocity_->bind();
-        if (ghostPressure_) ghostPressure_->bind();
+        for (const auto& [_, rule] : rules_) rule->bind();
     }
 
     /// Makes the images of the first `owned` particles and resizes the store.
@@ -138,8 +147,7 @@ private:
     const Geometry* geometry_;
     PatchGrid grid_;
     double reach_, spacing_, skin_, fastest_ = 1;
-    std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
-    std::unique_ptr<GhostPressure<dim>> ghostPressure_;
+    std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_;   ///< by field
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
@@ -169,6 +177,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         if (store.has(F::info.ofGhosts))
             for (std::size_t c = 0; c < p.size(); ++c) ofGhosts[c] = store.component(F::info.ofGhosts, int(c));
     [[maybe_unused]] const auto position = store.pointers(Position{});
+    [[maybe_unused]] const auto* const rule = images.template rule<Value>(F::info.ofRule);
     const std::size_t n = images.entries_.size(), owned = images.owned_;
     #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < n; ++k)
@@ -182,7 +191,8 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];
             [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
             constexpr bool turned = F::info.image == Image::mirrored || F::info.image == Image::interface;
-            const int reflections = F::info.image == Image::interface && images.continuesInterfaces_ ? 0 : mostReflections;
+            const bool straight = turned ? F::info.image == Image::interface && images.continuesInterfaces_ : !rule;
+            const int reflections = straight ? 0 : mostReflections;
             if constexpr (!turned) fetch(x, [&](int c) { return position[c][e.source]; });
             for (int r = 0; r < reflections && e.patch[r] >= 0; ++r)
             {
@@ -193,17 +203,16 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                     const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, images.geometry_->patches[e.patch[r]].wall,
                                                      in3D(foot)};
                     x = foot - feet[r].distance*feet[r].normal;
-                    if constexpr (F::info.image == Image::velocity) q = (*images.ghostVelocity_)(q, e.source, reflection, r == 0);
-                    else if constexpr (F::info.image == Image::velocityChange) q = images.ghostVelocity_->change(q, reflection);
-                    else if (images.ghostPressure_) q = (*images.ghostPressure_)(q, e.source, reflection);
+                    if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);
+                    else q = rule->change(q, reflection);
                 }
             }
         }
         sph::store(q, [&](int c, double a) { p[c][owned + k] = a; });
     }
     // All else of wall particles is seen pair by pair.
-    if constexpr (F::info.image == Image::pressure)
-        if (images.layers_) images.layers_->evaluatePressure(store, images.ghostPressure_.get());
+    if constexpr (F::info.inLayers == InLayers::extrapolated)
+        if (images.layers_) images.layers_->extrapolate(store, name, rule);
     // The null particle has W = 0 but its values are computed with: they must be finite.
     for (double* a : p) a[images.nullParticle()] = owned > 0 ? a[0] : 1.0;
 }

@@ -78,37 +78,50 @@ template<int dim> void WallLayers<dim>::list(const NeighbourLists<dim>& lists, s
     each([&](int i, int j) { pairs_[next[std::size_t(particles_[std::size_t(j)].original)]++] = {i, j}; });
 }
 
-template<int dim> void WallLayers<dim>::evaluatePressure(FieldStore<dim>& store, const GhostPressure<dim>* rule) const
+template<int dim> void WallLayers<dim>::extrapolate(FieldStore<dim>& store, const std::string& field, const AnyGhostRule* rule) const
+{
+    const auto& type = store.fields().at(field).type;
+    const auto as = [&]<class Value>(Value) { extrapolateAs<Value>(store, field, dynamic_cast<const GhostRule<Value, dim>*>(rule)); };
+    if (type == valueType<double>) as(0.0);
+    else withDirectedValue<dim>(type, as);
+}
+
+template<int dim> template<class Value>
+void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& field, const GhostRule<Value, dim>* rule) const
 {
     const auto x = store.pointers(Position{});
-    double* const p = store.component(Pressure::info.name, 0);
+    std::array<double*, std::size_t(components<Value>)> q;
+    for (std::size_t c = 0; c < q.size(); ++c) q[c] = store.component(field, int(c));
     const auto originals = firstPair_.size() - 1;
     std::visit([&](const auto& kernel)
     {
         #pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < originals; ++k)
         {
-            double sum = 0, weight = 0;
-            for (std::size_t q = firstPair_[k]; q < firstPair_[k + 1]; ++q)
+            Value sum{};
+            double weight = 0;
+            for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
             {
-                const auto [i, j] = pairs_[q];
+                const auto [i, j] = pairs_[pair];
                 const Particle& particle = particles_[std::size_t(j)];
                 Vector<dim> x_i;
                 fetch(x_i, [&](int c) { return x[c][i]; });
                 const double r = mag(x_i - particle.x);
                 if (r >= kernel.H) continue;
-                double p_j = p[i];
+                Value q_j;
+                fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
                 if (rule)
                     for (const Behind& behind : wallsOf(particle))
-                        p_j = (*rule)(p_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance));
+                        q_j = (*rule)(q_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
                 const double W = kernel.W(r);
-                sum += W*p_j;
+                sum += W*q_j;
                 weight += W;
             }
-            p[first_ + k] = weight > 0 ? sum/weight : 0;
+            sph::store(sum, [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a/weight : 0; });
         }
     }, kernel_.choice());
-    for (std::size_t k = originals; k < particles_.size(); ++k) p[first_ + k] = p[first_ + std::size_t(particles_[k].original)];
+    for (std::size_t k = originals; k < particles_.size(); ++k)
+        for (std::size_t c = 0; c < q.size(); ++c) q[std::size_t(c)][first_ + k] = q[c][first_ + std::size_t(particles_[k].original)];
 }
 
 template<int dim> std::size_t WallLayers<dim>::bytes() const

@@ -2,7 +2,7 @@
 /// in one, pair by pair.
 ///
 ///   v_j = v_g(v_i, d_i, d_j)                      the wall's rule for a ghost: v_w - (d_j/d_i) (v_i - v_w), or of second order
-///   p_j = sum_i W_ij p_g(p_i, d_i, d_j)/sum_i W_ij
+///   p_j = sum_i W_ij p_g(p_i, d_i, d_j)/sum_i W_ij            and any field whose tag says `extrapolated`
 ///   q_j = q_i, mirrored at the wall where q is a vector      volume, density, viscosity, phi, stress ...
 ///
 /// d_i, d_j [m] distances from the wall, v_w [m/s] its velocity. The factor d_j/d_i is not limited to 1.5, as it is in print: limited, the
@@ -49,12 +49,14 @@ public:
     /// After the lists have been built: which pairs each particle's pressure is made of.
     void list(const NeighbourLists<dim>&, std::size_t owned);
 
-    /// Pressures, of those within the support of the fluid. Without a rule they are means of the fluid's.
-    void evaluatePressure(FieldStore<dim>&, const GhostPressure<dim>* rule) const;
+    /// Values of a field of their own, of those within the support of the fluid: sum_i W_ij q_g(q_i, d_i, d_j)/sum_i W_ij. Without a rule means of the
+    /// fluid's.
+    void extrapolate(FieldStore<dim>&, const std::string& field, const AnyGhostRule* rule) const;
 
     /// Gives the wall particles of a stencil what its particle sees in them. `columns`: the fields that the stencil has gathered, each with
     /// its `info` and `type`, first to last; `own`: where each column comes from; `scale`: the column of gradientScale, or -1.
-    void continueInto(Stencil<dim>&, const GhostVelocity<dim>& rule, const auto& columns, std::span<const double* const> own, int scale) const;
+    void continueInto(Stencil<dim>&, std::span<const GhostVelocity<dim>* const> rules, const auto& columns, std::span<const double* const> own,
+                      int scale) const;
 
     std::size_t bytes() const;
 
@@ -88,6 +90,7 @@ private:
     std::vector<std::size_t> firstPair_;
 
     std::span<const Behind> wallsOf(const Particle& p) const { return {walls_.data() + p.firstWall, p.walls}; }
+    template<class Value> void extrapolateAs(FieldStore<dim>&, const std::string& field, const GhostRule<Value, dim>* rule) const;
     bool turns(int wall) const { return geometry_.walls[std::size_t(wall)].omega != Vector<3>{}; }
 
     /// Feet of one fluid particle on the few patches that its neighbours lie behind: d_i, and how fast the wall is there.
@@ -131,8 +134,8 @@ public:
 };
 
 template<int dim>
-void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<dim>& rule, const auto& columns, std::span<const double* const> own,
-                                   int scale) const
+void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const GhostVelocity<dim>* const> rules, const auto& columns,
+                                   std::span<const double* const> own, int scale) const
 {
     const long first = long(first_);
     const auto count = static_cast<unsigned long>(particles_.size());
@@ -143,8 +146,9 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
     if (found == 0) return;
 
     const auto i = std::size_t(stencil.i);
-    const auto isSeenByWalls = [](Image image) { return image != Image::copied && image != Image::placed && image != Image::pressure; };
-    const bool seenByWalls = std::any_of(columns.begin(), columns.end(), [&](const auto& f) { return isSeenByWalls(f.info.image); });
+    const auto isSeenByWalls = [](const FieldInfo& info)
+    { return info.image != Image::copied && info.image != Image::placed && info.inLayers == InLayers::byPair; };
+    const bool seenByWalls = std::any_of(columns.begin(), columns.end(), [&](const auto& f) { return isSeenByWalls(f.info); });
     std::optional<Feet> feet;
     std::array<Reflection<dim>, dim> at;
     for (int t = 0; t < stencil.n; ++t)
@@ -161,36 +165,38 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, const GhostVelocity<di
         for (std::size_t k = 0; seenByWalls && k < walls.size(); ++k) at[k] = reflection(walls[k], feet->on(walls[k]).distance);
 
         // v_i + Delta, where each wall behind the first multiplies Delta = v_g - v_i by 1 + d_j/d_i
-        const auto continued = [&](Vector<dim> v_i, Vector<dim> v_g)
+        const auto continued = [&](const GhostVelocity<dim>& rule, Vector<dim> v_i, Vector<dim> v_g)
         {
             auto Delta = v_g - v_i;
             for (std::size_t k = 1; k < walls.size(); ++k) Delta = Delta - rule.change(Delta, at[k]);
             return v_i + Delta;
         };
-        const auto seen = [&](auto q, Image image)
+        const auto seen = [&](auto q, Image image, [[maybe_unused]] const GhostVelocity<dim>* rule)
         {
             if constexpr (std::same_as<decltype(q), Vector<dim>>)
             {
                 // Relative to the wall, each at its own foot: where it turns the two are not the same.
-                if (image == Image::velocity && turns(walls[0].wall))
+                if (image == Image::ruled && turns(walls[0].wall))
                     q = q - feet->on(walls[0]).velocity + in<dim>(geometry_.wallVelocity(walls[0].wall, walls[0].surface));
-                if (image == Image::velocity) return continued(q, rule(q, i, at[0], walls.size() == 1));
-                if (image == Image::velocityChange) return continued(q, rule.change(q, at[0]));
+                if (image == Image::ruled) return continued(*rule, q, (*rule)(q, i, at[0], walls.size() == 1));
+                if (image == Image::ruledChange) return continued(*rule, q, rule->change(q, at[0]));
             }
             for (std::size_t k = 0; k < walls.size(); ++k) q = mirrored(q, at[k].normal);
             return q;
         };
         int column = 0;
+        std::size_t field = 0;
         for (const auto& f : columns)
         {
+            const auto* const rule = rules[field++];
             const auto see = [&](auto q)
             {
                 fetch(q, [&](int c) { return own[std::size_t(column + c)][i]; });
-                store(seen(q, f.info.image), [&](int c, double a) { stencil.field[column + c][t] = a; });
+                store(seen(q, f.info.image, rule), [&](int c, double a) { stencil.field[column + c][t] = a; });
             };
             if (f.info.image == Image::copied)
                 for (int c = 0; c < f.type.components; ++c) stencil.field[column + c][t] = own[std::size_t(column + c)][i];
-            else if (isSeenByWalls(f.info.image)) withDirectedValue<dim>(f.type, see);
+            else if (isSeenByWalls(f.info)) withDirectedValue<dim>(f.type, see);
             column += f.type.components;
         }
         if (scale >= 0) stencil.field[scale][t] = own[std::size_t(scale)][i];

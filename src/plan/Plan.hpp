@@ -32,9 +32,9 @@ struct Group
 template<int dim> class Plan
 {
 public:
-    /// `state`: names of the fields that the scene brings; `ruleReads`: what the rule of an image reads of its source. The catalogue must
+    /// `state`: names of the fields that the scene brings; `ruleReads`: what the rule of a field's images reads of their source. The catalogue must
     /// outlive the plan. Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
-    Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state, std::map<Image, std::vector<FieldUse<dim>>> ruleReads = {});
+    Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state, std::map<std::string, std::vector<FieldUse<dim>>> ruleReads = {});
     /// Of one evaluation alone.
     Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& terms, std::set<std::string> state)
         : Plan(catalogue, {{"evaluate", terms}}, std::move(state))
@@ -93,7 +93,7 @@ private:
     };
     const Catalogue<dim>& catalogue_;
     std::set<std::string> state_;
-    std::map<Image, std::vector<FieldUse<dim>>> ruleReads_;
+    std::map<std::string, std::vector<FieldUse<dim>>> ruleReads_;
     std::vector<Passes> groups_;
     Array records_;                                        ///< positions and first columns of the pass at hand, packed
     Counts* counts_ = nullptr;

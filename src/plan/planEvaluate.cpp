@@ -99,6 +99,8 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const long null = long(images.nullParticle());
     const long n = long(images.owned());
     const auto* const layers = images.layers();
+    std::vector<const GhostVelocity<dim>*> rules; // of the columns, for particles of layers
+    for (const auto& f : pass.columns) rules.push_back(images.template rule<Vector<dim>>(f.info.ofRule));
 
     std::visit([&](const auto& k)
     {
@@ -110,7 +112,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
             {
                 stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, k,
                              pass.readsKernel, null);
-                if (layers) layers->continueInto(stencil, images.ghostVelocity(), pass.columns, pass.sources, pass.factors.scale);
+                if (layers) layers->continueInto(stencil, rules, pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
                 if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);

@@ -12,7 +12,7 @@ namespace sph
 
 template<int dim>
 Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& groups, std::set<std::string> state,
-                std::map<Image, std::vector<FieldUse<dim>>> ruleReads)
+                std::map<std::string, std::vector<FieldUse<dim>>> ruleReads)
     : catalogue_(catalogue), state_(std::move(state)), ruleReads_(std::move(ruleReads))
 {
     auto given = state_;
@@ -93,7 +93,7 @@ template<int dim> void Plan<dim>::forEachRead(const Entry& e, const std::functio
     for (const auto& field : e.reads)
     {
         f(field);
-        if (const auto rule = ruleReads_.find(field.info.image); rule != ruleReads_.end())
+        if (const auto rule = ruleReads_.find(field.info.ofRule ? field.info.ofRule : ""); rule != ruleReads_.end())
             for (const auto& source : rule->second) f(source);
     }
 }

@@ -32,11 +32,11 @@ std::set<std::string> givenOf(const Settings& settings)
     return given;
 }
 
-template<int dim> std::map<Image, std::vector<FieldUse<dim>>> rulesOf(const Settings& settings)
+template<int dim> std::map<std::string, std::vector<FieldUse<dim>>> rulesOf(const Settings& settings)
 {
-    std::map<Image, std::vector<FieldUse<dim>>> rules;
-    for (const auto& [image, fields] : settings.ruleReads)
-        for (const auto& f : fields) rules[image].push_back({f.info, f.name, f.type(dim), nullptr});
+    std::map<std::string, std::vector<FieldUse<dim>>> rules;
+    for (const auto& [field, fields] : settings.ruleReads)
+        for (const auto& f : fields) rules[field].push_back({f.info, f.name, f.type(dim), nullptr});
     return rules;
 }
 }

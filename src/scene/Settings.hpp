@@ -60,7 +60,7 @@ struct Settings
     std::vector<std::string> terms;            ///< of an evaluation, names in the catalogues
     std::vector<std::string> slowTerms;        ///< those that act once in a step of several parts, in its middle
     std::vector<Group> groups;                 ///< further groups of the plan
-    std::map<Image, std::vector<StateField>> ruleReads;   ///< what the rule of an image reads of its source
+    std::map<std::string, std::vector<StateField>> ruleReads;   ///< by field: what the rule of its images reads of their source
     Catalogue<2> terms2;                       ///< of models that come in any number: entries beside those of the catalogues
     Catalogue<3> terms3;
     std::vector<std::pair<std::string, std::string>> shown;   ///< derived fields in time folders: name, and that on disk

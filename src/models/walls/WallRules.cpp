@@ -12,17 +12,17 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     auto& store = particles.store();
     const auto& geometry = particles.geometry();
     const auto& c = particles.coefficients();
-    if (filters_) images.setGhostVelocity(std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c));
-    else if (velocity == "freeSlip") images.setGhostVelocity(std::make_unique<SlippingVelocity<dim>>(geometry));
-    else images.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
-    if (pressure == "detaching") images.setGhostPressure(std::make_unique<DetachingPressure<dim>>(store, c));
-    else if (pressure == "hydrostatic") images.setGhostPressure(std::make_unique<HydrostaticPressure<dim>>(store, c));
+    if (filters_) images.setRule(Velocity{}, std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c));
+    else if (velocity == "freeSlip") images.setRule(Velocity{}, std::make_unique<SlippingVelocity<dim>>(geometry));
+    else images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
+    if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
+    else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
 }
 
 template<int dim> std::vector<Stage<dim>> WallRules<dim>::stages(Place place)
 {
     if (!filters_ || place != Place::atEnd) return {};
-    return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().ghostVelocity().filter(); }}};
+    return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().filterRules(); }}};
 }
 
 template class WallRules<2>;

@@ -59,14 +59,14 @@ Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const 
 
 template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return mirrored(dv, r.normal); }
 
-template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
+template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
 {
     return p - (1 + r.ratio)*r.distance*dot(r.normal, rho_[source]*g_ + f_);
 }
 
-template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
+template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
 {
-    return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r), std::fmin(p, 0.0));
+    return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r, once), std::fmin(p, 0.0));
 }
 
 template class DetachingPressure<2>;

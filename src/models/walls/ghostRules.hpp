@@ -61,7 +61,8 @@ protected:
 
 public:
     HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)) {}
-    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double change(double dp, const Reflection<dim>&) const override { return dp; }
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
 };
 
@@ -74,7 +75,8 @@ template<int dim> class DetachingPressure final : public HydrostaticPressure<dim
 {
 public:
     using HydrostaticPressure<dim>::HydrostaticPressure;
-    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
 /// v_g = v mirrored, relative to the wall: the fluid slides freely.

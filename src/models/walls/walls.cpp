@@ -39,7 +39,7 @@ void prepare(const Reading& reading)
     if (rule != "secondOrder") return;
     settings.separate.insert(PressureAcceleration::info.name);
     settings.state.push_back({stateField(WallAcceleration{})});
-    settings.ruleReads[Image::velocity] = {stateField(WallAcceleration{})};
+    settings.ruleReads[Velocity::info.name] = {stateField(WallAcceleration{})};
 }
 
 void read(const Reading& reading)
@@ -49,7 +49,7 @@ void read(const Reading& reading)
     const auto& geometry = reading.geometry;
     const auto& pressure = reading.choose(entry::wallPressure, reading.paper() ? "mirrored" : "hydrostatic");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
-    if (continued) settings.ruleReads[Image::pressure] = {stateField(Density{})};
+    if (continued) settings.ruleReads[Pressure::info.name] = {stateField(Density{})};
     settings.leaked = readLeakGuard(reading.schemes);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });

@@ -21,7 +21,7 @@ template<int dim> struct Imaged
     Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1)
         : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing)
     {
-        images.setGhostVelocity(std::make_unique<Reversed<dim>>());
+        images.setRule(Velocity{}, std::make_unique<Reversed<dim>>());
         store.allocate(ImageWeight{});
         setPositions(store, points);
         images.build(store, points.size());
@@ -209,7 +209,7 @@ TEST(Images, TellHowFastTheyMove)
     repeatPeriodically(disc, 0.5);
     FieldStore<2> store;
     Images<2> images(disc, 0.5, 0.1, skin);
-    images.setGhostVelocity(std::make_unique<Reversed<2>>());
+    images.setRule(Velocity{}, std::make_unique<Reversed<2>>());
     setPositions<2>(store, {{R - d, 0}});
     images.build(store, 1);
     const auto before = positionOf(store, 1);
@@ -492,7 +492,7 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     auto owned = std::make_unique<Listening>();
     const auto& rule = *owned;
-    scene.images.setGhostVelocity(std::move(owned));
+    scene.images.setRule(Velocity{}, std::move(owned));
     scene.store.allocate(Velocity{});
     omp_set_num_threads(1); // the listener's notebook is not shared
     Images<2>::refresh<Velocity>(scene.images, scene.store);

@@ -290,7 +290,7 @@ TEST(Groups, NameTheReaderOfAFieldThatNobodyGives)
 // Ghosts continue the pressure with the density of their sources: who reads the pressure at neighbours reads the density, too.
 TEST(Groups, CountWhatTheRuleOfAnImageReadsAsRead)
 {
-    const auto rules = std::map<Image, std::vector<FieldUse<2>>>{{Image::pressure, uses<2>(Fields<Density>{})}};
+    const auto rules = std::map<std::string, std::vector<FieldUse<2>>>{{"p", uses<2>(Fields<Density>{})}};
     const std::vector<Group> pressure{{"evaluate", {"huAdamsPressure"}}};
     EXPECT_EQ(errorOf(pressure, {"positions", "p", "V", "m"}, allTerms<2>()), "");
     EXPECT_EQ(errorOf(pressure, {"positions", "p", "V"}, allTerms<2>(), rules).substr(0, 44), "term \"huAdamsPressure\" reads \"m\" [kg], which");

@@ -46,7 +46,7 @@ template<int dim> void set(Scene<dim>& s, const char* field, int component, cons
 /// The rule of a sticking wall, in the place of the scene's -v, which knows of no distances.
 template<int dim> void stick(Scene<dim>& s)
 {
-    s.images.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(s.geometry));
+    s.images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(s.geometry));
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
 }
 
@@ -134,7 +134,7 @@ TEST(WallLayers, ContinueThePressure)
     auto c = oneLiquid(2);
     Scene<2> s(g, c, {"numberDensity", "summedDensity", "tait", "huAdamsPressure"});
     const Vector<2> force = in<2>(1000 * c.g) + in<2>(c.bodyForce);
-    s.images.setGhostPressure(std::make_unique<HydrostaticPressure<2>>(s.store, c));
+    s.images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<2>>(s.store, c));
     s.images.bindRules();
     set(s, "rho", 0, [](auto) { return 1000; });
     set(s, "p", 0, [&](auto x) { return 50000 + force.y * x.y; });

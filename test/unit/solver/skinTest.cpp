@@ -1,6 +1,7 @@
 /// Lists hold every pair within the kernel's support, also where images move faster than any particle.
 #include "Cylinder.hpp"
 #include "Particles.hpp"
+#include "models.hpp"
 #include "moves.hpp"
 #include "periodicSquare.hpp"
 #include <gtest/gtest.h>
@@ -74,7 +75,7 @@ TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
         U.component[1].push_back(u.y);
         U.component[2].push_back(0);
     }
-    Particles<2> particles(settings, g, cloud, {});
+    Particles<2> particles(settings, g, allTerms<2>(), cloud, {});
     const long built = particles.rebuilds();
     const double step = 0.01*spacing;
     for (int k = 0; k < 20; ++k)
