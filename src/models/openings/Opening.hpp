@@ -42,7 +42,7 @@ struct Opening
 ///     }
 ///     vent { type outlet; point (1 0 0); normal (-1 0 0); pressure 0; }
 ///
-/// Mistakes go to the case's Diagnostics.
-std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&);
+/// Mistakes go to the case's Diagnostics. `absent`: what would come in with a model that the scene does not have, and what to say to it.
+std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, std::string>& absent = {});
 
 }
