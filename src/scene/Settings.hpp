@@ -72,6 +72,7 @@ struct Settings
     std::map<std::string, std::string> preferred;  ///< entries whose default another model sets
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
     std::set<std::string> separate;                ///< results that somebody wants by themselves
+    std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 
     Leaked leaked = Leaked::putBack;               ///< what becomes of particles in a solid
     bool variableViscosity = false;            ///< viscosity is a field

@@ -135,7 +135,7 @@ public:
             views.back().name = onDisk;
         };
         for (const auto& evolving : settings_.state)
-            if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.value.name);
+            if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.fileName());
         for (const auto& rate : settings_.keptRates()) add(rate.name, rate.name);
         for (const auto& [name, onDisk] : settings_.shown) add(name, onDisk);
         return views;

@@ -33,8 +33,8 @@ struct Opening
 ///     gate { type inlet; point (0 0 0); normal (1 0 0); flowRate 1e-9; profile developed; }
 ///     vent { type outlet; point (1 0 0); normal (-1 0 0); pressure 0; }
 ///
-/// Mistakes go to the case's Diagnostics.
-std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&);
+/// Mistakes go to the case's Diagnostics. `absent`: what would come in with a model that the scene does not have, and what to say to it.
+std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, std::string>& absent = {});
 EntryList openingEntries();
 
 }

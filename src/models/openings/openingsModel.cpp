@@ -22,7 +22,7 @@ void prepare(const Reading& reading)
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
-    const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state);
+    const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state, settings.absent);
     for (const auto& opening : openings)
         if (settings.multiphase() || !settings.integration.moves)
             reading.theCase.diagnostics().error(opening.where, fmt::format("opening \"{}\" needs {}", opening.name, settings.multiphase()

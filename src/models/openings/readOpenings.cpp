@@ -73,7 +73,8 @@ EntryList openingEntries()
     return {{opening, {{type, byType}, point, normal, min, max}}};
 }
 
-std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state)
+std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
+                                  const std::map<std::string, std::string>& absent)
 {
     std::vector<Opening> openings;
     if (!theCase.has("constant/openings")) return openings;
@@ -81,6 +82,9 @@ std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry,
     for (const auto& name : dict.keys())
         if (dict.isDictionary(name)) openings.push_back(readOpening(dict.subDict(name), geometry, coefficients, state));
         else dict.error(name, fmt::format("opening \"{0}\" must be a dictionary: {0} {{ type inlet; ... }}", name));
+    for (const auto& opening : openings)
+        for (const auto& [field, why] : absent)
+            if (const auto d = dict.subDict(opening.name); opening.inlet && d.found(field)) d.error(field, why);
     dict.reportUnused();
     return openings;
 }

@@ -128,7 +128,11 @@ Evolving powderFraction(const Suspension& s)
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
-    if (!readPowder(reading)) return;
+    if (!readPowder(reading))
+    {
+        settings.absent[PowderFraction::info.name] = "is the volume fraction of powder, and constant/transportProperties has no suspension";
+        return;
+    }
     settings.variableViscosity = true;
     settings.state.push_back(powderFraction(settings.coefficients.of<Suspension>()));
 }
