@@ -77,22 +77,6 @@ void checkDistances(const PackingPlan& plan, const Packing& packing)
                                     r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
 }
 
-void wrap(const Geometry& g, Points& points)
-{
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        Vector<3> x = points[i];
-        for (int k = 0; k < g.dimension; ++k)
-        {
-            const auto c = component(k);
-            if (!g.periodic[k]) continue;
-            if (x.*c < g.low.*c) x.*c += g.length(k);
-            if (x.*c >= g.high.*c) x.*c -= g.length(k);
-        }
-        points.set(i, x);
-    }
-}
-
 /// The phase of each place, and the velocity that its rule gives.
 struct Occupation
 {
@@ -155,7 +139,6 @@ Packing pack(const PackingPlan& plan)
     packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
                                           : relaxIn<2>(plan, packing.particleVolume, packing.points);
     checkDistances(plan, packing);
-    wrap(g, packing.points);
 
     auto occupation = occupy(plan, packing.points);
     if (plan.saturation) share(*plan.saturation, g, packing.points, occupation);

@@ -1,7 +1,7 @@
 #include "Relaxation.hpp"
 #include "FluidSpace.hpp"
 #include "Lattice.hpp"
-#include "WallImages.hpp"
+#include "Images.hpp"
 #include "handMadeGeometry.hpp"
 #include "wallLayers.hpp"
 #include <cmath>
@@ -123,43 +123,6 @@ TEST(Relaxation, findsNothingToDoInChannelsAndBoxes)
     r = relaxed<3>(room, spacing, 0, points);
     EXPECT_LT(r.before.overall.scatter, 1e-7);
     EXPECT_EQ(r.before.nearWalls.particles, 1000u - 4*4*4u);
-}
-
-// A 60 degree fluid wedge needs third reflections (AB and BA differ, ABA and BAB coincide): none is counted twice. A point on its
-// bisector has exactly five images, as in the kaleidoscope.
-TEST(WallImages, fillAWedgeOfSixtyDegreesOnce)
-{
-    Geometry g = emptyBox(2, {1, 1, 0}, {});
-    g.low = {-1, -1, 0};
-    const double angle = std::numbers::pi/3;
-    add(g, Plane({0, 0, 0}, {0, 1, 0}));
-    add(g, Plane({0, 0, 0}, {std::sin(angle), -std::cos(angle), 0}));
-    repeatPeriodically(g, 0.5);
-    Points points;
-    points.add({0.1*std::cos(0.4), 0.1*std::sin(0.4), 0});
-    WallImages images(g);
-    images.build(points, 1, 0.5);
-    EXPECT_EQ(images.size(), 5u);
-    std::vector<double> factor;
-    images.refresh(points, factor);
-    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NEAR(mag(points[i]), 0.1, 1e-12);
-}
-
-// The image of a particle at distance d outside a sphere of radius R has the volume factor ((R - d)/(R + d))^2 and lies d inside.
-TEST(WallImages, reflectInASphereWithItsVolumeFactor)
-{
-    Geometry g = emptyBox(3, {4, 4, 4}, {});
-    add(g, Sphere({2, 2, 2}, 1, FluidSide::outside));
-    repeatPeriodically(g, 0.5);
-    Points points;
-    points.add({3.2, 2, 2});
-    WallImages images(g);
-    images.build(points, 1, 0.5);
-    ASSERT_EQ(images.size(), 1u);
-    std::vector<double> factor;
-    images.refresh(points, factor);
-    EXPECT_NEAR(points.x[1], 2.8, 1e-12);
-    EXPECT_NEAR(factor[1], sqr(0.8/1.2), 1e-12);
 }
 
 // The same bits with one thread and with two: every particle sums its own list in the list's order.
