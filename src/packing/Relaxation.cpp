@@ -72,6 +72,7 @@ template<int dim> class Relaxer
     FieldStore<dim> store_;
     Images<dim> images_;
     NeighbourLists<dim> lists_;
+    std::array<double*, dim> x_;
     std::array<std::vector<double>, dim> atBuild_;
     Vector<dim> travelled_{}; ///< sum over all particles and steps [m]
 
@@ -90,12 +91,11 @@ public:
     {
         plan_.allocate(store_);
         store_.allocate(ImageWeight{});
-        store_.allocate(GhostWall{});
-        store_.allocate(Source{});
         // No term reads a velocity; layers ask for a rule all the same.
         images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
         store_.resize(n_ + 1, n_);
+        x_ = store_.pointers(Position{});
         const auto sorted = sortedByCells(points, kernel.support());
         forEach([&](std::size_t i) { place(i, in<dim>(sorted[i])); });
         rebuild();
@@ -131,13 +131,15 @@ public:
 
         const double C = coefficient*spacing_*spacing_, limit = largestStep*spacing_;
         const auto f = store_.pointers(PackingGradient{});
+        const double* const distance = store_.component(DistanceToWall::info.name, 0);
         const auto total = reduce(n_, Shifts{}, [&](std::size_t i)
         {
             Vector<dim> shift;
             fetch(shift, [&](int c) { return -C*f[c][i]; });
             const double length = mag(shift);
             if (length > limit) shift *= limit/length;
-            const auto from = position(i), wanted = from + shift, reached = intoFluid(i, from, wanted);
+            const auto from = position(i), wanted = from + shift;
+            const auto reached = distance[i] - mag(shift) < wallInset*spacing_ ? intoFluid(from, wanted) : wanted;
             place(i, reached);
             return Shifts{std::min(length, limit), std::size_t(!(reached == wanted)), reached - from};
         }, [](Shifts& all, const Shifts& of) { all += of; });
@@ -147,6 +149,9 @@ public:
 
     void findClosestPair(RelaxationResult& result)
     {
+        store_.allocate(GhostWall{});
+        store_.allocate(Source{});
+        images_.move(store_);
         double* const source = store_.component(Source::info.name, 0);
         forEach([&](std::size_t i) { source[i] = double(i); });
         Images<dim>::template refresh<Source>(images_, store_);
@@ -204,15 +209,13 @@ private:
     }
     Vector<dim> position(std::size_t i) const
     {
-        const auto x = store_.pointers(Position{});
         Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][i]; });
+        fetch(x_i, [&](int c) { return x_[c][i]; });
         return x_i;
     }
     void place(std::size_t i, Vector<dim> x_i)
     {
-        const auto x = store_.pointers(Position{});
-        store(x_i, [&](int c, double q) { x[c][i] = q; });
+        store(x_i, [&](int c, double q) { x_[c][i] = q; });
     }
 
     void wrap()
@@ -235,11 +238,11 @@ private:
     {
         wrap();
         images_.build(store_, n_);
-        const auto pointers = store_.pointers(Position{});
+        x_ = store_.pointers(Position{});
         std::array<const double*, dim> x;
         for (int c = 0; c < dim; ++c)
         {
-            x[c] = pointers[c];
+            x[c] = x_[c];
             atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
         }
         lists_.build(x, n_, images_.nullParticle(), reach_);
@@ -248,21 +251,19 @@ private:
 
     bool hasMovedFar() const
     {
-        const auto x = store_.pointers(Position{});
         const double farthest = most(images_.nullParticle(), [&](std::size_t i)
         {
             Vector<dim> moved;
-            fetch(moved, [&](int c) { return x[c][i] - atBuild_[c][i]; });
+            fetch(moved, [&](int c) { return x_[c][i] - atBuild_[c][i]; });
             return dot(moved, moved);
         });
         return farthest > sqr(0.5*skin*spacing_);
     }
 
     /// `wanted`, pushed off the nearest wall in turn; `from` where the walls leave no room, as where spheres touch.
-    Vector<dim> intoFluid(std::size_t i, const Vector<dim>& from, Vector<dim> wanted) const
+    Vector<dim> intoFluid(const Vector<dim>& from, Vector<dim> wanted) const
     {
-        const double inset = wallInset*spacing_, distance = store_.component(DistanceToWall::info.name, 0)[i];
-        if (distance - mag(wanted - from) >= inset) return wanted;
+        const double inset = wallInset*spacing_;
         const auto nearest = [&]
         {
             Foot found;
