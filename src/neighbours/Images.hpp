@@ -2,7 +2,8 @@
 ///
 ///   x' = mirror_n(... mirror_1(x)) + shift
 ///
-/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), then shifted by periods. Terms see one
+/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first,
+/// then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
 ///   owned | periodic images of the fluid and wall ghosts | null particle
@@ -110,7 +111,7 @@ public:
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
 
 private:
-    static constexpr int mostReflections = dim;
+    static constexpr int mostReflections = 3;
     struct Entry
     {
         int source;
@@ -140,6 +141,8 @@ private:
     /// Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet, double* share = nullptr) const;
     void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
+    /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
+    bool mirrorsAgain(const Entry& twice, int patch) const;
     void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     Vector<dim> period(const Entry&) const;
 };
