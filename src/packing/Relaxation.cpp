@@ -41,6 +41,28 @@ struct Source
     template<int dim> struct At { double number; };
 };
 
+/// Over particles, of the residual r = V_0 sigma - 1.
+struct Sums
+{
+    std::size_t particles = 0;
+    double residual = 0, squares = 0, max = 0;
+
+    Sums& operator+=(const Sums& s)
+    {
+        particles += s.particles;
+        residual += s.residual;
+        squares += s.squares;
+        max = std::max(max, s.max);
+        return *this;
+    }
+    KernelResidual::Moments moments() const
+    {
+        if (particles == 0) return {};
+        const double mean = residual/double(particles), square = squares/double(particles);
+        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(0.0, square - mean*mean))};
+    }
+};
+
 /// By cubes of edge `size`, x fastest: neighbours in space become neighbours in memory. Packings are written in this order.
 Points sortedByCells(const Points& points, double size)
 {
@@ -74,6 +96,7 @@ template<int dim> class Relaxer
     NeighbourLists<dim> lists_;
     std::array<double*, dim> x_;
     std::array<std::vector<double>, dim> atBuild_;
+    KernelResidual residual_; ///< at the present places
     Vector<dim> travelled_{}; ///< sum over all particles and steps [m]
 
 public:
@@ -109,23 +132,20 @@ public:
         images_.move(store_);
         if (hasMovedFar()) rebuild();
         plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(NumberDensity::name));
+        residual_ = measured();
     }
 
-    KernelResidual residual() const { return {moments(Box::infinity), nearWalls()}; }
+    const KernelResidual& residual() const { return residual_; }
 
     /// Of the particles near walls, or of all where there are no walls.
-    double scatter() const
-    {
-        const auto near = nearWalls();
-        return near.particles ? near.scatter : moments(Box::infinity).scatter;
-    }
+    double scatter() const { return (residual_.nearWalls.particles ? residual_.nearWalls : residual_.overall).scatter; }
 
     /// One step; what it returns are the largest shift in spacings and the particles that walls held back.
     std::pair<double, std::size_t> move(double bias, double coefficient)
     {
         const double* const V = store_.component(Volume::info.name, 0);
         double* const P = store_.component(PackingPressure::info.name, 0);
-        const double mean = sum(n_, [&](std::size_t i) { return 1/V[i]; })/double(n_);
+        const double mean = (1 + residual_.overall.mean)/V0_;
         forEach([&](std::size_t i) { P[i] = bias + 1/(V[i]*mean) - 1; });
         plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
 
@@ -283,39 +303,28 @@ private:
         return foot.distance > 0.5*inset ? wanted : from;
     }
 
-    KernelResidual::Moments nearWalls() const { return moments(kernel_.support()); }
-
-    /// Of the particles nearer than this to a wall.
-    KernelResidual::Moments moments(double within) const
+    KernelResidual measured() const
     {
         const double* const V = store_.component(Volume::info.name, 0);
         const double* const distance = store_.component(DistanceToWall::info.name, 0);
-        struct Sums
+        const double near = kernel_.support();
+        struct Both
         {
-            std::size_t particles = 0;
-            double residual = 0, squares = 0, max = 0;
-            Sums& operator+=(const Sums& s)
+            Sums overall, nearWalls;
+            Both& operator+=(const Both& s)
             {
-                particles += s.particles;
-                residual += s.residual;
-                squares += s.squares;
-                max = std::max(max, s.max);
+                overall += s.overall;
+                nearWalls += s.nearWalls;
                 return *this;
             }
         };
         const auto all = sum(n_, [&](std::size_t i)
         {
             const double r = V0_/V[i] - 1;
-            return distance[i] < within ? Sums{1, r, r*r, std::fabs(r)} : Sums{};
+            const Sums one{1, r, r*r, std::fabs(r)};
+            return Both{one, distance[i] < near ? one : Sums{}};
         });
-        KernelResidual::Moments m;
-        if (!all.particles) return m;
-        m.particles = all.particles;
-        m.mean = all.residual/double(all.particles);
-        m.rms = std::sqrt(all.squares/double(all.particles));
-        m.max = all.max;
-        m.scatter = std::sqrt(std::max(0.0, all.squares/double(all.particles) - m.mean*m.mean));
-        return m;
+        return {all.overall.moments(), all.nearWalls.moments()};
     }
 };
 
