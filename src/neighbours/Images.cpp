@@ -55,6 +55,21 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, 
     return x + period(e);
 }
 
+template<int dim> bool Images<dim>::mirrorsAgain(const Entry& twice, int patch) const
+{
+    if (patch != twice.patch[0]) return false;
+    const auto normal = [&](int p) { return geometry_->patches[std::size_t(p)].shape->foot({}).normal; };
+    const auto isPlane = [&](int p)
+    {
+        const auto& shape = *geometry_->patches[std::size_t(p)].shape;
+        return std::isinf(shape.smallestRadius()) && !shape.hasEdges();
+    };
+    if (!isPlane(twice.patch[0]) || !isPlane(twice.patch[1])) return false;
+    // From about 75 degrees on two reflections fill the corner. Planes that all but face one another are a slit, whose third image is far.
+    const double cosine = -dot(normal(twice.patch[0]), normal(twice.patch[1]));
+    return cosine > 0.26 && cosine < 0.97;
+}
+
 template<int dim>
 void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x)
 {
@@ -89,7 +104,9 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                 if (from.wallReflections == mostReflections) continue;
                 for (int p : grid_.near(in3D(from.x)))
                 {
-                    if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
+                    const bool again = from.wallReflections == 2 && mirrorsAgain(from.entry, p);
+                    const bool used = std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end();
+                    if (!again && (used || from.wallReflections == dim)) continue;
                     Ghost next = from;
                     next.entry.patch[from.wallReflections] = p;
                     const Foot f = footOf(next.entry, from.wallReflections, in3D(from.x), in3D(x_i));
@@ -100,9 +117,10 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                     ++next.wallReflections;
                     next.speed *= speedOf(f);
                     if (from.wallReflections > 0 && geometry_->mayBeCovered(p) && !fillsCorner(next.entry, from.wallReflections, in3D(next.x), in3D(x_i))) continue;
-                    // Walls at right angles give the same corner image in either order.
+                    // Walls at right angles give the same corner image in either order; at 60 degrees a third reflection does.
                     const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
-                        { return std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(), next.entry.patch.begin()) &&
+                        { return (again ? other.wallReflections == 3
+                                        : std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(), next.entry.patch.begin())) &&
                                  mag(other.x - next.x) < 0.25*spacing_; });
                     if (twin) continue;
                     ghosts.push_back(next);

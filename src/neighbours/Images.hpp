@@ -2,7 +2,8 @@
 ///
 ///   x' = mirror_n(... mirror_1(x)) + shift
 ///
-/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), then shifted by periods. Terms see one
+/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first,
+/// then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
 ///   owned | periodic images of the fluid and wall ghosts | null particle
@@ -126,7 +127,7 @@ public:
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
 
 private:
-    static constexpr int mostReflections = dim;
+    static constexpr int mostReflections = 3;
     struct Entry
     {
         int source;
@@ -136,7 +137,7 @@ private:
         unsigned char rank = 0;
         bool ghost() const { return patch[0] >= 0; }
     };
-    static_assert(sizeof(Entry) == (dim == 2 ? 16 : 20));
+    static_assert(sizeof(Entry) == 20);
     /// Foot points of one image as last moved; images mirrored once need one, which is most of them.
     struct Feet
     {
@@ -162,6 +163,8 @@ private:
     double speedOf(const Foot&) const;
     bool fillsCorner(const Entry&, int last, const Vector<3>& x, const Vector<3>& source) const;
     void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x);
+    /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
+    bool mirrorsAgain(const Entry& twice, int patch) const;
     void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     Vector<dim> period(const Entry&) const;
 };

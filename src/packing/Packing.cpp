@@ -31,6 +31,9 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
         if (spacing > gap*(1 + 1e-6))
             throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
                                                         coordinateNames[k]));
+        if (g.periodic[k] && g.length(k) < plan.support + spacing)
+            throw CaseError(plan.spacingAt, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a "
+                                                        "spacing, {:.4g} m", g.length(k), coordinateNames[k], plan.support + spacing));
         places *= gap/spacing;
     }
     if (places > mostPlaces)
@@ -75,22 +78,6 @@ void checkDistances(const PackingPlan& plan, const Packing& packing)
         throw CaseError(plan.latticeAt,
                         fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
                                     r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
-}
-
-void wrap(const Geometry& g, Points& points)
-{
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        Vector<3> x = points[i];
-        for (int k = 0; k < g.dimension; ++k)
-        {
-            const auto c = component(k);
-            if (!g.periodic[k]) continue;
-            if (x.*c < g.low.*c) x.*c += g.length(k);
-            if (x.*c >= g.high.*c) x.*c -= g.length(k);
-        }
-        points.set(i, x);
-    }
 }
 
 /// The phase of each place, and the velocity that its rule gives.
@@ -155,7 +142,6 @@ Packing pack(const PackingPlan& plan)
     packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
                                           : relaxIn<2>(plan, packing.particleVolume, packing.points);
     checkDistances(plan, packing);
-    wrap(g, packing.points);
 
     auto occupation = occupy(plan, packing.points);
     if (plan.saturation) share(*plan.saturation, g, packing.points, occupation);

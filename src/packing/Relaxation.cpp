@@ -1,8 +1,15 @@
 #include "Relaxation.hpp"
-#include "PairSums.hpp"
-#include "WallImages.hpp"
+#include "NumberDensity.hpp"
+#include "Plan.hpp"
+#include "Repulsion.hpp"
+#include "WallDistance.hpp"
+#include "components.hpp"
+#include "ghostRules.hpp"
+#include "reduce.hpp"
+#include "relaxationTerms.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace sph
@@ -10,7 +17,7 @@ namespace sph
 
 namespace
 {
-/// The neighbour table reaches this many spacings beyond the support; it is rebuilt when a particle or image has moved half of it.
+/// Images and lists reach this many spacings beyond the support; they are rebuilt when a particle or image has moved half of it.
 constexpr double skin = 0.2;
 
 /// No step moves a particle farther than this many spacings.
@@ -27,196 +34,299 @@ template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
     return kernel;
 }
 
+/// Which particle an image is of.
+struct Source
+{
+    static constexpr FieldInfo info{"source", "1"};
+    template<int dim> struct At { double number; };
+};
+
+/// Over particles, of the residual r = V_0 sigma - 1.
+struct Sums
+{
+    std::size_t particles = 0;
+    double residual = 0, squares = 0, max = 0;
+
+    Sums& operator+=(const Sums& s)
+    {
+        particles += s.particles;
+        residual += s.residual;
+        squares += s.squares;
+        max = std::max(max, s.max);
+        return *this;
+    }
+    KernelResidual::Moments moments() const
+    {
+        if (particles == 0) return {};
+        const double mean = residual/double(particles), square = squares/double(particles);
+        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(0.0, square - mean*mean))};
+    }
+};
+
+/// By cubes of edge `size`, x fastest: neighbours in space become neighbours in memory. Packings are written in this order.
+Points sortedByCells(const Points& points, double size)
+{
+    const std::size_t n = points.size();
+    std::array<std::vector<long>, 3> cell;
+    for (const auto& [x, cells] : {std::pair(&points.x, &cell[0]), std::pair(&points.y, &cell[1]), std::pair(&points.z, &cell[2])})
+    {
+        const double low = least(n, [x = x](std::size_t i) { return (*x)[i]; });
+        for (const double q : *x) cells->push_back(long((q - low)/size));
+    }
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
+                     { return std::tie(cell[2][a], cell[1][a], cell[0][a]) < std::tie(cell[2][b], cell[1][b], cell[0][b]); });
+    Points sorted;
+    for (const auto i : order) sorted.add(points[i]);
+    return sorted;
+}
+
 template<int dim> class Relaxer
 {
     const Geometry& geometry_;
     const Kernel<dim>& kernel_;
     const Kernel<dim> repulsion_;
-    const double V0_, spacing_;
-    Points& points_;
-    std::size_t n_;
-    WallImages images_;
-    NeighbourTable table_;
-    Points atBuild_, gradient_;
-    std::vector<double> factor_, sigma_, pressure_;
+    const double V0_, spacing_, reach_;
+    const std::size_t n_;
+    const Catalogue<dim> catalogue_;
+    Plan<dim> plan_;
+    FieldStore<dim> store_;
+    Images<dim> images_;
+    NeighbourLists<dim> lists_;
+    std::array<double*, dim> x_;
+    std::array<std::vector<double>, dim> atBuild_;
+    KernelResidual residual_; ///< at the present places
+    Vector<dim> travelled_{}; ///< sum over all particles and steps [m]
 
 public:
-    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, Points& points)
+    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& points)
         : geometry_(geometry),
           kernel_(kernel),
           repulsion_(repulsionOf(kernel)),
           V0_(V0),
           spacing_(spacing),
-          points_(points),
+          reach_(kernel.support() + skin*spacing),
           n_(points.size()),
-          images_(geometry)
+          catalogue_(relaxationTerms<dim>(V0)),
+          plan_(catalogue_, {{NumberDensity::name, {NumberDensity::name, WallDistance::name}}, {Repulsion::name, {Repulsion::name}}}, {PackingPressure::info.name}),
+          images_(geometry, reach_, spacing)
     {
-        const auto order = cellOrder(points, n_, kernel.support());
-        Points sorted;
-        sorted.resize(n_);
-        for (std::size_t i = 0; i < n_; ++i) sorted.set(i, points[order[i]]);
-        points = std::move(sorted);
+        plan_.allocate(store_);
+        store_.allocate(ImageWeight{});
+        // No term reads a velocity; layers ask for a rule all the same.
+        images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
+        if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
+        store_.resize(n_ + 1, n_);
+        x_ = store_.pointers(Position{});
+        const auto sorted = sortedByCells(points, kernel.support());
+        forEach([&](std::size_t i) { place(i, in<dim>(sorted[i])); });
         rebuild();
     }
 
-    std::size_t size() const { return n_; }
-
-    /// Cuts the images off again.
-    void finish() { points_.resize(n_); }
+    /// By which the centre of mass has moved [m].
+    double drift() const { return mag(travelled_)/double(n_); }
 
     void updateDensity()
     {
-        images_.refresh(points_, factor_);
+        images_.move(store_);
         if (hasMovedFar()) rebuild();
-        numberDensity(kernel_, table_, points_, factor_, sigma_);
+        plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(NumberDensity::name));
+        residual_ = measured();
     }
 
-    KernelResidual residual() const
-    {
-        KernelResidual r;
-        r.overall = moments([](std::size_t) { return true; });
-        r.nearWalls = moments([&](std::size_t i) { return isNearWall(i); });
-        return r;
-    }
+    const KernelResidual& residual() const { return residual_; }
 
     /// Of the particles near walls, or of all where there are no walls.
-    double scatter() const
-    {
-        const auto near = moments([&](std::size_t i) { return isNearWall(i); });
-        return near.particles ? near.scatter : moments([](std::size_t) { return true; }).scatter;
-    }
+    double scatter() const { return (residual_.nearWalls.particles ? residual_.nearWalls : residual_.overall).scatter; }
 
     /// One step; what it returns are the largest shift in spacings and the particles that walls held back.
     std::pair<double, std::size_t> move(double bias, double coefficient)
     {
-        double mean = 0;
-        for (const double s : sigma_) mean += s;
-        mean /= double(n_);
-
-        pressure_.assign(points_.size(), bias); // that of layers of the mean density
-        for (std::size_t i = 0; i < n_; ++i) pressure_[i] = bias + sigma_[i]/mean - 1;
-        for (std::size_t k = 0; k < images_.size(); ++k) pressure_[n_ + k] = pressure_[images_.source(k)];
-        pressureGradient(repulsion_, table_, points_, factor_, pressure_, V0_, gradient_);
+        const double* const V = store_.component(Volume::info.name, 0);
+        double* const P = store_.component(PackingPressure::info.name, 0);
+        const double mean = (1 + residual_.overall.mean)/V0_;
+        forEach([&](std::size_t i) { P[i] = bias + 1/(V[i]*mean) - 1; });
+        plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
 
         const double C = coefficient*spacing_*spacing_, limit = largestStep*spacing_;
-        double largest = 0;
-        std::size_t held = 0;
-        const long n = long(n_);
-#pragma omp parallel for schedule(static) reduction(max : largest) reduction(+ : held)
-        for (long i = 0; i < n; ++i)
+        const auto f = store_.pointers(PackingGradient{});
+        const double* const distance = store_.component(DistanceToWall::info.name, 0);
+        const auto total = reduce(n_, Shifts{}, [&](std::size_t i)
         {
-            Vector<3> shift = -C*gradient_[i];
+            Vector<dim> shift;
+            fetch(shift, [&](int c) { return -C*f[c][i]; });
             const double length = mag(shift);
             if (length > limit) shift *= limit/length;
-            largest = std::max(largest, std::min(length, limit));
-            const Vector<3> wanted = points_[i] + shift;
-            const Vector<3> reached = intoFluid(i, points_[i], wanted);
-            held += !(reached == wanted);
-            points_.set(i, reached);
-        }
-        return {largest/spacing_, held};
+            const auto from = position(i), wanted = from + shift;
+            const auto reached = distance[i] - mag(shift) < wallInset*spacing_ ? intoFluid(from, wanted) : wanted;
+            place(i, reached);
+            return Shifts{std::min(length, limit), std::size_t(!(reached == wanted)), reached - from};
+        }, [](Shifts& all, const Shifts& of) { all += of; });
+        travelled_ += total.sum;
+        return {total.largest/spacing_, total.held};
     }
 
-    void findClosestPair(RelaxationResult& result) const
+    void findClosestPair(RelaxationResult& result)
     {
-        double closest = Box::infinity;
-        for (std::size_t i = 0; i < n_; ++i)
-            for (const int j : table_.of(i))
-            {
-                // mirror images of a particle may be as near as the wall is
-                const bool isImage = std::size_t(j) >= n_;
-                if (isImage && images_.isOfWall(j - n_)) continue;
-                const double r = mag(points_[i] - points_[j]);
-                if (r < closest)
-                {
-                    closest = r;
-                    result.closest = {i, isImage ? images_.source(j - n_) : std::size_t(j)};
-                }
-            }
-        result.closestPair = closest;
+        store_.allocate(GhostWall{});
+        store_.allocate(Source{});
+        images_.move(store_);
+        double* const source = store_.component(Source::info.name, 0);
+        forEach([&](std::size_t i) { source[i] = double(i); });
+        Images<dim>::template refresh<Source>(images_, store_);
+        const double* const wall = store_.component(GhostWall::info.name, 0);
+        struct Neighbour
+        {
+            double r = Box::infinity;
+            std::array<std::size_t, 2> pair{};
+        };
+        const auto nearer = [](Neighbour& nearest, const Neighbour& other)
+        {
+            if (other.r < nearest.r) nearest = other;
+        };
+        const auto closest = reduce(n_, Neighbour{}, [&](std::size_t i)
+        {
+            Neighbour nearest;
+            // mirror images of a particle may be as near as the wall is
+            for (const int j : lists_.of(i))
+                if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
+                    nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
+            return nearest;
+        }, nearer);
+        result.closestPair = closest.r;
+        result.closest = closest.pair;
+    }
+
+    /// Inside the domain's periodic faces, as they lie now.
+    Points points()
+    {
+        wrap();
+        Points all;
+        for (std::size_t i = 0; i < n_; ++i) all.add(in3D(position(i)));
+        return all;
     }
 
 private:
+    struct Shifts
+    {
+        double largest = 0;
+        std::size_t held = 0;
+        Vector<dim> sum{};
+        Shifts& operator+=(const Shifts& s)
+        {
+            largest = std::max(largest, s.largest);
+            held += s.held;
+            sum += s.sum;
+            return *this;
+        }
+    };
+
+    template<class F> void forEach(const F& f) const
+    {
+        #pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < n_; ++i) f(i);
+    }
+    Vector<dim> position(std::size_t i) const
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x_[c][i]; });
+        return x_i;
+    }
+    void place(std::size_t i, Vector<dim> x_i)
+    {
+        store(x_i, [&](int c, double q) { x_[c][i] = q; });
+    }
+
+    void wrap()
+    {
+        forEach([&](std::size_t i)
+        {
+            auto x = in3D(position(i));
+            for (int k = 0; k < dim; ++k)
+            {
+                const auto c = component(k);
+                if (!geometry_.periodic[k]) continue;
+                if (x.*c < geometry_.low.*c) x.*c += geometry_.length(k);
+                if (x.*c >= geometry_.high.*c) x.*c -= geometry_.length(k);
+            }
+            place(i, in<dim>(x));
+        });
+    }
+
     void rebuild()
     {
-        const double reach = kernel_.support() + skin*spacing_;
-        points_.resize(n_);
-        images_.build(points_, n_, reach);
-        images_.refresh(points_, factor_);
-        table_.build(points_, n_, reach);
-        atBuild_ = points_;
+        wrap();
+        images_.build(store_, n_);
+        x_ = store_.pointers(Position{});
+        std::array<const double*, dim> x;
+        for (int c = 0; c < dim; ++c)
+        {
+            x[c] = x_[c];
+            atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
+        }
+        lists_.build(x, n_, images_.nullParticle(), reach_);
+        plan_.bind(store_, Coefficients{});
     }
 
     bool hasMovedFar() const
     {
-        double largest = 0;
-        const long all = long(points_.size());
-#pragma omp parallel for schedule(static) reduction(max : largest)
-        for (long i = 0; i < all; ++i)
+        const double farthest = most(images_.nullParticle(), [&](std::size_t i)
         {
-            const Vector<3> moved = points_[i] - atBuild_[i];
-            largest = std::max(largest, dot(moved, moved));
-        }
-        return largest > sqr(0.5*skin*spacing_);
+            Vector<dim> moved;
+            fetch(moved, [&](int c) { return x_[c][i] - atBuild_[c][i]; });
+            return dot(moved, moved);
+        });
+        return farthest > sqr(0.5*skin*spacing_);
     }
 
-    bool isNearWall(std::size_t i) const
+    /// `wanted`, pushed off the nearest wall in turn; `from` where the walls leave no room, as where spheres touch.
+    Vector<dim> intoFluid(const Vector<dim>& from, Vector<dim> wanted) const
     {
-        for (const int p : images_.patchesNear(i))
-            if (geometry_.patches[p].shape->foot(points_[i]).distance < kernel_.support()) return true;
-        return false;
-    }
-
-    /// `wanted`, pushed off the walls nearby by projection; `from` where the walls leave no room, as where spheres touch.
-    Vector<3> intoFluid(std::size_t i, const Vector<3>& from, Vector<3> wanted) const
-    {
-        const auto near = images_.patchesNear(i);
-        if (near.empty()) return wanted;
         const double inset = wallInset*spacing_;
-        for (int sweep = 0; sweep < 4; ++sweep)
+        const auto nearest = [&]
         {
-            bool isClear = true;
-            for (const int p : near)
+            Foot found;
+            found.distance = Box::infinity;
+            images_.forEachWallNear(wanted, [&](const Foot& foot, const Patch&)
             {
-                const Foot foot = geometry_.patches[p].shape->foot(wanted);
-                if (foot.distance >= inset) continue;
-                isClear = false;
-                wanted += (inset - foot.distance)*foot.normal;
-            }
-            if (isClear) return wanted;
+                if (foot.distance < found.distance) found = foot;
+            });
+            return found;
+        };
+        Foot foot = nearest();
+        for (int turn = 0; turn < 8 && foot.distance < inset; ++turn)
+        {
+            wanted += (inset - foot.distance)*in<dim>(foot.normal);
+            foot = nearest();
         }
-        double nearest = Box::infinity;
-        for (const int p : near) nearest = std::min(nearest, geometry_.patches[p].shape->foot(wanted).distance);
-        return nearest > 0.5*inset ? wanted : from;
+        return foot.distance > 0.5*inset ? wanted : from;
     }
 
-    template<class Choice> KernelResidual::Moments moments(const Choice& counts) const
+    KernelResidual measured() const
     {
-        KernelResidual::Moments m;
-        double sum = 0, squares = 0;
-        for (std::size_t i = 0; i < n_; ++i)
+        const double* const V = store_.component(Volume::info.name, 0);
+        const double* const distance = store_.component(DistanceToWall::info.name, 0);
+        const double near = kernel_.support();
+        struct Both
         {
-            if (!counts(i)) continue;
-            const double r = V0_*sigma_[i] - 1;
-            ++m.particles;
-            sum += r;
-            squares += r*r;
-            m.max = std::max(m.max, std::fabs(r));
-        }
-        if (!m.particles) return m;
-        m.mean = sum/double(m.particles);
-        m.rms = std::sqrt(squares/double(m.particles));
-        m.scatter = std::sqrt(std::max(0.0, squares/double(m.particles) - m.mean*m.mean));
-        return m;
+            Sums overall, nearWalls;
+            Both& operator+=(const Both& s)
+            {
+                overall += s.overall;
+                nearWalls += s.nearWalls;
+                return *this;
+            }
+        };
+        const auto all = sum(n_, [&](std::size_t i)
+        {
+            const double r = V0_/V[i] - 1;
+            const Sums one{1, r, r*r, std::fabs(r)};
+            return Both{one, distance[i] < near ? one : Sums{}};
+        });
+        return {all.overall.moments(), all.nearWalls.moments()};
     }
 };
-
-Vector<3> centreOfMass(const Points& p, std::size_t n)
-{
-    Vector<3> sum;
-    for (std::size_t i = 0; i < n; ++i) sum += p[i];
-    return sum/double(n);
-}
 
 double biasAt(int step, const RelaxationSettings& s)
 {
@@ -231,9 +341,6 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
 {
     RelaxationResult result;
     Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points);
-    const std::size_t n = relaxer.size();
-    const Vector<3> start = centreOfMass(points, n);
-
     relaxer.updateDensity();
     result.before = result.after = relaxer.residual();
     while (result.steps < settings.steps && relaxer.scatter() > settings.tolerance)
@@ -244,8 +351,8 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
     }
     if (result.steps) result.after = relaxer.residual();
     relaxer.findClosestPair(result);
-    relaxer.finish();
-    result.centreOfMassDrift = mag(centreOfMass(points, n) - start)/spacing;
+    result.centreOfMassDrift = relaxer.drift()/spacing;
+    points = relaxer.points();
     return result;
 }
 

@@ -4,7 +4,7 @@
 ///
 ///   P_i = b + sigma_i/<sigma> - 1
 ///
-/// by dx_i = -C dx^2 f_i (PairSums.hpp), where b, the bias, is a pressure that all particles share: alone it spreads them evenly
+/// by dx_i = -C dx^2 f_i (Repulsion.hpp), where b, the bias, is a pressure that all particles share: alone it spreads them evenly
 /// in distance, without it they stop as soon as the kernel sums are even, in whatever arrangement. It is b1 for the first half of
 /// the steps and falls geometrically to b2 in the second. A prototype went from 8 % to 0.1 % scatter at walls.
 #pragma once
@@ -48,7 +48,7 @@ struct RelaxationResult
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
-/// neighbours in memory. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// neighbours in memory, and inside the periodic faces. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
 /// threads.
 template<int dim>
 RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, Points&);

@@ -1,7 +1,7 @@
 #include "Relaxation.hpp"
 #include "FluidSpace.hpp"
+#include "Images.hpp"
 #include "Lattice.hpp"
-#include "WallImages.hpp"
 #include "handMadeGeometry.hpp"
 #include "wallLayers.hpp"
 #include <cmath>
@@ -32,6 +32,19 @@ RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& p
     settings.tolerance = 0;
     const double V0 = fluidVolume(g, spacing/4).value/double(points.size());
     return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings*spacing), V0, spacing, settings, points);
+}
+
+/// Of one particle, as the relaxation makes them.
+template<int dim> Images<dim> imagesOf(const Geometry& g, Vector<dim> at, FieldStore<dim>& store)
+{
+    store.allocate(Position{});
+    store.allocate(ImageWeight{});
+    store.resize(2, 1);
+    const auto x = store.pointers(Position{});
+    sph::store(at, [&](int c, double q) { x[c][0] = q; });
+    Images<dim> images(g, 0.5, 0.1);
+    images.build(store, 1);
+    return images;
 }
 
 double radiusFor(double solidFraction) { return std::cbrt(solidFraction*3/(4*std::numbers::pi)); }
@@ -127,7 +140,7 @@ TEST(Relaxation, findsNothingToDoInChannelsAndBoxes)
 
 // A 60 degree fluid wedge needs third reflections (AB and BA differ, ABA and BAB coincide): none is counted twice. A point on its
 // bisector has exactly five images, as in the kaleidoscope.
-TEST(WallImages, fillAWedgeOfSixtyDegreesOnce)
+TEST(RelaxationImages, fillAWedgeOfSixtyDegreesOnce)
 {
     Geometry g = emptyBox(2, {1, 1, 0}, {});
     g.low = {-1, -1, 0};
@@ -135,31 +148,24 @@ TEST(WallImages, fillAWedgeOfSixtyDegreesOnce)
     add(g, Plane({0, 0, 0}, {0, 1, 0}));
     add(g, Plane({0, 0, 0}, {std::sin(angle), -std::cos(angle), 0}));
     repeatPeriodically(g, 0.5);
-    Points points;
-    points.add({0.1*std::cos(0.4), 0.1*std::sin(0.4), 0});
-    WallImages images(g);
-    images.build(points, 1, 0.5);
-    EXPECT_EQ(images.size(), 5u);
-    std::vector<double> factor;
-    images.refresh(points, factor);
-    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NEAR(mag(points[i]), 0.1, 1e-12);
+    FieldStore<2> store;
+    const auto images = imagesOf<2>(g, {0.1*std::cos(0.4), 0.1*std::sin(0.4)}, store);
+    EXPECT_EQ(images.count(), 5u);
+    const auto x = store.pointers(Position{});
+    for (std::size_t i = 1; i <= images.count(); ++i) EXPECT_NEAR(std::hypot(x[0][i], x[1][i]), 0.1, 1e-12);
 }
 
 // The image of a particle at distance d outside a sphere of radius R has the volume factor ((R - d)/(R + d))^2 and lies d inside.
-TEST(WallImages, reflectInASphereWithItsVolumeFactor)
+TEST(RelaxationImages, reflectInASphereWithItsVolumeFactor)
 {
     Geometry g = emptyBox(3, {4, 4, 4}, {});
     add(g, Sphere({2, 2, 2}, 1, FluidSide::outside));
     repeatPeriodically(g, 0.5);
-    Points points;
-    points.add({3.2, 2, 2});
-    WallImages images(g);
-    images.build(points, 1, 0.5);
-    ASSERT_EQ(images.size(), 1u);
-    std::vector<double> factor;
-    images.refresh(points, factor);
-    EXPECT_NEAR(points.x[1], 2.8, 1e-12);
-    EXPECT_NEAR(factor[1], sqr(0.8/1.2), 1e-12);
+    FieldStore<3> store;
+    const auto images = imagesOf<3>(g, {3.2, 2, 2}, store);
+    ASSERT_EQ(images.count(), 1u);
+    EXPECT_NEAR(store.component("positions", 0)[1], 2.8, 1e-12);
+    EXPECT_NEAR(store.component("volumeFactor", 0)[1], sqr(0.8/1.2), 1e-12);
 }
 
 // The same bits with one thread and with two: every particle sums its own list in the list's order.

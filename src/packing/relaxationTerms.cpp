@@ -1,0 +1,20 @@
+#include "relaxationTerms.hpp"
+#include "Repulsion.hpp"
+#include "WallDistance.hpp"
+#include "densityTerms.hpp"
+
+namespace sph
+{
+
+template<int dim> Catalogue<dim> relaxationTerms(double V0)
+{
+    auto terms = densityTerms<dim>();
+    terms.push_back(entry<dim, Repulsion>(Repulsion::name, [V0](const Coefficients&) { return Repulsion{V0}; }));
+    terms.push_back(entry<dim, WallDistance>(WallDistance::name, [](const Coefficients&) { return WallDistance{}; }));
+    return terms;
+}
+
+template Catalogue<2> relaxationTerms<2>(double);
+template Catalogue<3> relaxationTerms<3>(double);
+
+}
