@@ -52,6 +52,7 @@ void prepare(const Reading& reading)
     integration.solves = needs.solves;
     integration.moves = needs.moves;
     integration.factors.viscous *= needs.viscousFactor;
+    integration.factors.diffusive *= needs.viscousFactor;
     integration.maxSubSteps = dict.get<int>("maxSubSteps", 1);
     if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
         dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
@@ -99,10 +100,11 @@ void read(const Reading& reading)
     if (integration.solves && integration.moves) f.dampedSound = dict.getPositive("dampedSoundFactor", units::none, f.dampedSound);
     f.stiffness = dict.getPositive("stiffnessFactor", units::none, f.stiffness);
     f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
+    f.diffusive = dict.getPositive("diffusiveFactor", units::none, f.diffusive);
     f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);
     f.force = dict.getPositive("forceFactor", units::none, f.force);
     const double all = dict.getPositive("stepFactor", units::none, 1);
-    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force}) *factor *= all;
+    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force}) *factor *= all;
     if (integration.solves) readSolve(reading, dict);
 }
 

@@ -1,5 +1,6 @@
 #include "Errors.hpp"
 #include "CsvReference.hpp"
+#include "ExpressionReference.hpp"
 #include "Formulas.hpp"
 #include "Measurement.hpp"
 #include "knownWord.hpp"
@@ -38,7 +39,7 @@ void Errors::readComparison(const Dictionary& d)
     {
         for (const auto& key : d.keys()) d.ignore(key);
     };
-    const std::vector<std::string> types{"formula", "csv"};
+    const std::vector<std::string> types{"formula", "csv", "expression"};
     const auto type = knownWord(reference, "type", types);
     if (type == "csv")
     {
@@ -51,6 +52,7 @@ void Errors::readComparison(const Dictionary& d)
                                                },
                                                csv.rows()));
     }
+    if (type == "expression") comparisons_.push_back(FieldComparison(d, context_, readExpressionReference(reference)));
     if (!type) leaveRest();
     if (type != "formula") return;
 

@@ -17,12 +17,21 @@ namespace
 template<int dim> class Simulation final : public AnySimulation
 {
     const Settings& settings_;
+    Catalogue<dim> terms_;
     Particles<dim> particles_;
     Schedule<dim> schedule_;
     Summary summary_;
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
 
+    /// Those of all models, and those of a name of their own that the scene defines.
+    static Catalogue<dim> termsOf(const Settings& settings)
+    {
+        auto terms = allTerms<dim>();
+        const auto& own = settings.ownTerms<dim>();
+        terms.insert(terms.end(), own.begin(), own.end());
+        return terms;
+    }
     Summary firstSummary(bool restarted)
     {
         particles_.complete();
@@ -49,7 +58,7 @@ template<int dim> class Simulation final : public AnySimulation
 
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
-        : settings_(settings), particles_(settings, geometry, allTerms<dim>(), cloud, restored),
+        : settings_(settings), terms_(termsOf(settings)), particles_(settings, geometry, terms_, cloud, restored),
           schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(!restored.empty())),
           energy_(particles_, settings_, geometry, summary_)
     {

@@ -44,6 +44,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     integrates_ = std::any_of(state.begin(), state.end(), [](const Evolving& q) { return q.value.name == Density::info.name; });
     startAmounts_.resize(counted_.size());
     heldAmounts_.resize(counted_.size());
+    intoHeld_.resize(counted_.size());
     for (const auto& opening : openings)
     {
         const Section section(opening, geometry, coefficients.spacing);
@@ -288,8 +289,16 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     }
 }
 
-template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
+template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
 {
+    const double* const m = store.component(Mass::info.name, 0);
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        if (!counted_[q]->rate || counted_[q]->advancedByModel) continue;
+        const double* const rate = store.component(counted_[q]->rate->name, 0);
+        intoHeld_[q] = 0;
+        for (const int i : held_) intoHeld_[q] += rate[i]*m[i]/coefficients_.restDensity[0];
+    }
     const auto clear = [&](const std::string& field)
     {
         const auto found = store.fields().find(field);
@@ -368,6 +377,7 @@ template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t
 
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
 {
+    for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT*intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (auto& gate : gates_)

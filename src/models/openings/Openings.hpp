@@ -62,8 +62,8 @@ public:
     void locate(FieldStore<dim>&, std::size_t owned);
     /// Indices of the particles that are held.
     std::span<const int> held() const { return held_; }
-    /// After an evaluation: takes from held particles what would move or change them.
-    void hold(FieldStore<dim>&) const;
+    /// After an evaluation: takes from held particles what would move or change them, and keeps what goes into them by a kick.
+    void hold(FieldStore<dim>&);
     /// Once a step, after the kick: pressures and velocities of the held particles.
     void drive(FieldStore<dim>&, double deltaT);
     /// A rate is about to act for `deltaT` [s]: held particles keep what they have, and what would go into them is counted.
@@ -101,7 +101,7 @@ private:
     double depth_;                             ///< of the held particles beyond a plane [m]
     std::vector<int> held_;
     double startMass_ = 0;
-    std::vector<double> startAmounts_, heldAmounts_;
+    std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
     bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
