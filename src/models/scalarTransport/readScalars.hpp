@@ -1,0 +1,12 @@
+/// From constant/scalarTransport to the scalars of a scene.
+#pragma once
+#include "Model.hpp"
+#include "Scalar.hpp"
+
+namespace sph
+{
+
+/// One dictionary a scalar, README.md. Mistakes go to the case's Diagnostics.
+std::vector<Scalar> readScalars(const Reading&);
+
+}
