@@ -169,7 +169,7 @@ template<int dim> bool Openings<dim>::farBeyond(const Vector<3>& x) const
     });
 }
 
-template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned)
+template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
 {
     const auto x = store.pointers(Position{});
     double* const holder = store.component(Holder::info.name, 0);
@@ -179,7 +179,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         if (gate == 0) return;
         auto& to = gates_[std::size_t(gate) - 1];
         to.mass += sign*m[i];
-        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i);
+        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i, predicted);
     };
     const bool starts = !restored_ && !counts_;
     std::vector<int> kept;
@@ -426,9 +426,10 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
     }
 }
 
-template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i) const
+template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
 {
-    return store.component(fraction.value.name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
+    const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
+    return store.component(name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
 }
 
 template<int dim> double Openings<dim>::freeMass(const FieldStore<dim>& store) const

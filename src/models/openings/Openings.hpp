@@ -56,8 +56,9 @@ public:
     /// `state` gave.
     Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored);
 
-    /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now.
-    std::size_t exchange(FieldStore<dim>&, std::size_t owned);
+    /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now. `predicted`: between prediction
+    /// and correction, where what passes is what a particle had at the start of the step.
+    std::size_t exchange(FieldStore<dim>&, std::size_t owned, bool predicted = false);
     /// After they are sorted: finds those that are held, and those that are near.
     void locate(FieldStore<dim>&, std::size_t owned);
     /// Indices of the particles that are held.
@@ -118,7 +119,7 @@ private:
     /// Of what is free.
     double freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;
-    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i) const;
+    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i, bool predicted = false) const;
 };
 
 }
