@@ -51,6 +51,8 @@ const std::map<std::string, Function>& functions()
         {"cosh", of(std::cosh)},
         {"tanh", of(std::tanh)},
         {"exp", of(std::exp)},
+        {"erf", of(std::erf)},
+        {"erfc", of(std::erfc)},
         {"log", of(std::log)},
         {"log10", of(std::log10)},
         {"pow", of(std::pow)},

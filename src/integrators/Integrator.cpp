@@ -47,6 +47,7 @@ const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Cra
     dampedSoundFactor{"dampedSoundFactor", units::none, 0.25, positive, "of nu/c^2, where semiImplicit may step over sound"},
     stiffnessFactor{"stiffnessFactor", units::none, 1.2, positive, "of the limit by the stiffness between phases"},
     viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, a third with viscosity cleary"), positive, "of the limit by viscosity, h^2/nu"},
+    diffusiveFactor{"diffusiveFactor", units::none, byScene("0.125; half of it with leapfrog"), positive, "of the limit by diffusion of scalars, h^2/D"},
     capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps"), positive, "of the limit by surface tension"},
     forceFactor{"forceFactor", units::none, 0.25, positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
@@ -66,6 +67,7 @@ void prepare(const Reading& reading)
     integration.solves = needs.solves;
     integration.moves = needs.moves;
     integration.factors.viscous *= needs.viscousFactor;
+    integration.factors.diffusive *= needs.viscousFactor;
     integration.maxSubSteps = entry::maxSubSteps(dict);
     if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
         entry::maxSubSteps.error(dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
@@ -113,10 +115,11 @@ void read(const Reading& reading)
     if (integration.solves && integration.moves) f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
     f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
     f.viscous = entry::viscousFactor(dict, f.viscous);
+    f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
     f.capillary = entry::capillaryFactor(dict, f.capillary);
     f.force = entry::forceFactor(dict, f.force);
     const double all = entry::stepFactor(dict);
-    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force}) *factor *= all;
+    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force}) *factor *= all;
     if (integration.solves) readSolve(reading, dict);
 }
 
@@ -136,7 +139,7 @@ const Model& integrationModel()
                              {{"system/sphSchemes",
                                {{entry::integration,
                                  {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor, entry::soundFactor,
-                                  entry::dampedSoundFactor, entry::stiffnessFactor, entry::viscousFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
+                                  entry::dampedSoundFactor, entry::stiffnessFactor, entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
     return model;
 }
 

@@ -12,7 +12,7 @@ struct Integrator
     struct
     {
         bool predicts = false, keepsRates = false, solves = false, moves = true;   ///< as in Integration
-        double viscousFactor = 1;                                                   ///< of the limit by viscosity
+        double viscousFactor = 1;                                                   ///< of the limits by viscosity and diffusion
     } needs;
     void (*stages2)(Schedule<2>&);
     void (*stages3)(Schedule<3>&);

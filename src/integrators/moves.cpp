@@ -59,10 +59,12 @@ template<int dim> void predict(Particles<dim>& p, double deltaT)
             std::copy_n(p.store().component(q.value.name, c), p.size(), p.store().component(q.startName(), c));
     });
     kick(p, deltaT);
+    p.setPredicted(true);
 }
 
 template<int dim> void correct(Particles<dim>& p, double deltaT)
 {
+    p.setPredicted(false);
     forEachKicked(p, [&](const Evolving& q) { advance(p, q.value, q.value.name, q.startName(), q.rate->name, deltaT); });
 }
 

@@ -1,5 +1,6 @@
 #include "Errors.hpp"
 #include "CsvReference.hpp"
+#include "ExpressionReference.hpp"
 #include "Formulas.hpp"
 #include "Measurement.hpp"
 #include "sharedEntries.hpp"
@@ -14,7 +15,7 @@ namespace entry
 const DictionaryList comparisons{"fields", byScene("the one comparison that stands here"),
                                  "several comparisons, each with its own field, reference ..."};
 const SubDictionary reference{"reference", required, "what to compare with"};
-const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}}, required, "of the reference"};
+const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}, {"expression", "of place and time"}}, required, "of the reference"};
 
 static const Choice& name()
 {
@@ -47,7 +48,8 @@ EntryList Errors::entries()
     return FieldComparison::entries() + EntryList{{entry::reference,
                                                    {{entry::type,
                                                      {{"formula", {{entry::name(), formulas() + measures()}}},
-                                                      {"csv", CsvReference::entries(CsvReference::Over::space)}}}}},
+                                                      {"csv", CsvReference::entries(CsvReference::Over::space)},
+                                                      {"expression", expressionReferenceEntries()}}}}},
                                                   entry::comparisons};
 }
 
@@ -70,6 +72,7 @@ void Errors::readComparison(const Dictionary& d)
                                                },
                                                csv.rows()));
     }
+    if (type == "expression") comparisons_.push_back(FieldComparison(d, context_, readExpressionReference(reference)));
     if (!type) leaveRest();
     if (type != "formula") return;
 

@@ -9,6 +9,7 @@ namespace sph
 ///     type errors;  field U;  component x;  norm relative;
 ///     reference { type formula; name planePoiseuille; nu 1e-6; acceleration 1e-4; width 1e-3; }
 ///     // or     { type csv; file "reference/profile.csv"; columns { coordinate y; time t; value v; } }
+///     // or     { type expression; value "exp(-4*$t)*sin(2*pi()*$x)"; }
 ///
 /// Several comparisons at once: `fields ( { field U; reference {..} } { field p; reference {..} } );`. Formulas are those of
 /// Formulas.hpp, for fields, and the measures of Measurement.hpp (laplaceJump, contactAngle, dragFactor, dropPeriod ...), which need

@@ -58,6 +58,9 @@ public:
     {
         for (const auto& part : parts_) part->complete(*this);
     }
+    /// Between prediction and correction: then what particles have is in q_0 (Evolving::startName).
+    bool predicted() const { return predicted_; }
+    void setPredicted(bool predicted) { predicted_ = predicted; }
     /// Largest speed, as last measured [m/s].
     double maxSpeed() const { return maxSpeed_; }
     void setMaxSpeed(double speed) { maxSpeed_ = speed; }
@@ -84,6 +87,7 @@ private:
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0, maxSpeed_ = 0;
     long rebuilds_ = 0;
+    bool predicted_ = false;
 
     void allocateState();
     void load(const Cloud&, bool restarted);

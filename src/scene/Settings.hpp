@@ -28,7 +28,7 @@ Resolution readResolution(const Dictionary& sphSchemes);
 /// Fractions of the stability limits (how far from where steps fail: test/stability/README.md).
 struct StepFactors
 {
-    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, capillary = 0.5, force = 0.25;
+    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, diffusive = 0.125, capillary = 0.5, force = 0.25;
 };
 
 /// How time passes: the words of `integration`.
@@ -71,6 +71,7 @@ struct Settings
     std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
     std::map<std::string, std::string> preferred;  ///< entries whose default another model sets
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
+    std::set<std::string> fieldNames;          ///< of all fields that the models know, in this scene or not
     std::set<std::string> separate;                ///< results that somebody wants by themselves
     std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 

@@ -5,6 +5,7 @@
 #include "openingsModel.hpp"
 #include "operatorTerms.hpp"
 #include "pressure.hpp"
+#include "scalarTransport.hpp"
 #include "shifting.hpp"
 #include "suspension.hpp"
 #include "tension.hpp"
@@ -16,8 +17,8 @@ namespace sph
 
 const std::vector<const Model*>& models()
 {
-    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &densityModel(),  &pressureModel(), &viscosityModel(),
-                                               &tensionModel(),  &forcesModel(),     &shiftingModel(), &wallsModel(),    &integrationModel()};
+    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(), &pressureModel(), &viscosityModel(),
+                                               &tensionModel(), &forcesModel(), &shiftingModel(), &wallsModel(), &integrationModel()};
     return all;
 }
 

@@ -33,6 +33,16 @@ State stateOfAll(const Settings& settings)
     return state;
 }
 
+std::set<std::string> knownFields(const Settings& settings)
+{
+    std::set<std::string> names{"coordinates"}; // OpenFOAM's, beside the positions
+    for (const auto& evolving : settings.state) names.insert(evolving.value.name);
+    for (const auto& term : allTerms<3>())
+        for (const auto* fields : {&term.results, &term.reads, &term.readsOwn})
+            for (const auto& field : *fields) names.insert(field.name);
+    return names;
+}
+
 void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coefficients& c)
 {
     for (int k = 0; k < geometry.dimension; ++k)
@@ -59,6 +69,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
     settings.state = stateOfAll(settings);
+    settings.fieldNames = knownFields(settings);
     settings.variableViscosity = settings.multiphase();
     checkPeriods(dict, geometry, c);
 

@@ -44,6 +44,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     integrates_ = std::any_of(state.begin(), state.end(), [](const Evolving& q) { return q.value.name == Density::info.name; });
     startAmounts_.resize(counted_.size());
     heldAmounts_.resize(counted_.size());
+    intoHeld_.resize(counted_.size());
     for (const auto& opening : openings)
     {
         const Section section(opening, geometry, coefficients.spacing);
@@ -168,7 +169,7 @@ template<int dim> bool Openings<dim>::farBeyond(const Vector<3>& x) const
     });
 }
 
-template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned)
+template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
 {
     const auto x = store.pointers(Position{});
     double* const holder = store.component(Holder::info.name, 0);
@@ -178,7 +179,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         if (gate == 0) return;
         auto& to = gates_[std::size_t(gate) - 1];
         to.mass += sign*m[i];
-        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i);
+        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i, predicted);
     };
     const bool starts = !restored_ && !counts_;
     std::vector<int> kept;
@@ -288,8 +289,16 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     }
 }
 
-template<int dim> void Openings<dim>::hold(FieldStore<dim>& store) const
+template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
 {
+    const double* const m = store.component(Mass::info.name, 0);
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        if (!counted_[q]->rate || counted_[q]->advancedByModel) continue;
+        const double* const rate = store.component(counted_[q]->rate->name, 0);
+        intoHeld_[q] = 0;
+        for (const int i : held_) intoHeld_[q] += rate[i]*m[i]/coefficients_.restDensity[0];
+    }
     const auto clear = [&](const std::string& field)
     {
         const auto found = store.fields().find(field);
@@ -368,6 +377,7 @@ template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t
 
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
 {
+    for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT*intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (auto& gate : gates_)
@@ -416,9 +426,10 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
     }
 }
 
-template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i) const
+template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
 {
-    return store.component(fraction.value.name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
+    const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
+    return store.component(name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
 }
 
 template<int dim> double Openings<dim>::freeMass(const FieldStore<dim>& store) const

@@ -56,14 +56,15 @@ public:
     /// `state` gave.
     Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored);
 
-    /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now.
-    std::size_t exchange(FieldStore<dim>&, std::size_t owned);
+    /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now. `predicted`: between prediction
+    /// and correction, where what passes is what a particle had at the start of the step.
+    std::size_t exchange(FieldStore<dim>&, std::size_t owned, bool predicted = false);
     /// After they are sorted: finds those that are held, and those that are near.
     void locate(FieldStore<dim>&, std::size_t owned);
     /// Indices of the particles that are held.
     std::span<const int> held() const { return held_; }
-    /// After an evaluation: takes from held particles what would move or change them.
-    void hold(FieldStore<dim>&) const;
+    /// After an evaluation: takes from held particles what would move or change them, and keeps what goes into them by a kick.
+    void hold(FieldStore<dim>&);
     /// Once a step, after the kick: pressures and velocities of the held particles.
     void drive(FieldStore<dim>&, double deltaT);
     /// A rate is about to act for `deltaT` [s]: held particles keep what they have, and what would go into them is counted.
@@ -101,7 +102,7 @@ private:
     double depth_;                             ///< of the held particles beyond a plane [m]
     std::vector<int> held_;
     double startMass_ = 0;
-    std::vector<double> startAmounts_, heldAmounts_;
+    std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
     bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
@@ -118,7 +119,7 @@ private:
     /// Of what is free.
     double freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;
-    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i) const;
+    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i, bool predicted = false) const;
 };
 
 }

@@ -22,7 +22,7 @@ template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
 
 template<int dim> std::size_t OpeningsPart<dim>::exchange(Particles<dim>& particles, std::size_t owned)
 {
-    return openings_.exchange(particles.store(), owned);
+    return openings_.exchange(particles.store(), owned, particles.predicted());
 }
 
 template<int dim> void OpeningsPart<dim>::sorted(Particles<dim>& particles)

@@ -1,5 +1,7 @@
 #include "Opening.hpp"
 #include "components.hpp"
+#include "words.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
@@ -35,8 +37,12 @@ void readInlet(const Dictionary& d, const Coefficients& c, const State& state, O
     if (!opening.velocity && !opening.flowRate && !opening.pressure)
         entry::velocity.error(d, "what drives the flow is missing: give a velocity, a flowRate or a pressure");
     opening.developed = entry::profile(d) == "developed";
+    static const std::vector<std::string> own{"type", "point", "normal", "min", "max", "velocity", "flowRate", "pressure", "profile"};
     for (const auto& evolving : state)
-        if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
+        if (std::ranges::find(own, evolving.value.name) != own.end())
+            d.error(evolving.value.name, fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another "
+                                                     "name than {}", list(own)));
+        else if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
 }
 
 Opening readOpening(const Dictionary& d, const Geometry& g, const Coefficients& c, const State& state)

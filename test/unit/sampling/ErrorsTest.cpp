@@ -326,3 +326,16 @@ TEST(CsvReference, mistakesNameFileAndLine)
     table.read("s,v\n0,1\n1,2\n", "columns { coordinate s; value v; }");
     EXPECT_EQ(table.mistakes, "system/controlDict: axis is needed: coordinate column \"s\" does not say x, y or z");
 }
+
+// u = 1 and 3 at y = 0.5 and 1.5 against 2 y + t = 1 and 3; and a mistake where it stands.
+TEST(Errors, takeAnExpressionOfPositionAndTime)
+{
+    ErrorsCase c;
+    const auto rows = c.rowsOf(two(), "field U; component x; norm absolute; reference { type expression; value \"2*$y + $t\"; }\n");
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0][3], "0");
+    ErrorsCase wrong;
+    wrong.make(two(), "field U; component x;\nreference { type expression; value \"2*$u\"; }\n");
+    EXPECT_NE(wrong.mistakes.find("system/controlDict:2"), std::string::npos) << wrong.mistakes;
+    EXPECT_NE(wrong.mistakes.find("$u is unknown here. Known: $x, $y, $z, $t"), std::string::npos) << wrong.mistakes;
+}

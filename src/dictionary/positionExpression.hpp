@@ -1,4 +1,4 @@
-/// An expression of the position: `$x`, `$y`, `$z` [m].
+/// An expression of the position, `$x`, `$y`, `$z` [m], and of the time `$t` [s] where there is one.
 #pragma once
 #include "Expression.hpp"
 #include "Vector.hpp"
@@ -7,7 +7,7 @@ namespace sph
 {
 
 /// Throws ExpressionError where the text is no expression of these.
-inline ExpressionValue evaluateAt(const std::string& text, const Vector<3>& x)
+inline ExpressionValue evaluateAt(const std::string& text, const Vector<3>& x, std::optional<double> t = {})
 {
     return evaluate(text,
                     [&](const std::string& name) -> ExpressionValue
@@ -15,7 +15,8 @@ inline ExpressionValue evaluateAt(const std::string& text, const Vector<3>& x)
                         if (name == "x") return {x.x};
                         if (name == "y") return {x.y};
                         if (name == "z") return {x.z};
-                        throw ExpressionError("$" + name + " is unknown here. Known: $x, $y, $z");
+                        if (name == "t" && t) return {*t};
+                        throw ExpressionError("$" + name + " is unknown here. Known: $x, $y, $z" + (t ? ", $t" : ""));
                     });
 }
 

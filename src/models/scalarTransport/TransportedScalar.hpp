@@ -1,0 +1,26 @@
+/// Numbers of a scalar, and the tags of its fields, which in a scene have the scalar's own name.
+#pragma once
+#include "fieldTags.hpp"
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+// clang-format off
+struct ScalarValue { static constexpr FieldInfo info{"scalar", "1"};      template<int dim> struct At { double c; }; };
+struct ScalarRate  { static constexpr FieldInfo info{"dscalardt", "1/s"}; template<int dim> struct At { double dcdt; }; };
+// clang-format on
+
+struct TransportedScalar
+{
+    std::string name;
+    std::vector<double> diffusivity;                 ///< D of each phase [m^2/s]
+    std::vector<std::string> initial;                ///< of each phase, an expression of the position
+    std::vector<std::optional<double>> wallValue;    ///< at each wall; nothing passes those without
+
+    std::string rateName() const { return "d" + name + "dt"; }
+};
+
+}

@@ -1,0 +1,13 @@
+/// From constant/scalarTransport to the scalars of a scene.
+#pragma once
+#include "Model.hpp"
+#include "TransportedScalar.hpp"
+
+namespace sph
+{
+
+/// One dictionary a scalar, README.md. Mistakes go to the case's Diagnostics.
+std::vector<TransportedScalar> readScalars(const Reading&);
+EntryList scalarEntries();
+
+}

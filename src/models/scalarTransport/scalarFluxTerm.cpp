@@ -1,0 +1,57 @@
+#include "scalarFluxTerm.hpp"
+#include "ScalarFlux.hpp"
+
+namespace sph
+{
+
+std::vector<double> pairDiffusivities(const TransportedScalar& scalar, const Coefficients& c)
+{
+    std::vector<double> k;
+    for (std::size_t a = 0; a < c.phases.size(); ++a)
+        for (std::size_t b = 0; b < c.phases.size(); ++b)
+        {
+            const double k_a = c.restDensity[a]*scalar.diffusivity[a], k_b = c.restDensity[b]*scalar.diffusivity[b];
+            k.push_back(k_a > 0 && k_b > 0 ? 2*k_a*k_b/(k_a + k_b) : 0);
+        }
+    return k;
+}
+
+namespace
+{
+/// What terms point at.
+struct Tables
+{
+    std::vector<double> k, share{1}, sign{1}, offset{0};
+};
+}
+
+std::string defineScalarFlux(Settings& settings, const TransportedScalar& scalar, bool walls, bool evenAtWalls)
+{
+    auto made = std::make_shared<Tables>();
+    made->k = pairDiffusivities(scalar, settings.coefficients);
+    for (const auto& value : scalar.wallValue)
+    {
+        made->share.push_back(value || evenAtWalls);
+        made->sign.push_back(value ? -1 : 1);
+        made->offset.push_back(2*value.value_or(0));
+    }
+    const std::shared_ptr<const Tables> tables = made;
+    const int phases = int(settings.coefficients.phases.size());
+    const std::string term = "diffusion of " + scalar.name;
+    const auto define = [&]<class Diffusivity, class Walls>(const Diffusivity& diffusivity, const Walls& atWalls)
+    {
+        using Flux = ScalarFlux<Diffusivity, Walls>;
+        settings.define<Flux>(term, [tables, flux = Flux{diffusivity, atWalls}](const Coefficients&) { return flux; },
+                              {{ScalarValue::info.name, scalar.name}, {ScalarRate::info.name, scalar.rateName()}});
+    };
+    const auto withWalls = [&](const auto& diffusivity)
+    {
+        if (walls) define(diffusivity, ScalarAtWalls{tables->share.data(), tables->sign.data(), tables->offset.data()});
+        else define(diffusivity, NoWalls{});
+    };
+    if (phases > 1) withWalls(DiffusivityOfPhases{tables->k.data(), phases});
+    else withWalls(UniformDiffusivity{tables->k[0]});
+    return term;
+}
+
+}

@@ -1,0 +1,15 @@
+/// The term of a scalar.
+#pragma once
+#include "TransportedScalar.hpp"
+#include "Settings.hpp"
+
+namespace sph
+{
+
+/// k of all pairs of phases, phases x phases: harmonic means of rho_0 D [kg/(m s)].
+std::vector<double> pairDiffusivities(const TransportedScalar&, const Coefficients&);
+
+/// Defines the term in the scene, and returns its name. `evenAtWalls`: ghosts behind walls that nothing passes go on evenly (ScalarFlux.hpp).
+std::string defineScalarFlux(Settings&, const TransportedScalar&, bool walls, bool evenAtWalls);
+
+}

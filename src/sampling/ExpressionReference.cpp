@@ -1,0 +1,34 @@
+#include "ExpressionReference.hpp"
+#include "positionExpression.hpp"
+
+namespace sph
+{
+
+namespace entry
+{
+static const Text value{"value", required, "of $x $y $z [m] and $t [s]; vector(.., .., ..) for vectors as a whole"};
+}
+
+EntryList expressionReferenceEntries() { return {entry::value}; }
+
+ExactField readExpressionReference(const Dictionary& d)
+{
+    const auto text = entry::value(d);
+    const ExactField exact = [text](const Vector<3>& x, double t)
+    {
+        const auto value = evaluateAt(text, x, t);
+        return value.vector.value_or(Vector<3>{value.scalar, 0, 0});
+    };
+    try
+    {
+        exact({}, 0);
+    }
+    catch (const ExpressionError& e)
+    {
+        if (entry::value.given(d)) entry::value.error(d, e.what());
+        return {};
+    }
+    return exact;
+}
+
+}
