@@ -115,7 +115,7 @@ public:
         plan_.allocate(store_);
         store_.allocate(ImageWeight{});
         // No term reads a velocity; layers ask for a rule all the same.
-        images_.setGhostVelocity(std::make_unique<ReflectedVelocity<dim>>(geometry));
+        images_.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
         store_.resize(n_ + 1, n_);
         x_ = store_.pointers(Position{});

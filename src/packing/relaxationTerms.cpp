@@ -9,8 +9,8 @@ namespace sph
 template<int dim> Catalogue<dim> relaxationTerms(double V0)
 {
     auto terms = densityTerms<dim>();
-    terms.push_back(entry<dim, Repulsion>(Repulsion::name, [V0](const Coefficients&) { return Repulsion{V0}; }));
-    terms.push_back(entry<dim, WallDistance>(WallDistance::name, [](const Coefficients&) { return WallDistance{}; }));
+    terms.push_back(termEntry<dim, Repulsion>(Repulsion::name, [V0](const Coefficients&) { return Repulsion{V0}; }));
+    terms.push_back(termEntry<dim, WallDistance>(WallDistance::name, [](const Coefficients&) { return WallDistance{}; }));
     return terms;
 }
 

@@ -219,8 +219,8 @@ TEST(Groups, HaveLawsAtWalls)
 TEST(Groups, HaveATermForEachOfSeveralFields)
 {
     const auto make = [](const Coefficients&) { return Sum{}; };
-    const Catalogue<2> terms{entry<2, Sum>("sum of salt", make, {{"b", "salt"}, {"c", "saltAround"}}),
-                             entry<2, Sum>("sum of heat", make, {{"b", "heat"}, {"c", "heatAround"}})};
+    const Catalogue<2> terms{termEntry<2, Sum>("sum of salt", make, {{"b", "salt"}, {"c", "saltAround"}}),
+                             termEntry<2, Sum>("sum of heat", make, {{"b", "heat"}, {"c", "heatAround"}})};
     const std::vector<std::string> names{"sum of salt", "sum of heat"};
     Plan<2> plan(terms, names, {"positions", "salt", "heat"});
     EXPECT_EQ(plan.pairPasses(), 1);
@@ -282,7 +282,7 @@ TEST(Groups, NameTheReaderOfAFieldThatNobodyGives)
     EXPECT_EQ(errorOf({{"first", {"sum"}}, {"second", {"total"}}}, {"positions", "a"}),
               "term \"total\" reads \"z\" [1], which the scene does not give and no term provides");
     // Two scalars under names of their own: the reader is called by its own name, too.
-    const Catalogue<2> renamed{entry<2, Sum>("sum of salt", [](const Coefficients&) { return Sum{}; }, {{"b", "salt"}})};
+    const Catalogue<2> renamed{termEntry<2, Sum>("sum of salt", [](const Coefficients&) { return Sum{}; }, {{"b", "salt"}})};
     EXPECT_EQ(errorOf({{"first", {"sum of salt"}}}, {"positions"}, renamed),
               "term \"sum of salt\" reads \"salt\" [1], which the scene does not give and no term provides");
 }
