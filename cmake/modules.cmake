@@ -27,7 +27,7 @@ function(sph_application)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(${name} ${sources})
-    target_link_libraries(${name} PRIVATE ${app_DEPENDS} CLI11::CLI11)
+    target_link_libraries(${name} PRIVATE ${app_DEPENDS} CLI11::CLI11 instructionSet)
 endfunction()
 
 # A test program from all sources of the folder: sph_test(<name> DEPENDS <module>...)

@@ -12,19 +12,25 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice startFrom{"startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime", "time folder that the run starts from"};
+const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"), "time folder to start from"};
+/// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
+const FreeName foreign[]{{"application", "word", "the solver; read by workPrecision"},
+                         {"functions", "dictionary", "function objects"},
+                         {"libs", "list of words", "not looked at"},
+                         {"graphFormat", "word", "not looked at"},
+                         {"DebugSwitches", "dictionary", "not looked at"},
+                         {"InfoSwitches", "dictionary", "not looked at"},
+                         {"OptimisationSwitches", "dictionary", "not looked at"}};
+}
+
 namespace
 {
 
 constexpr const char* controlDictFile = "system/controlDict";
 constexpr const char* originalFolder = "0.orig";
-
-/// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
-void ignoreForeign(const Dictionary& control)
-{
-    for (const auto* key :
-         {"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"})
-        control.ignore(key);
-}
 
 std::string uniformFile(const std::string& time, const std::string& object, const std::string& entries)
 {
@@ -44,12 +50,20 @@ std::string inWords(const StateNumbers& state)
 
 }
 
+EntryList RunTime::entries()
+{
+    EntryList all{entry::startFrom, entry::startTime};
+    all += TimeControls::entries();
+    for (const auto& other : entry::foreign) all += {other};
+    return all;
+}
+
 RunTime::RunTime(const Case& c) : caseFolder_(c.folder()), control_(c.dictionary(controlDictFile))
 {
     stamp_ = stamp();
     const auto start = std::make_shared<Clock>();
     clocks_ = {[start] { return start->clockTime(); }, [] { return Clock::executionTime(); }};
-    ignoreForeign(control_);
+    for (const auto& other : entry::foreign) control_.ignore(other.keyword());
     controls_ = TimeControls::read(control_);
     deltaT_ = controls_.deltaT;
     findStart(c);
@@ -61,9 +75,8 @@ RunTime::RunTime(const Case& c) : caseFolder_(c.folder()), control_(c.dictionary
 
 void RunTime::findStart(const Case& c)
 {
-    static const std::vector<std::string> valid{"firstTime", "startTime", "latestTime"};
-    const auto startFrom = control_.choose("startFrom", valid, "latestTime");
-    const double wanted = startFrom == "startTime" ? control_.get<double>("startTime") : control_.get<double>("startTime", 0.0);
+    const auto startFrom = entry::startFrom(control_);
+    const double wanted = startFrom == "startTime" ? entry::startTime.needed(control_) : entry::startTime(control_, 0);
 
     auto names = c.times();
     const bool hasZero = std::any_of(names.begin(), names.end(), [](const auto& name) { return timeValue(name) == 0; });
@@ -73,7 +86,7 @@ void RunTime::findStart(const Case& c)
             std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
             "0");
     if (names.empty())
-        return control_.error("startFrom", "the case has no time folder to start from, and no folder 0.orig to make one of");
+        return entry::startFrom.error(control_, "the case has no time folder to start from, and no folder 0.orig to make one of");
 
     auto chosen = startFrom == "firstTime" ? names.begin() : names.end() - 1;
     if (startFrom == "startTime")
@@ -82,8 +95,8 @@ void RunTime::findStart(const Case& c)
         chosen = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
         // As near as the digits of a name written by hand can be expected to be.
         if (off(*chosen) > 1e-10 * std::abs(wanted))
-            return control_.error("startTime",
-                                  fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
+            return entry::startTime.error(control_,
+                                          fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
     }
     if (fromOriginal && *chosen == "0") copyFolder(caseFolder_, originalFolder, "0");
     startName_ = *chosen;

@@ -19,10 +19,10 @@ using StateNumbers = std::map<std::string, double>;
 class RunTime
 {
 public:
-    /// Reads system/controlDict: application startFrom startTime stopAt endTime deltaT adjustTimeStep maxDeltaT writeControl
-    /// writeInterval purgeWrite writeFormat writePrecision timeFormat timePrecision runTimeModifiable maxClockTime functions (ignored
-    /// here). Mistakes go to the case's Diagnostics.
+    /// Reads system/controlDict, `functions` left to others. Mistakes go to the case's Diagnostics.
     explicit RunTime(const Case&);
+    /// Those of system/controlDict, function objects apart.
+    static EntryList entries();
 
     double value() const { return value_; }
     /// The name of the current time folder, by timeFormat and timePrecision; digits are added where two times would collide.

@@ -1,24 +1,52 @@
 #include "TimeControls.hpp"
 #include "OutputFile.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace sph
 {
 
+namespace entry
+{
+const Choice stopAt{
+    "stopAt",
+    {"endTime", {"writeNow", "write and stop"}, {"noWriteNow", "stop without writing"}, {"nextWrite", "stop at the next write"}}, // as StopAt
+    "endTime",
+    "when the run ends"};
+const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"), "end of the run"},
+    deltaT{"deltaT", units::s, byScene("that of the limits; needed without adjustTimeStep"), positive, "time step"},
+    maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step"},
+    writeInterval{"writeInterval", Unit{units::s, "s or steps"}, byScene("needed with a writeControl"), positive, "between two writes"},
+    maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run ends"};
+const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits of stability allow"},
+    runTimeModifiable{"runTimeModifiable", true, "read controlDict anew where it changes during the run"};
+/// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
+const Choice writeControl{"writeControl",
+                          {"none",
+                           {"timeStep", "writeInterval counts steps"},
+                           {"runTime", "writes after a time has passed"},
+                           {"adjustable", "steps are fitted to the times of writing"},
+                           {"clockTime", "by the clock"},
+                           {"cpuTime", "by the processor's clock"},
+                           {"adjustableRunTime", "as adjustable"}},
+                          "none",
+                          "when time folders are written"};
+const Count purgeWrite{"purgeWrite", 0, nonNegative.saying("purgeWrite must not be negative, found {}"),
+                       "number of time folders that are kept; 0: all"};
+const Choice writeFormat{"writeFormat", {"ascii", "binary"}, "ascii", "of the files; packParticles writes binary by default"},
+    timeFormat{"timeFormat", {"general", "fixed", "scientific"}, "general", "of the names of time folders"},
+    writeCompression{"writeCompression", {"off", "uncompressed", "no", "false", "none"}, "off", "for OpenFOAM's sake: nothing is compressed"};
+constexpr int mostDigits = std::numeric_limits<double>::max_digits10;
+const Count writePrecision{"writePrecision", byScene("as many as a number needs"),
+                           between(1, mostDigits).saying(fmt::format("writePrecision must be 1 to {} digits, found {{}}", mostDigits)),
+                           "digits of numbers in ascii files"},
+    timePrecision{"timePrecision", 6, between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
+                  "digits of the names of time folders"};
+}
+
 namespace
 {
-
-using Words = std::vector<std::string>;
-
-const Words stopWords{"endTime", "writeNow", "noWriteNow", "nextWrite"};
-/// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
-const Words writeWords{"none", "timeStep", "runTime", "adjustable", "clockTime", "cpuTime", "adjustableRunTime"};
-const Words formatWords{"ascii", "binary"};
-const Words timeFormatWords{"general", "fixed", "scientific"};
-const Words compressionWords{"off", "uncompressed", "no", "false", "none"};
 
 constexpr double roundOff = std::numeric_limits<double>::epsilon();
 /// Two times nearer than this part of a write interval are the same.
@@ -26,51 +54,28 @@ constexpr double sameTime = 1e-9;
 /// Nobody means more, and shorter intervals would be lost in the rounding of time.
 constexpr double mostWrites = 1e9;
 
-int chosen(const Dictionary& d, const std::string& key, const Words& valid, const std::string& fallback)
-{
-    const auto word = d.choose(key, valid, fallback);
-    const auto at = std::find(valid.begin(), valid.end(), word);
-    return at == valid.end() ? 0 : int(at - valid.begin());
-}
-
-int digits(const Dictionary& d, const std::string& key, int fallback)
-{
-    const int value = d.get<int>(key, fallback);
-    constexpr int most = std::numeric_limits<double>::max_digits10;
-    if (d.found(key) && (value < 1 || value > most))
-        d.error(key, fmt::format("{} must be 1 to {} digits, found {}", key, most, value));
-    return std::clamp(value, 0, most);
-}
-
-/// A positive time, or `absent` where the entry is missing; looked up in both cases, so that the keyword is known.
-double optionalTime(const Dictionary& d, const std::string& key, double absent)
-{
-    const double value = d.getPositive(key, units::s, 1.0);
-    return d.found(key) ? value : absent;
-}
-
 double readInterval(const Dictionary& d, WriteControl control)
 {
-    if (control == WriteControl::none) return d.getPositive("writeInterval", units::s, 1.0);
-    if (control != WriteControl::timeStep) return d.getPositive("writeInterval", units::s);
-    const double steps = d.getPositive("writeInterval", units::none);
+    if (control == WriteControl::none) return entry::writeInterval(d, 1.0);
+    if (control != WriteControl::timeStep) return entry::writeInterval.needed(d);
+    const double steps = entry::writeInterval.in(units::none).needed(d);
     if (steps != std::floor(steps))
-        d.error("writeInterval", fmt::format("writeInterval must be a number of steps, found {}", steps));
+        entry::writeInterval.error(d, fmt::format("writeInterval must be a number of steps, found {}", steps));
     return std::max(1.0, std::floor(steps));
 }
 
 WriteOptions readOptions(const Dictionary& d)
 {
     WriteOptions options;
-    options.format = WriteFormat(chosen(d, "writeFormat", formatWords, "ascii"));
-    options.precision = digits(d, "writePrecision", 0);
+    options.format = WriteFormat(entry::writeFormat.index(d));
+    options.precision = entry::writePrecision(d, 0);
     if (options.format == WriteFormat::ascii && options.precision > 0 &&
         options.precision < std::numeric_limits<double>::max_digits10)
-        d.diagnostics().warning(d.where("writePrecision"),
+        d.diagnostics().warning(entry::writePrecision.where(d),
                                 fmt::format("{} digits lose the last ones of each number, and a restart from such files goes on "
                                             "slightly differently. Without writePrecision nothing is lost.",
                                             options.precision));
-    d.choose("writeCompression", compressionWords, "off");
+    entry::writeCompression(d);
     return options;
 }
 
@@ -79,49 +84,55 @@ WriteOptions readOptions(const Dictionary& d)
 TimeControls TimeControls::read(const Dictionary& d)
 {
     TimeControls c;
-    c.stopAt = StopAt(chosen(d, "stopAt", stopWords, "endTime"));
+    c.stopAt = StopAt(entry::stopAt.index(d));
     // Otherwise endTime stands for later: the run stops at a write, as in OpenFOAM.
-    if (c.stopAt == StopAt::endTime)
-        c.endTime = d.get<double>("endTime");
-    else
-        d.get<double>("endTime", 0.0);
+    if (c.stopAt == StopAt::endTime) c.endTime = entry::endTime.needed(d);
+    else entry::endTime(d, 0);
 
-    c.adjustTimeStep = d.get<bool>("adjustTimeStep", true);
+    c.adjustTimeStep = entry::adjustTimeStep(d);
     // The limits decide adjusted steps alone: nothing is left for deltaT to say.
-    c.deltaT = c.adjustTimeStep ? optionalTime(d, "deltaT", 0) : d.getPositive("deltaT", units::s);
-    c.maxDeltaT = optionalTime(d, "maxDeltaT", infinity);
+    c.deltaT = c.adjustTimeStep ? entry::deltaT(d, 0) : entry::deltaT.needed(d);
+    c.maxDeltaT = entry::maxDeltaT(d, infinity);
 
-    const int control = chosen(d, "writeControl", writeWords, "none");
-    c.writeControl = writeWords[std::size_t(control)] == "adjustableRunTime" ? WriteControl::adjustable : WriteControl(control);
+    const auto control = entry::writeControl(d);
+    c.writeControl = control == "adjustableRunTime" ? WriteControl::adjustable : WriteControl(entry::writeControl.indexOf(control));
     c.writeInterval = readInterval(d, c.writeControl);
     const bool byTime = c.writeControl == WriteControl::runTime || c.writeControl == WriteControl::adjustable;
     if (byTime && std::isfinite(c.endTime) && std::abs(c.endTime) > mostWrites * c.writeInterval)
-        d.error("writeInterval", fmt::format("writeInterval {} s would make {:.2g} time folders until endTime {}", c.writeInterval,
-                                             std::abs(c.endTime) / c.writeInterval, c.endTime));
-    c.purgeWrite = d.get<int>("purgeWrite", 0);
-    if (c.purgeWrite < 0) d.error("purgeWrite", fmt::format("purgeWrite must not be negative, found {}", c.purgeWrite));
+        entry::writeInterval.error(d, fmt::format("writeInterval {} s would make {:.2g} time folders until endTime {}", c.writeInterval,
+                                                  std::abs(c.endTime) / c.writeInterval, c.endTime));
+    c.purgeWrite = entry::purgeWrite(d);
     c.writeOptions = readOptions(d);
-    c.timeFormat = TimeFormat(chosen(d, "timeFormat", timeFormatWords, "general"));
-    c.timePrecision = digits(d, "timePrecision", 6);
-    c.runTimeModifiable = d.get<bool>("runTimeModifiable", true);
-    c.maxClockTime = optionalTime(d, "maxClockTime", infinity);
+    c.timeFormat = TimeFormat(entry::timeFormat.index(d));
+    c.timePrecision = entry::timePrecision(d);
+    c.runTimeModifiable = entry::runTimeModifiable(d);
+    c.maxClockTime = entry::maxClockTime(d, infinity);
     return c;
+}
+
+EntryList TimeControls::entries()
+{
+    using namespace entry;
+    return {entry::stopAt,     entry::endTime,    entry::deltaT,       entry::adjustTimeStep, entry::maxDeltaT,         entry::writeControl,
+            entry::writeInterval, entry::purgeWrite, writeFormat, writePrecision,        writeCompression,         entry::timeFormat,
+            entry::timePrecision, entry::runTimeModifiable, entry::maxClockTime};
 }
 
 std::vector<std::pair<std::string, std::string>> TimeControls::inWords() const
 {
+    const auto word = [](const Choice& choice, auto number) { return choice.words()[std::size_t(number)]; };
     const auto flag = [](bool on) { return std::string(on ? "yes" : "no"); };
-    return {{"stopAt", stopWords[std::size_t(stopAt)]},
+    return {{"stopAt", word(entry::stopAt, stopAt)},
             {"endTime", shortestText(endTime)},
             {"deltaT", shortestText(deltaT)},
             {"adjustTimeStep", flag(adjustTimeStep)},
             {"maxDeltaT", shortestText(maxDeltaT)},
-            {"writeControl", writeWords[std::size_t(writeControl)]},
+            {"writeControl", word(entry::writeControl, writeControl)},
             {"writeInterval", shortestText(writeInterval)},
             {"purgeWrite", fmt::format("{}", purgeWrite)},
-            {"writeFormat", formatWords[std::size_t(writeOptions.format)]},
+            {"writeFormat", word(entry::writeFormat, writeOptions.format)},
             {"writePrecision", writeOptions.precision ? fmt::format("{}", writeOptions.precision) : "shortest"},
-            {"timeFormat", timeFormatWords[std::size_t(timeFormat)]},
+            {"timeFormat", word(entry::timeFormat, timeFormat)},
             {"timePrecision", fmt::format("{}", timePrecision)},
             {"runTimeModifiable", flag(runTimeModifiable)},
             {"maxClockTime", shortestText(maxClockTime)}};

@@ -6,7 +6,7 @@
 /// with k counted from time 0, not from the start of a run.
 #pragma once
 #include "Cloud.hpp"
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "TimeName.hpp"
 #include <limits>
 #include <string>
@@ -53,6 +53,7 @@ struct TimeControls
 
     /// Mistakes go to the dictionary's Diagnostics.
     static TimeControls read(const Dictionary& controlDict);
+    static EntryList entries();
 
     /// Keyword and value of each, as words: two of these compared tell what has changed.
     std::vector<std::pair<std::string, std::string>> inWords() const;

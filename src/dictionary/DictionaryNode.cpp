@@ -149,6 +149,7 @@ void Node::mergeCopies(const Node& other)
 void Node::lookUp(const std::string& key)
 {
     visited = true;
+    if (lookUpLog) lookUpLog->emplace_back(name, key);
     if (std::find(lookedUp.begin(), lookedUp.end(), key) == lookedUp.end()) lookedUp.push_back(key);
 }
 

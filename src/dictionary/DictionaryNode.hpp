@@ -36,6 +36,9 @@ struct DictionaryEntry
     bool used = false, ignored = false;
 };
 
+/// Name of the dictionary and keyword of every look-up, where a test has set it that compares what is read with what is declared.
+inline std::vector<std::pair<std::string, std::string>>* lookUpLog = nullptr;
+
 struct Dictionary::Node
 {
     std::string name, keyword;

@@ -1,6 +1,6 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
@@ -55,6 +55,22 @@ struct Geometry
     std::vector<LayerParticle> layers;     ///< of one period, where walls are layers of particles; empty where they reflect
     std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
     std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
+    /// Of each patch those whose solid may hold parts of it. Empty where no solids touch or overlap: nothing then asks (solidUnion.cpp).
+    std::vector<std::vector<int>> coverers;
+
+    /// Whether another solid may hold parts of a patch.
+    bool mayBeCovered(int patch) const { return !coverers.empty() && !coverers[std::size_t(patch)].empty(); }
+    /// The foot of x on a patch as a part of the union of all solids: `exposure` and the margins of faces whose edges other solids cover.
+    Foot foot(int patch, const Vector<3>& x) const
+    {
+        return mayBeCovered(patch) ? footInUnion(patch, x) : patches[std::size_t(patch)].shape->foot(x);
+    }
+    /// The foot of a mirror image x of `source`: on the face that the source sees, continued into the solid that the image lies in, and as
+    /// much of it as the source sees.
+    Foot footOfGhost(int patch, const Vector<3>& x, const Vector<3>& source) const
+    {
+        return mayBeCovered(patch) ? footOfGhostInUnion(patch, x, source) : patches[std::size_t(patch)].shape->foot(x);
+    }
 
     /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count
     /// too.
@@ -67,10 +83,25 @@ struct Geometry
     bool wets() const { return std::any_of(walls.begin(), walls.end(), [](const WallProperties& w) { return w.wets; }); }
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
+    /// Lengths below which surfaces touch [m].
+    double tolerance() const { return 1e-6*std::max(length(0), length(1)); }
+
+private:
+    Foot footInUnion(int patch, const Vector<3>& x) const;
+    Foot footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>& source) const;
+    bool isCovered(int patch, const Vector<3>& x) const;
+    double exposure(int patch, const Vector<3>& x, const Foot&) const;
 };
 
-/// Fills `patches` from `originals`, each periodic copy once, `grid` and `tree`, for the given reach [m].
+/// Fills `patches` from `originals`, each periodic copy once, `grid`, `tree` and `coverers`, for the given reach [m].
 void repeatPeriodically(Geometry&, double reach);
+
+/// Faces of boxes that lie on planes or behind them go on into the solid: a block that stands on a floor, or is let into it, is the same.
+void sinkIntoPlanes(Geometry&);
+
+/// Which patches other solids may cover: where a body (fluid outside) touches or overlaps another solid. Walls of a container among
+/// themselves are none of it: their feet behind one another are outside the domain. Spheres that touch are none either.
+std::vector<std::vector<int>> findCoverers(const Geometry&);
 
 /// Reads constant/geometry:
 ///
@@ -83,23 +114,13 @@ void repeatPeriodically(Geometry&, double reach);
 ///         lid     { type plane; point (0 1 0); normal (0 -1 0); velocity (1 0 0); }
 ///     }
 ///
-/// Types, with their entries (lengths in m, angles in degrees):
-///
-///     plane      point normal                      normal into the fluid; of any length, as all directions here
-///     box        min max fluid                     fluid inside: planes, but none across a periodic direction that it spans
-///     sphere     centre radius fluid               a circle in 2-D
-///     cylinder   point axis radius fluid           without ends; in 2-D the axis is z and need not be given
-///     cone       apex axis halfAngle fluid         one nappe, without end; 3-D
-///     torus      centre axis ringRadius tubeRadius fluid    3-D
-///     ellipsoid  centre semiAxes fluid             axes along x, y, z; an ellipse in 2-D
-///     sphereBed  lattice radius period origin      spheres in the fluid on all points of the lattice (sphereLattice);
-///                                                  `origin`, one of its points, is the domain's min unless given
-///     spheres    spheres                           ((x y z r) (x y z r) ...), in the fluid, as from an included file
-///
-/// `fluid inside|outside` says on which side the fluid is. Every wall takes `contactAngle` (0 to 180) and `velocity`; single
-/// shapes also `omega` [rad/s] with `origin`. Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to
-/// report. Patches are repeated over the periodic directions as far as `reach` [m] outside the domain.
+/// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic
+/// directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
+/// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.
+double bedPeriod(const Dictionary& geometry);
+/// All types of walls and their entries.
+EntryList geometryEntries();
 
 /// Centres of the spheres of one period cell, and the extent of that cell. The cells of sc (1 sphere), bcc (2) and fcc (4) are
 /// cubes of edge `period`. hcp has `period` for the distance of neighbours in the close-packed layers normal to z, and a cell of

@@ -46,6 +46,38 @@ class Check
         return samples_[patch] = triangulate(*g_.patches[patch].shape, domain_, 0.5 * H_);
     }
 
+    /// Bodies that no fluid can touch are mistakes.
+    void describeExtent(int w)
+    {
+        bool any = false, isOutside = true, isHidden = true;
+        for (int p = 0; p < int(g_.patches.size()); ++p)
+        {
+            const auto& shape = *g_.patches[p].shape;
+            if (g_.patches[p].wall != w) continue;
+            if (shape.enclosesFluid()) return;
+            any = true;
+            isOutside = isOutside && shape.distanceTo(domain_) > tolerance_;
+            isHidden = isHidden && g_.mayBeCovered(p) && isInOthers(p);
+        }
+        if (!any) return;
+        const auto& wall = g_.walls[w];
+        if (isOutside)
+            diagnostics_.error(wall.where, fmt::format("wall \"{}\" lies outside the domain {} {}: no fluid can reach it", wall.name, text(g_, g_.low), text(g_, g_.high)));
+        else if (isHidden)
+            diagnostics_.error(wall.where, fmt::format("wall \"{}\" lies in other walls, where no fluid can reach it: leave it out", wall.name));
+    }
+
+    bool isInOthers(int patch)
+    {
+        const auto& points = samples(patch).points;
+        return std::all_of(points.begin(), points.end(),
+                           [&](const auto& x)
+                           {
+                               const auto& others = g_.coverers[patch];
+                               return std::any_of(others.begin(), others.end(), [&](int q) { return g_.patches[q].shape->foot(x).distance <= tolerance_; });
+                           });
+    }
+
     void describe()
     {
         for (std::size_t w = 0; w < g_.walls.size(); ++w)
@@ -68,6 +100,7 @@ class Check
             report_.walls[w].type = joined(types);
             report_.walls[w].fluid = joined(sides);
         }
+        for (std::size_t w = 0; w < g_.walls.size(); ++w) describeExtent(int(w));
         for (std::size_t w = 0; w < g_.walls.size(); ++w)
             if (std::none_of(g_.patches.begin(), g_.patches.end(), [&](const Patch& p) { return p.wall == int(w); }) &&
                 report_.walls[w].shapes > 0)
@@ -112,20 +145,46 @@ class Check
                                 wall.smallestRadius / H_));
     }
 
+    /// True where no fluid touches the face of a box that looks along `normal`: all of it lies in other solids, or outside the domain.
+    bool isHidden(int patch, double Vector<3>::*normal, double level, double side)
+    {
+        const auto& points = samples(patch).points;
+        return std::all_of(points.begin(), points.end(),
+                           [&](auto x)
+                           {
+                               if (std::abs(x.*normal - level) > tolerance_) return true;
+                               x.*normal += side * 10 * tolerance_;
+                               return g_.foot(patch, x).exposure == 0;
+                           });
+    }
+
     /// The images of the fluid on one side of a plate must not reach the fluid on the other: each lie as deep as the support, and are seen from as far.
     void thickness()
     {
-        for (const auto& p : g_.originals)
+        std::set<int> refused; // copies of one box are as thin
+        for (std::size_t k = 0; k < g_.patches.size(); ++k)
         {
+            const auto& p = g_.patches[k];
             const auto d = p.shape->description();
             if (d.type != "box" || d.fluid == FluidSide::inside) continue;
-            const auto extent = d.vectors[1].second - d.vectors[0].second;
-            const double thinnest = std::min({extent.x, extent.y, g_.dimension == 3 ? extent.z : extent.y});
-            if (thinnest < 2 * H_)
+            if (refused.contains(p.wall)) continue;
+            double thinnest = Box::infinity;
+            for (int direction = 0; direction < g_.dimension; ++direction)
+            {
+                const auto c = component(direction);
+                const double low = d.vectors[0].second.*c, high = d.vectors[1].second.*c;
+                if (high - low >= std::min(thinnest, 2 * H_)) continue;
+                if (g_.mayBeCovered(int(k)) && (isHidden(int(k), c, low, -1) || isHidden(int(k), c, high, 1))) continue;
+                thinnest = high - low;
+            }
+            if (thinnest >= 2 * H_ * (1 - 1e-12)) continue;
+            refused.insert(p.wall);
+            {
                 diagnostics_.error(g_.walls[p.wall].where,
                                    fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
                                                "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
                                                g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
+            }
         }
     }
 
@@ -288,14 +347,20 @@ class Check
         const double f = inFluid / n;
         report_.fluidFraction = f;
         report_.fluidFractionError = std::sqrt(f * (1 - f) / n);
-        if (f == 0 && !g_.walls.empty())
-            diagnostics_.error(g_.walls.front().where,
-                               "the walls leave no fluid in the domain: see on which side of each the fluid is");
+        if (f > 0 || g_.walls.empty()) return;
+        std::set<int> bodies;
+        for (const auto& p : g_.patches)
+            if (!p.shape->enclosesFluid()) bodies.insert(p.wall);
+        std::string names;
+        for (const int w : bodies) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", g_.walls[w].name);
+        diagnostics_.error(g_.walls[bodies.empty() ? 0 : *bodies.begin()].where,
+                           "the walls leave no fluid in the domain: see on which side of each the fluid is" +
+                               (names.empty() ? "" : ", and how much of it the solids take: " + names));
     }
 
 public:
     Check(const Geometry& g, double H, Diagnostics& diagnostics)
-        : g_(g), H_(H), tolerance_(1e-6 * std::max(g.length(0), g.length(1))), diagnostics_(diagnostics), domain_{g.low, g.high}
+        : g_(g), H_(H), tolerance_(g.tolerance()), diagnostics_(diagnostics), domain_{g.low, g.high}
     {
         if (g.dimension == 2)
         {

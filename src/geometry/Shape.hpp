@@ -8,6 +8,7 @@
 #pragma once
 #include "TriangleSurface.hpp"
 #include "Vector.hpp"
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -29,14 +30,27 @@ struct Foot
     /// By how much the mirror image lies nearer to this face than to the next one of its body [m]: negative beyond the bisector of a convex edge,
     /// -infinite where the nearest place is an edge or a vertex.
     double margin = std::numeric_limits<double>::infinity();
+
+    enum class On : unsigned char
+    {
+        face,
+        edge,
+        vertex
+    };
+    On on = On::face; ///< what the nearest place is a part of
+    /// Share of the foot that bounds the fluid: 0 where it lies in another solid. From Geometry::foot; a shape knows no other solids.
+    double exposure = 1;
 };
 
+/// From 0 at s = 0 to 1 at s = 1, flat beyond both.
+constexpr double smoothStep(double s) { return s <= 0 ? 0 : s >= 1 ? 1 : s*s*(3 - 2*s); }
+
 /// Share of a mirror image that belongs to the face it was mirrored in. It fades from 1 to 0 over a width across the bisector of an edge, on
-/// whose other side the image of the other face fades in: what is behind an edge is filled once, and nothing comes or goes at once.
+/// whose other side the image of the other face fades in: what is behind an edge is filled once, and nothing comes or goes at once. What is
+/// hidden in another solid has none.
 constexpr double faceShare(const Foot& f, double width)
 {
-    const double s = f.margin/width + 0.5;
-    return s <= 0 ? 0 : s >= 1 ? 1 : s*s*(3 - 2*s);
+    return f.exposure*smoothStep(f.margin/width + 0.5);
 }
 
 /// V'/V of the mirror image of a particle at distance d: prod_i (1 + k_i d)/(1 - k_i d), eq. (18) with signed curvatures.
@@ -79,6 +93,13 @@ class Shape
 public:
     virtual ~Shape() = default;
     virtual Foot foot(const Vector<3>& x) const = 0;
+    /// Whether a point of the surface lies in or on another solid.
+    using Covered = std::function<bool(const Vector<3>&)>;
+    /// The foot on the face of the given normal, for a shape with faces. A face goes on beyond those of its edges that are covered at the place
+    /// next to `source`, of which x may be an image: where a block stands on a floor there is no edge that the fluid could go round.
+    virtual Foot footOnFace(const Vector<3>& x, const Vector<3>& /*normal*/, const Vector<3>& /*source*/, const Covered&) const { return foot(x); }
+    /// The feet of an x in the solid: on each face of a shape with faces.
+    virtual std::vector<Foot> feetFromInside(const Vector<3>& x) const { return {foot(x)}; }
     /// Encloses the surface; infinite along directions in which it does not end.
     virtual Box bounds() const = 0;
     /// 1/max|k| over the surface as far as the fluid can see it [m]; infinite for a plane.

@@ -16,7 +16,8 @@ Foot SolidBox::foot(const Vector<3>& x) const
         double depth = Box::infinity; // at which another face is as near as this one
         for (const auto c : coordinates)
             depth = std::min(depth, q.*c != 0 ? 0.5 * (high_.*c - low_.*c) : std::min(x.*c - low_.*c, high_.*c - x.*c));
-        return {d, q / d, 0, 0, moved == 1 && d <= depth, moved == 1 ? depth - d : -Box::infinity};
+        const auto on = moved == 1 ? Foot::On::face : moved == 2 ? Foot::On::edge : Foot::On::vertex;
+        return {d, q / d, 0, 0, moved == 1 && d <= depth, moved == 1 ? depth - d : -Box::infinity, on};
     }
     // Inside, or on the surface: the nearest face, where that is one alone.
     Foot f{-Box::infinity, {}, 0, 0, true};
@@ -30,6 +31,51 @@ Foot SolidBox::foot(const Vector<3>& x) const
             f.normal.*c = side;
         }
     return f;
+}
+
+Foot SolidBox::footOnFace(const Vector<3>& x, const Vector<3>& normal, const Vector<3>& source, const Covered& covered) const
+{
+    int across = 0;
+    while (normal.*coordinates[across] == 0) ++across;
+    const auto n = coordinates[across];
+    const bool upper = normal.*n > 0;
+    const double d = upper ? x.*n - high_.*n : low_.*n - x.*n;
+    Vector<3> onFace = source;
+    onFace.*n = upper ? high_.*n : low_.*n;
+    const auto isCovered = [&](double Vector<3>::*c, double level)
+    {
+        auto at = onFace;
+        at.*c = level;
+        return covered({std::clamp(at.x, low_.x, high_.x), std::clamp(at.y, low_.y, high_.y), std::clamp(at.z, low_.z, high_.z)});
+    };
+    double depth = isCovered(n, upper ? low_.*n : high_.*n) ? Box::infinity : 0.5 * (high_.*n - low_.*n); // at which another free face is as near
+    for (const auto c : coordinates)
+    {
+        if (c == n) continue;
+        for (const double edge : {low_.*c, high_.*c})
+        {
+            const double within = edge == low_.*c ? x.*c - low_.*c : high_.*c - x.*c;
+            if (within >= depth || isCovered(c, edge)) continue;
+            if (within < 0) return foot(x); // beyond an edge that is one
+            depth = within;
+        }
+    }
+    return {d, normal, 0, 0, d <= depth, depth - d};
+}
+
+std::vector<Foot> SolidBox::feetFromInside(const Vector<3>& x) const
+{
+    std::vector<Foot> feet;
+    for (const auto c : coordinates)
+        for (const double side : {-1.0, 1.0})
+        {
+            const double d = side < 0 ? low_.*c - x.*c : x.*c - high_.*c;
+            if (!std::isfinite(d)) continue;
+            Foot f{d, {}, 0, 0, true};
+            f.normal.*c = side;
+            feet.push_back(f);
+        }
+    return feet;
 }
 
 std::unique_ptr<Shape> SolidBox::shifted(const Vector<3>& by) const { return std::make_unique<SolidBox>(low_ + by, high_ + by); }

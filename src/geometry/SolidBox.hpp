@@ -20,6 +20,8 @@ public:
     SolidBox(const Vector<3>& low, const Vector<3>& high) : low_(low), high_(high) {}
 
     Foot foot(const Vector<3>& x) const override;
+    Foot footOnFace(const Vector<3>& x, const Vector<3>& normal, const Vector<3>& source, const Covered&) const override;
+    std::vector<Foot> feetFromInside(const Vector<3>& x) const override;
     Box bounds() const override { return {low_, high_}; }
     /// Of the faces; edges are not smooth.
     double smallestRadius() const override { return Box::infinity; }

@@ -108,7 +108,7 @@ bool isBall(const Shape& shape, int dimension)
 
 Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, const TriangleSurface& samples, double size)
 {
-    const double tolerance = 1e-6 * std::max(g.length(0), g.length(1));
+    const double tolerance = g.tolerance();
     const bool ballA = isBall(a, g.dimension), ballB = isBall(b, g.dimension);
     if (ballA && ballB)
     {

@@ -8,36 +8,48 @@
 namespace sph
 {
 
+namespace entry
+{
+const Count dimension{"dimension", required, between(2, 3).saying("dimension must be 2 or 3"), "of space"};
+const SubDictionary domain{"domain", required, "the box that is computed"};
+const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
+const ListOf<std::string> periodic{"periodic", std::vector<std::string>{}, "directions x, y, z in which the domain repeats"};
+const SubDictionary walls{"walls", notGiven, "the walls"};
+const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
+const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
+                          between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"), "of the first phase on the wall"};
+const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"},
+    omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
+    origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
+}
+
 void readSpace(const Dictionary& dict, Geometry& g)
 {
-    g.dimension = dict.get<int>("dimension");
-    if (g.dimension != 2 && g.dimension != 3)
-    {
-        if (dict.found("dimension")) dict.error("dimension", "dimension must be 2 or 3");
-        g.dimension = 3;
-    }
-    const auto domain = dict.subDict("domain");
-    const bool given = domain.found("min") && domain.found("max");
-    g.low = domain.getVector("min", units::m);
-    g.high = domain.getVector("max", units::m);
+    const auto before = dict.diagnostics().errors();
+    g.dimension = entry::dimension(dict);
+    if (dict.diagnostics().errors() != before) g.dimension = 3;
+    const auto domain = entry::domain(dict);
+    const bool given = entry::min.given(domain) && entry::max.given(domain);
+    g.low = entry::min(domain);
+    g.high = entry::max(domain);
     for (int k = 0; k < 3; ++k)
     {
         const auto c = component(k);
         if (g.high.*c > g.low.*c) continue;
         if (k < g.dimension && given)
-            domain.error("max", fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
-                                            g.high.*c, g.low.*c));
+            entry::max.error(domain, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
+                                                 g.high.*c, g.low.*c));
         g.high.*c = g.low.*c + 1;
     }
     static const std::vector<std::string> directions{"x", "y", "z"};
-    for (const auto& word : domain.get<std::vector<std::string>>("periodic", {}))
+    for (const auto& word : entry::periodic(domain))
     {
         if (word == "x" || word == "y" || (word == "z" && g.dimension == 3))
             g.periodic[word[0] - 'x'] = true;
         else if (word == "z")
-            domain.error("periodic", "a 2-D scene does not vary with z: it cannot be periodic there");
+            entry::periodic.error(domain, "a 2-D scene does not vary with z: it cannot be periodic there");
         else
-            domain.error("periodic", fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
+            entry::periodic.error(domain, fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
     }
 }
 
@@ -46,17 +58,25 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     WallProperties wall;
     wall.name = dict.keyword();
     wall.where = dict.location();
-    wall.wets = dict.found("contactAngle");
-    wall.contactAngle = dict.get("contactAngle", units::none, wall.contactAngle);
-    if (!(wall.contactAngle >= 0 && wall.contactAngle <= 180))
-        dict.error("contactAngle", fmt::format("contactAngle must be between 0 and 180 degrees, not {}", wall.contactAngle));
-    wall.velocity = dict.getVector("velocity", units::mPerS, {});
+    wall.wets = entry::contactAngle.given(dict);
+    wall.contactAngle = entry::contactAngle(dict, wall.contactAngle);
+    wall.velocity = entry::velocity(dict);
     if (mayTurn)
     {
-        wall.omega = dict.getVector("omega", units::none / units::s, {});
-        wall.origin = dict.getVector("origin", units::m, {});
+        wall.omega = entry::omega(dict);
+        wall.origin = entry::origin(dict);
     }
     return wall;
+}
+
+EntryList geometryEntries()
+{
+    auto types = shapes();
+    for (auto& [type, entries] : types)
+        if (isSingleShape(type.word)) entries += {entry::omega, entry::origin};
+    return {entry::dimension,
+            {entry::domain, {entry::min, entry::max, entry::periodic}},
+            {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::velocity}}}}};
 }
 
 Geometry readGeometry(const Dictionary& dict, double reach)
@@ -64,7 +84,7 @@ Geometry readGeometry(const Dictionary& dict, double reach)
     Geometry g;
     g.reach = reach;
     readSpace(dict, g);
-    const auto walls = dict.subDictOrEmpty("walls");
+    const auto walls = entry::walls(dict);
     for (const auto& name : walls.keys())
     {
         if (!walls.isDictionary(name))
@@ -74,7 +94,7 @@ Geometry readGeometry(const Dictionary& dict, double reach)
         }
         const auto wall = walls.subDict(name);
         auto shapes = readShapes(wall, g);
-        g.walls.push_back(readWallProperties(wall, isSingleShape(wall.get<std::string>("type", ""))));
+        g.walls.push_back(readWallProperties(wall, isSingleShape(wall)));
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
     }
     repeatPeriodically(g, reach);

@@ -9,10 +9,28 @@
 #include "components.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
 namespace sph
 {
+
+namespace entry
+{
+const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the surface on which the fluid is"};
+const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"}, centre{"centre", units::m, required, "of the shape"},
+    apex{"apex", units::m, required, "tip of the cone"}, semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"},
+    min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"},
+    latticeOrigin{"origin", units::m, byScene("the lowest corner of the domain"), "where a cell of the lattice begins"};
+const Direction normal{"normal", required, "into the fluid"},
+    axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
+const Scalar radius{"radius", units::m, required, positive, "of the shape, or of each sphere"},
+    halfAngle{"halfAngle", degrees, required, positiveBelow(90).saying("halfAngle must be between 0 and 90 degrees, not {}"),
+              "between axis and surface"},
+    ringRadius{"ringRadius", units::m, required, positive, "of the circle in the middle of the tube"},
+    tubeRadius{"tubeRadius", units::m, required, positive, "of the tube, less than ringRadius"},
+    period{"period", units::m, required, positive, "edge of the lattice's cubic cell, of hcp the distance of neighbours"};
+const Word lattice{"lattice", required, "sc, bcc, fcc or hcp; in 2-D sc or hcp"};
+const ListOf<std::vector<double>> spheres{"spheres", units::m, required, "(x y z radius) of each"};
+}
 
 namespace
 {
@@ -24,23 +42,14 @@ constexpr double rounding = 1e-6;
 
 FluidSide fluidSide(const Dictionary& wall)
 {
-    static const std::vector<std::string> sides{"inside", "outside"};
-    return wall.choose("fluid", sides) == "inside" ? FluidSide::inside : FluidSide::outside;
-}
-
-Vector<3> direction(const Dictionary& wall, const std::string& key)
-{
-    const auto d = wall.getVector(key, units::none);
-    if (mag(d) > 0) return d;
-    if (wall.found(key)) wall.error(key, fmt::format("{} must have a direction, not (0 0 0)", key));
-    return {1, 0, 0};
+    return entry::fluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside;
 }
 
 Shapes plane(const Dictionary& wall, const Geometry& g)
 {
-    const auto point = wall.getVector("point", units::m);
-    const auto normal = direction(wall, "normal");
-    if (g.dimension == 2 && normal.z != 0) wall.error("normal", "in 2-D the z component of a normal must be 0");
+    const auto point = entry::point(wall);
+    const auto normal = entry::normal.asGiven(wall);
+    if (g.dimension == 2 && normal.z != 0) entry::normal.error(wall, "in 2-D the z component of a normal must be 0");
     return {std::make_shared<Plane>(point, normal)};
 }
 
@@ -53,66 +62,65 @@ std::shared_ptr<const Shape> ball(const Vector<3>& centre, double radius, FluidS
 
 Shapes sphere(const Dictionary& wall, const Geometry& g)
 {
-    const auto centre = wall.getVector("centre", units::m);
-    const double radius = wall.getPositive("radius", units::m);
+    const auto centre = entry::centre(wall);
+    const double radius = entry::radius(wall);
     return {ball(centre, radius, fluidSide(wall), g)};
 }
 
 Shapes cylinder(const Dictionary& wall, const Geometry& g)
 {
-    const auto point = wall.getVector("point", units::m);
-    const bool axisGiven = g.dimension == 3 || wall.found("axis");
-    const auto axis = axisGiven ? direction(wall, "axis") : Vector<3>{0, 0, 1};
-    if (g.dimension == 2 && (axis.x != 0 || axis.y != 0)) wall.error("axis", "in 2-D the axis of a cylinder must be (0 0 1)");
-    const double radius = wall.getPositive("radius", units::m);
+    const auto point = entry::point(wall);
+    const bool axisGiven = g.dimension == 3 || entry::axis.given(wall);
+    const auto axis = axisGiven ? entry::axis.asGiven(wall) : Vector<3>{0, 0, 1};
+    if (g.dimension == 2 && (axis.x != 0 || axis.y != 0)) entry::axis.error(wall, "in 2-D the axis of a cylinder must be (0 0 1)");
+    const double radius = entry::radius(wall);
     return {std::make_shared<Cylinder>(point, axis, radius, fluidSide(wall))};
 }
 
 void refuse2D(const Dictionary& wall, const Geometry& g, const std::string& instead)
 {
     if (g.dimension == 2)
-        wall.error("type", fmt::format("a {} varies with z, a 2-D scene does not: {}", wall.get<std::string>("type"), instead));
+        shapeType().error(wall, fmt::format("a {} varies with z, a 2-D scene does not: {}", shapeType()(wall), instead));
 }
 
 Shapes cone(const Dictionary& wall, const Geometry& g)
 {
     refuse2D(wall, g, "use two planes");
-    const auto apex = wall.getVector("apex", units::m);
-    const auto axis = direction(wall, "axis");
-    const double halfAngle = wall.getPositive("halfAngle", units::none);
-    if (halfAngle >= 90) wall.error("halfAngle", fmt::format("halfAngle must be between 0 and 90 degrees, not {}", halfAngle));
+    const auto apex = entry::apex(wall);
+    const auto axis = entry::axis.asGiven(wall);
+    const double halfAngle = entry::halfAngle(wall);
     return {std::make_shared<Cone>(apex, axis, halfAngle, fluidSide(wall))};
 }
 
 Shapes torus(const Dictionary& wall, const Geometry& g)
 {
     refuse2D(wall, g, "use circles (type sphere)");
-    const auto centre = wall.getVector("centre", units::m);
-    const auto axis = direction(wall, "axis");
-    const double ring = wall.getPositive("ringRadius", units::m), tube = wall.getPositive("tubeRadius", units::m);
-    if (wall.found("ringRadius") && wall.found("tubeRadius") && tube >= ring)
-        wall.error("tubeRadius", fmt::format("tubeRadius {} must be smaller than ringRadius {}", tube, ring));
+    const auto centre = entry::centre(wall);
+    const auto axis = entry::axis.asGiven(wall);
+    const double ring = entry::ringRadius(wall), tube = entry::tubeRadius(wall);
+    if (entry::ringRadius.given(wall) && entry::tubeRadius.given(wall) && tube >= ring)
+        entry::tubeRadius.error(wall, fmt::format("tubeRadius {} must be smaller than ringRadius {}", tube, ring));
     return {std::make_shared<Torus>(centre, axis, ring, tube, fluidSide(wall))};
 }
 
 Shapes ellipsoid(const Dictionary& wall, const Geometry& g)
 {
-    const auto centre = wall.getVector("centre", units::m);
-    auto semiAxes = wall.getVector("semiAxes", units::m);
+    const auto centre = entry::centre(wall);
+    auto semiAxes = entry::semiAxes(wall);
     if (g.dimension == 2) semiAxes.z = Box::infinity;
-    if (wall.found("semiAxes") && !(semiAxes.x > 0 && semiAxes.y > 0 && semiAxes.z > 0))
-        wall.error("semiAxes", "each of the semiAxes must be > 0");
+    if (entry::semiAxes.given(wall) && !(semiAxes.x > 0 && semiAxes.y > 0 && semiAxes.z > 0))
+        entry::semiAxes.error(wall, "each of the semiAxes must be > 0");
     return {std::make_shared<Ellipsoid>(centre, semiAxes, fluidSide(wall))};
 }
 
 Shapes box(const Dictionary& wall, const Geometry& g)
 {
-    auto low = wall.getVector("min", units::m), high = wall.getVector("max", units::m);
-    const bool given = wall.found("min") && wall.found("max");
+    auto low = entry::min(wall), high = entry::max(wall);
+    const bool given = entry::min.given(wall) && entry::max.given(wall);
     for (int k = 0; k < g.dimension && given; ++k)
         if (!(high.*component(k) > low.*component(k)))
-            wall.error("max", fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
-                                          high.*component(k), low.*component(k)));
+            entry::max.error(wall, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
+                                               high.*component(k), low.*component(k)));
     // Along these the box does not end: z in 2-D, and periodic directions through which it passes.
     std::array<bool, 3> endless{false, false, g.dimension == 2};
     for (int k = 0; k < g.dimension; ++k)
@@ -133,7 +141,7 @@ Shapes box(const Dictionary& wall, const Geometry& g)
             shapes.push_back(std::make_shared<Plane>(low, normal));
             shapes.push_back(std::make_shared<Plane>(high, -normal));
         }
-        if (shapes.empty()) wall.error("max", "the box lies outside the domain in every direction: there is no wall");
+        if (shapes.empty()) entry::max.error(wall, "the box lies outside the domain in every direction: there is no wall");
         return shapes;
     }
     for (int k = 0; k < 3; ++k)
@@ -142,16 +150,16 @@ Shapes box(const Dictionary& wall, const Geometry& g)
             low.*component(k) = -Box::infinity;
             high.*component(k) = Box::infinity;
         }
-    if (endless[0] && endless[1] && endless[2]) wall.error("max", "the box fills the domain: there is no fluid");
+    if (endless[0] && endless[1] && endless[2]) entry::max.error(wall, "the box fills the domain: there is no fluid");
     return {std::make_shared<SolidBox>(low, high)};
 }
 
 Shapes sphereBed(const Dictionary& wall, const Geometry& g)
 {
     static const std::vector<std::string> lattices{"sc", "bcc", "fcc", "hcp"}, flatLattices{"sc", "hcp"};
-    const auto name = wall.choose("lattice", g.dimension == 2 ? flatLattices : lattices);
-    const double radius = wall.getPositive("radius", units::m), period = wall.getPositive("period", units::m);
-    const auto origin = wall.getVector("origin", units::m, g.low);
+    const auto name = entry::lattice.among(wall, g.dimension == 2 ? flatLattices : lattices);
+    const double radius = entry::radius(wall), period = entry::period(wall);
+    const auto origin = entry::latticeOrigin(wall, g.low);
     if (!(radius > 0 && period > 0) || std::find(lattices.begin(), lattices.end(), name) == lattices.end()) return {};
 
     auto lattice = sphereLattice(name, period);
@@ -165,7 +173,7 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
         if (g.periodic[k])
         {
             if (cells < 1 || std::abs(cells * (lattice.period.*c) - L) > rounding * L)
-                wall.error("period",
+                entry::period.error(wall,
                            fmt::format("the domain repeats in {0} after {1:.9g} m, which is not a whole number of cells of the "
                                        "{2} lattice ({3:.9g} m each): make it {4:.9g} m",
                                        coordinateNames[k], L, name, lattice.period.*c,
@@ -183,7 +191,7 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
     }
     if (double(last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1) > 1e7)
     {
-        wall.error("period", fmt::format("a period of {} m makes more than ten million spheres in this domain", period));
+        entry::period.error(wall, fmt::format("a period of {} m makes more than ten million spheres in this domain", period));
         return {};
     }
 
@@ -206,19 +214,19 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
 
 Shapes spheres(const Dictionary& wall, const Geometry& g)
 {
-    const auto rows = wall.get<std::vector<std::vector<double>>>("spheres");
+    const auto rows = entry::spheres(wall);
     Shapes shapes;
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
         const auto& row = rows[i];
         if (row.size() != 4)
-            wall.error("spheres", fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
+            entry::spheres.error(wall, fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
         else if (!(row[3] > 0))
-            wall.error("spheres", fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
+            entry::spheres.error(wall, fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
         else
             shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
     }
-    if (rows.empty() && wall.found("spheres")) wall.error("spheres", "there are no spheres in the list");
+    if (rows.empty() && entry::spheres.given(wall)) entry::spheres.error(wall, "there are no spheres in the list");
     return shapes;
 }
 
@@ -231,39 +239,79 @@ void checkPeriodicity(const Dictionary& wall, const Geometry& g, const Shape& sh
         const auto b = shape.bounds();
         if (!g.periodic[k] || shape.invariantAlong(k)) continue;
         if (shape.enclosesFluid())
-            wall.error("type", fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}",
+            shapeType().error(wall, fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}",
                                            coordinateNames[k]));
         else if (std::isinf(b.low.*c) || std::isinf(b.high.*c))
-            wall.error("type", fmt::format("a {} that does not end, oblique to the periodic direction {}, does not repeat there",
+            shapeType().error(wall, fmt::format("a {} that does not end, oblique to the periodic direction {}, does not repeat there",
                                            shape.description().type, coordinateNames[k]));
     }
 }
 
 }
 
+namespace
+{
+
+struct ShapeType
+{
+    ChoiceWord name;
+    Shapes (*read)(const Dictionary&, const Geometry&);
+    EntryList entries;
+};
+
+const std::vector<ShapeType>& catalogue()
+{
+    using namespace entry;
+    static const std::vector<ShapeType> types{
+        {{"plane", ""}, plane, {point, entry::normal}},
+        {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"}, box, {entry::min, entry::max, fluid}},
+        {{"sphere", "in 2-D a circle"}, sphere, {centre, radius, fluid}},
+        {{"cylinder", "without ends"}, cylinder, {point, axis, radius, fluid}},
+        {{"cone", "one nappe, without end; in 3-D"}, cone, {apex, axis, halfAngle, fluid}},
+        {{"torus", "in 3-D"}, torus, {centre, axis, ringRadius, tubeRadius, fluid}},
+        {{"ellipsoid", "axes along x, y and z; in 2-D an ellipse"}, ellipsoid, {centre, semiAxes, fluid}},
+        {{"sphereBed", "equal spheres in the fluid, on all points of a lattice"}, sphereBed, {lattice, radius, period, latticeOrigin}},
+        {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}}};
+    return types;
+}
+
+}
+
 bool isSingleShape(const std::string& type) { return type != "sphereBed" && type != "spheres"; }
+
+bool isSingleShape(const Dictionary& wall) { return !shapeType().is(wall, "sphereBed") && !shapeType().is(wall, "spheres"); }
+
+Cases shapes()
+{
+    Cases all;
+    for (const auto& type : catalogue()) all.push_back({type.name, type.entries});
+    return all;
+}
+
+const Choice& shapeType()
+{
+    static const Choice type{"type", wordsOf(shapes()), required, "shape of the wall"};
+    return type;
+}
+
+double bedPeriod(const Dictionary& geometry)
+{
+    const auto walls = geometry.subDictOrEmpty("walls");
+    for (const auto& name : walls.keys())
+        if (walls.isDictionary(name))
+            if (const auto wall = walls.subDict(name); shapeType().is(wall, "sphereBed")) return entry::period(wall, 0);
+    return 0;
+}
 
 std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, const Geometry& g)
 {
-    using Reader = Shapes (*)(const Dictionary&, const Geometry&);
-    static const std::map<std::string, Reader> readers{
-        {"plane", plane},    {"box", box},     {"sphere", sphere},       {"cylinder", cylinder},
-        {"cone", cone},      {"torus", torus}, {"ellipsoid", ellipsoid}, {"sphereBed", sphereBed},
-        {"spheres", spheres}};
-    static const std::vector<std::string> types{"plane", "box",       "sphere",    "cylinder", "cone",
-                                                "torus", "ellipsoid", "sphereBed", "spheres"};
-
     const auto before = wall.diagnostics().errors();
-    const auto type = wall.choose("type", types);
-    if (wall.diagnostics().errors() != before)
-    {
-        for (const auto& key : wall.keys()) wall.ignore(key); // which entries belong here is not known
-        return {};
-    }
-    auto shapes = readers.at(type)(wall, g);
+    const auto type = shapeType().known(wall);
+    if (!type) return {};
+    auto shapes = catalogue()[std::size_t(shapeType().indexOf(*type))].read(wall, g);
     if (wall.diagnostics().errors() != before) return {};
     for (const auto& shape : shapes) checkPeriodicity(wall, g, *shape);
-    return wall.diagnostics().errors() == before ? shapes : std::vector<std::shared_ptr<const Shape>>{};
+    return wall.diagnostics().errors() == before ? shapes : Shapes{};
 }
 
 }

@@ -1,5 +1,6 @@
-/// Shapes of one wall from its dictionary, as documented at readGeometry.
+/// Shapes of one wall from its dictionary.
 #pragma once
+#include "EntryList.hpp"
 #include "Geometry.hpp"
 
 namespace sph
@@ -10,7 +11,12 @@ namespace sph
 /// outside a domain that does not repeat are left out.
 std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, const Geometry& geometry);
 
-/// Values of `type` that name one shape, and that turn around `origin` with `omega`.
+/// True where `type` names one shape, which may turn around `origin` with `omega`.
 bool isSingleShape(const std::string& type);
+bool isSingleShape(const Dictionary& wall);
+/// The choice `type` of a wall, and the entries of each.
+const Choice& shapeType();
+Cases shapes();
+
 
 }

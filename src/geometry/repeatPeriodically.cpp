@@ -90,8 +90,10 @@ void repeatPeriodically(Geometry& g, double reach)
     const double size = std::max({g.length(0), g.length(1), g.dimension == 3 ? g.length(2) : 0.0});
     g.patches = withoutTwins(std::move(copies), 1e-9 * size);
     g.reach = reach;
+    sinkIntoPlanes(g);
     g.grid = std::make_shared<PatchGrid>(g, reach);
     g.tree = std::make_shared<PatchTree>(g.patches);
+    g.coverers = findCoverers(g);
 }
 
 }

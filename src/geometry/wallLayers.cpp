@@ -1,6 +1,7 @@
 #include "wallLayers.hpp"
 #include "PatchGrid.hpp"
 #include "components.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -8,6 +9,14 @@
 
 namespace sph
 {
+
+namespace entry
+{
+const Choice walls{"walls",
+                   {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}},
+                   "reflected",
+                   "how walls act on the fluid"};
+}
 
 namespace
 {
@@ -252,15 +261,24 @@ public:
 };
 }
 
-bool wallsAreLayers(const Dictionary& sphSchemes)
-{
-    return sphSchemes.choose("walls", std::vector<std::string>{"reflected", "layers"}, "reflected") == "layers";
-}
+bool wallsAreLayers(const Dictionary& sphSchemes) { return entry::walls(sphSchemes) == "layers"; }
+EntryList wallLayersEntries() { return {entry::walls}; }
 
 std::vector<LayerParticle> makeWallLayers(const Geometry& g, double H, double spacing, Diagnostics& diagnostics)
 {
     Layering layering(g, H, spacing);
-    for (const auto& patch : g.originals) layering.fill(patch, diagnostics);
+    for (const auto& original : g.originals)
+    {
+        // A box that stands on a plane is filled as deep as it has been sunk into it.
+        const auto given = original.shape->bounds();
+        const auto sunk = std::find_if(g.patches.begin(), g.patches.end(), [&](const Patch& p)
+        {
+            const auto b = p.shape->bounds();
+            return p.wall == original.wall && original.shape->hasEdges() && p.shape != original.shape &&
+                   std::all_of(std::begin(coordinates), std::end(coordinates), [&](auto c) { return b.low.*c <= given.low.*c && b.high.*c >= given.high.*c; });
+        });
+        layering.fill(sunk != g.patches.end() ? *sunk : original, diagnostics);
+    }
     return layering.particles();
 }
 

@@ -7,6 +7,7 @@
 ///
 /// Verified by test/unit/geometry (volume, corners) and tutorials/powderMoulding/channel9.
 #pragma once
+#include "EntryList.hpp"
 #include "Geometry.hpp"
 
 namespace sph
@@ -14,6 +15,7 @@ namespace sph
 
 /// The word `walls` of system/sphSchemes: `reflected` (default) or `layers`.
 bool wallsAreLayers(const Dictionary& sphSchemes);
+EntryList wallLayersEntries();
 
 /// The particles of one period, for kernels of support `H` [m]; `spacing` [m] that of the fluid. Errors at the walls that have no
 /// layers: shapes other than plane, box, cylinder and sphere, and boxes thinner than two supports, whose layers would overlap.

@@ -28,50 +28,64 @@ const Integrator& integratorOf(const std::string& word)
     throw std::logic_error("there is no integrator \"" + word + "\"");
 }
 
-namespace
+static ChoiceWords integratorWords()
 {
-int readCount(const Dictionary& dict, const char* key, int fallback)
-{
-    const int count = dict.get<int>(key, fallback);
-    if (count < 1) dict.error(key, fmt::format("{} is a number of steps, at least 1, not {}", key, count));
-    return count;
+    ChoiceWords words;
+    for (const auto* each : integrators()) words.emplace_back(each->word, each->meaning);
+    return words;
 }
 
+namespace entry
+{
+const SubDictionary integration{"integration", notGiven, "how time passes"}; // of system/sphSchemes
+const Choice scheme{"scheme", integratorWords(), "predictorCorrector", "the integrator"};
+const Count maxSubSteps{"maxSubSteps", 1, anyNumber, "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
+    maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
+const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
+    tolerance{"tolerance", units::none, 1e-6, positive, "residual of a solve over the velocity"},
+    soundFactor{"soundFactor", units::none, 0.4, positive, "of the limit by sound, h/(c + |v|)"},
+    dampedSoundFactor{"dampedSoundFactor", units::none, 0.25, positive, "of nu/c^2, where semiImplicit may step over sound"},
+    stiffnessFactor{"stiffnessFactor", units::none, 1.2, positive, "of the limit by the stiffness between phases"},
+    viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, a third with viscosity cleary"), positive, "of the limit by viscosity, h^2/nu"},
+    capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps"), positive, "of the limit by surface tension"},
+    forceFactor{"forceFactor", units::none, 0.25, positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
+    stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
+}
+
+namespace
+{
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
-    const auto dict = reading.schemes.subDictOrEmpty("integration");
-    std::vector<std::string> words;
-    for (const auto* each : integrators()) words.push_back(each->word);
-    integration.scheme = dict.choose("scheme", words, words.front());
-    const auto known = std::find(words.begin(), words.end(), integration.scheme);
-    const auto& needs = integratorOf(known == words.end() ? words.front() : *known).needs;
+    const auto dict = entry::integration(reading.schemes);
+    integration.scheme = entry::scheme(dict);
+    const auto& needs = integratorOf(integration.scheme).needs;
     integration.predicts = needs.predicts;
     integration.keepsRates = needs.keepsRates;
     integration.solves = needs.solves;
     integration.moves = needs.moves;
     integration.factors.viscous *= needs.viscousFactor;
-    integration.maxSubSteps = dict.get<int>("maxSubSteps", 1);
+    integration.maxSubSteps = entry::maxSubSteps(dict);
     if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
-        dict.error("maxSubSteps", "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
+        entry::maxSubSteps.error(dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
     if (integration.maxSubSteps > 1) integration.factors.capillary *= 0.5;
     if (integration.maxSubSteps > 1 && integration.solves)
-        dict.error("maxSubSteps", "goes with explicit integration: with semiImplicit a drop was less exact by it, and no faster (src/integrators/README.md)");
+        entry::maxSubSteps.error(dict, "goes with explicit integration: with semiImplicit a drop was less exact by it, and no faster (src/integrators/README.md)");
 }
 
 void readSolve(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
-    integration.tolerance = dict.getPositive("tolerance", units::none, integration.tolerance);
-    integration.maxIter = readCount(dict, "maxIter", integration.maxIter);
+    integration.tolerance = entry::tolerance(dict);
+    integration.maxIter = entry::maxIter(dict);
     if (integration.moves)
     {
-        integration.theta = dict.getPositive("theta", units::none, integration.theta);
+        integration.theta = entry::theta(dict);
         if (integration.theta < 0.5 || integration.theta > 1)
-            dict.error("theta", "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
+            entry::theta.error(dict, "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
         settings.reasons.push_back(fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
                                                integration.theta, integration.tolerance));
     }
@@ -79,8 +93,8 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     {
         const bool carries = std::any_of(settings.state.begin(), settings.state.end(),
                                          [](const Evolving& q) { return q.rate && q.value.name != Velocity::info.name; });
-        if (!carries) dict.error("scheme", "quasiSteady follows the migration of powder, or what diffuses, and there is no suspension and no scalar");
-        if (reading.geometry.patches.empty()) dict.error("scheme", "quasiSteady needs walls: nothing else holds a flow without inertia");
+        if (!carries) entry::scheme.error(dict, "quasiSteady follows the migration of powder, or what diffuses, and there is no suspension and no scalar");
+        if (reading.geometry.patches.empty()) entry::scheme.error(dict, "quasiSteady needs walls: nothing else holds a flow without inertia");
         settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
                                                "powder's migration", integration.tolerance));
     }
@@ -93,15 +107,15 @@ void readSolve(const Reading& reading, const Dictionary& dict)
 void read(const Reading& reading)
 {
     auto& integration = reading.settings.integration;
-    const auto dict = reading.schemes.subDictOrEmpty("integration");
+    const auto dict = entry::integration(reading.schemes);
     auto& f = integration.factors;
-    f.sound = dict.getPositive("soundFactor", units::none, f.sound);
-    if (integration.solves && integration.moves) f.dampedSound = dict.getPositive("dampedSoundFactor", units::none, f.dampedSound);
-    f.stiffness = dict.getPositive("stiffnessFactor", units::none, f.stiffness);
-    f.viscous = dict.getPositive("viscousFactor", units::none, f.viscous);
-    f.capillary = dict.getPositive("capillaryFactor", units::none, f.capillary);
-    f.force = dict.getPositive("forceFactor", units::none, f.force);
-    const double all = dict.getPositive("stepFactor", units::none, 1);
+    f.sound = entry::soundFactor(dict, f.sound);
+    if (integration.solves && integration.moves) f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
+    f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
+    f.viscous = entry::viscousFactor(dict, f.viscous);
+    f.capillary = entry::capillaryFactor(dict, f.capillary);
+    f.force = entry::forceFactor(dict, f.force);
+    const double all = entry::stepFactor(dict);
     for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.capillary, &f.force}) *factor *= all;
     if (integration.solves) readSolve(reading, dict);
 }
@@ -118,7 +132,11 @@ std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& me
 const Model& integrationModel()
 {
     static const Model model{"integration", "how time passes: the integrator, its solver, and the fractions of stable steps", read, {}, {}, prepare,
-                             {}, {forceLimit}};
+                             {}, {forceLimit},
+                             {{"system/sphSchemes",
+                               {{entry::integration,
+                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor, entry::soundFactor,
+                                  entry::dampedSoundFactor, entry::stiffnessFactor, entry::viscousFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
     return model;
 }
 

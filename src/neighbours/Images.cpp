@@ -6,10 +6,32 @@
 namespace sph
 {
 
+namespace
+{
+/// Two surfaces that meet at a fluid angle above about 105 degrees fill the solid behind them with one reflection each. n_p . n_q =
+/// -cos(angle).
+constexpr double mostAlignedNormals = 0.26;
+}
+
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, double reach, double spacing)
-    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin)
+    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing), skin_(skin)
 {}
+
+/// The foot of what is mirrored: of the source itself, or of its image so far.
+template<int dim> Foot Images<dim>::footOf(const Entry& e, int reflection, const Vector<3>& x, const Vector<3>& source) const
+{
+    const int p = e.patch[reflection];
+    return reflection == 0 ? geometry_->foot(p, x) : geometry_->footOfGhost(p, x, source);
+}
+
+/// How many times as far as what is mirrored its image moves, until the lists are built anew: meanwhile the distance grows by half the skin
+/// at most, and beyond the support it matters no more.
+template<int dim> double Images<dim>::speedOf(const Foot& f) const
+{
+    const double k = std::max({f.k1, f.k2, 0.0}), d = std::max(f.distance, std::min(f.distance + 0.5*skin_, reach_ - skin_));
+    return k > 0 && f.distance <= reach_ - skin_ ? (1 + k*d)/std::max(1 - k*d, 0.01) : 1;
+}
 
 template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
 {
@@ -22,9 +44,10 @@ template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
 
 template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, Feet* feet, double* share) const
 {
+    const auto source = in3D(x);
     for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
     {
-        const Foot f = geometry_->patches[e.patch[r]].shape->foot(in3D(x));
+        const Foot f = footOf(e, r, in3D(x), source);
         feet[r] = {in<dim>(f.normal), f.distance, volumeFactor(f)};
         if (share) *share *= faceShare(f, spacing_);
         x = in<dim>(mirrorImage(in3D(x), f));
@@ -33,19 +56,22 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, 
 }
 
 template<int dim>
-void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const
+void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x)
 {
     struct Ghost
     {
         Entry entry;
         Vector<dim> x;
         int wallReflections;
+        double speed; ///< over that of its source
     };
+    fastest_ = 1;
     if (geometry_->patches.empty() || layers_) return;
 
     const std::size_t chunkSize = 1024;
     std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1)/chunkSize);
-    #pragma omp parallel for schedule(dynamic)
+    double fastest = 1;
+    #pragma omp parallel for schedule(dynamic) reduction(max: fastest)
     for (std::size_t chunk = 0; chunk < found.size(); ++chunk)
     {
         std::vector<Ghost> ghosts;
@@ -55,7 +81,7 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
             fetch(x_i, [&](int c) { return x[c][i]; });
             Entry self{int(i), {}, {}};
             self.patch.fill(-1);
-            ghosts.assign(1, {self, x_i, 0});
+            ghosts.assign(1, {self, x_i, 0, 1});
             // Each ghost is mirrored in the walls that its own chain has not used yet: box corners, and the pinch between grains.
             for (std::size_t g = 0; g < ghosts.size(); ++g)
             {
@@ -64,23 +90,42 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                 for (int p : grid_.near(in3D(from.x)))
                 {
                     if (std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end()) continue;
-                    const Foot f = geometry_->patches[p].shape->foot(in3D(from.x));
+                    Ghost next = from;
+                    next.entry.patch[from.wallReflections] = p;
+                    const Foot f = footOf(next.entry, from.wallReflections, in3D(from.x), in3D(x_i));
                     const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
                     const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
                     if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
-                    Ghost next{from.entry, in<dim>(mirrorImage(in3D(from.x), f)), from.wallReflections + 1};
-                    next.entry.patch[from.wallReflections] = p;
+                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
+                    ++next.wallReflections;
+                    next.speed *= speedOf(f);
+                    if (from.wallReflections > 0 && geometry_->mayBeCovered(p) && !fillsCorner(next.entry, from.wallReflections, in3D(next.x), in3D(x_i))) continue;
                     // Walls at right angles give the same corner image in either order.
                     const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
                         { return std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(), next.entry.patch.begin()) &&
                                  mag(other.x - next.x) < 0.25*spacing_; });
-                    if (!twin) ghosts.push_back(next);
+                    if (twin) continue;
+                    ghosts.push_back(next);
+                    fastest = std::max(fastest, next.speed);
                 }
             }
             for (std::size_t g = 1; g < ghosts.size(); ++g) found[chunk].push_back(ghosts[g].entry);
         }
     }
+    fastest_ = fastest;
     for (const auto& f : found) entries.insert(entries.end(), f.begin(), f.end());
+}
+
+/// Whether an image mirrored once more fills what the two solids leave: it lies in one of them, and they meet sharply enough.
+template<int dim> bool Images<dim>::fillsCorner(const Entry& e, int last, const Vector<3>& x, const Vector<3>& source) const
+{
+    const int p = e.patch[last], q = e.patch[last - 1];
+    const auto& near = geometry_->coverers[std::size_t(p)];
+    if (std::find(near.begin(), near.end(), q) == near.end()) return true;
+    if (dot(geometry_->foot(p, source).normal, geometry_->foot(q, source).normal) > mostAlignedNormals) return false;
+    return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() ||
+           std::any_of(near.begin(), near.end(),
+                       [&](int other) { return geometry_->patches[std::size_t(other)].shape->foot(x).distance <= geometry_->tolerance(); });
 }
 
 template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const
@@ -136,6 +181,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         for (int p : e.patch) feet += p >= 0;
     }
     resize(feet_, feet);
+    hidden_.assign(geometry_->coverers.empty() ? 0 : entries_.size(), 0);
     store.resize(nullParticle() + 1, owned_);
     if (layers_) layers_->place(store, owned_ + entries_.size());
     move(store);
@@ -156,6 +202,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         fetch(x_i, [&](int c) { return x[c][e.source]; });
         double w = 1;
         sph::store(place(e, x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][owned_ + k] = q; });
+        if (!hidden_.empty()) hidden_[k] = e.ghost() && geometry_->foot(e.patch[0], in3D(x_i)).exposure <= 0;
         if (weight)
         {
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
@@ -185,7 +232,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 template<int dim> std::size_t Images<dim>::bytes() const
 {
     return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) +
-           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
+           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned) + hidden_.capacity();
 }
 
 template class Images<2>;

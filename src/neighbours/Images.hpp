@@ -15,6 +15,7 @@
 #include "GhostRules.hpp"
 #include "PatchGrid.hpp"
 #include "WallLayers.hpp"
+#include "forEachFoot.hpp"
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,8 +27,9 @@ namespace sph
 template<int dim> class Images
 {
 public:
-    /// The geometry must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls.
-    Images(const Geometry&, double reach, double spacing);
+    /// The geometry must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls: the kernel's
+    /// support and the `skin` [m] of the lists.
+    Images(const Geometry&, double reach, double spacing, double skin = 0);
 
     void setGhostVelocity(std::unique_ptr<GhostVelocity<dim>> rule) { ghostVelocity_ = std::move(rule); }
     GhostVelocity<dim>& ghostVelocity() const { return *ghostVelocity_; }
@@ -60,6 +62,10 @@ public:
     /// Values of one field, by the rule that its tag states; `name` is the field's in this scene.
     template<class F> static void refresh(const Images& images, FieldStore<dim>& store, const std::string& name = F::info.name);
 
+    /// By how much faster than any particle a particle and an image may part, over twice its speed. 1 but for images inside concave walls,
+    /// which move along them (R + d)/(R - d) times as far as their sources.
+    double closingSpeed() const { return 0.5*(1 + fastest_); }
+
     std::size_t owned() const { return owned_; }
     std::size_t count() const { return entries_.size(); }
     std::size_t nullParticle() const { return owned_ + entries_.size() + (layers_ ? layers_->count() : 0); }
@@ -80,14 +86,15 @@ public:
             for (std::size_t k = fromNextSource(begin), end = fromNextSource(std::min(begin + block, inDomain_)); k < end; ++k)
             {
                 const Entry& e = entries_[k];
-                if (e.patch[1] >= 0) continue;
+                if (e.patch[1] >= 0 || (!hidden_.empty() && hidden_[k])) continue;
                 const Feet& foot = feet_[firstFoot_[k]];
                 f(std::size_t(e.source), Reflection<dim>{foot.distance, foot.weight, foot.normal, geometry_->patches[e.patch[0]].wall, {}});
             }
     }
 
     /// Calls f(i, foot, patch) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the
-    /// nearest place of the patch and there is no image; all patches of one particle in a row and on one thread.
+    /// nearest place of the patch and there is no image, but not where that place lies in another solid; all patches of one particle in a row
+    /// and on one thread.
     template<class F> void forEachWallNear(FieldStore<dim>& store, const F& f) const
     {
         const auto position = store.pointers(Position{});
@@ -103,7 +110,7 @@ public:
     /// The same for one place: f(foot, patch).
     template<class F> void forEachWallNear(Vector<dim> x, const F& f) const
     {
-        for (const int p : wallsNear(x)) f(geometry_->patches[p].shape->foot(in3D(x)), geometry_->patches[p]);
+        forEachFoot(*geometry_, wallsNear(x), in3D(x), Box::infinity, [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
 
     /// Patches that may be within reach of a point.
@@ -116,8 +123,11 @@ private:
         int source;
         std::array<int, mostReflections> patch;   ///< -1 from the first that is not used
         std::array<signed char, dim> shift;
+        /// Of the particle that `source` counts among its own: 0 this rank, k the k-th of those that it exchanges with. In the padding.
+        unsigned char rank = 0;
         bool ghost() const { return patch[0] >= 0; }
     };
+    static_assert(sizeof(Entry) == (dim == 2 ? 16 : 20));
     /// Foot points of one image as last moved; images mirrored once need one, which is most of them.
     struct Feet
     {
@@ -127,7 +137,7 @@ private:
 
     const Geometry* geometry_;
     PatchGrid grid_;
-    double reach_, spacing_;
+    double reach_, spacing_, skin_, fastest_ = 1;
     std::unique_ptr<GhostVelocity<dim>> ghostVelocity_;
     std::unique_ptr<GhostPressure<dim>> ghostPressure_;
     bool continuesInterfaces_ = false;
@@ -136,10 +146,14 @@ private:
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
     std::vector<unsigned> firstFoot_;
+    std::vector<unsigned char> hidden_;           ///< of the entries, where solids overlap: mirrored in what lies in another solid
 
     /// Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet, double* share = nullptr) const;
-    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
+    Foot footOf(const Entry&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
+    double speedOf(const Foot&) const;
+    bool fillsCorner(const Entry&, int last, const Vector<3>& x, const Vector<3>& source) const;
+    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x);
     void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
     Vector<dim> period(const Entry&) const;
 };

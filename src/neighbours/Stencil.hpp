@@ -9,7 +9,6 @@
 #include "Kernel.hpp"
 #include "NeighbourLists.hpp"
 #include "records.hpp"
-#include "select.hpp"
 #include <algorithm>
 #include <span>
 
@@ -33,6 +32,7 @@ template<int dim> struct Stencil
     int i, n;                                    ///< particle; entries, a multiple of the lanes
     alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
+    int kept[capacity];                          ///< of a list with a skin, those within the support
 
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
@@ -48,44 +48,35 @@ template<int dim> struct Stencil
     };
 
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart; or null. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the
-    /// kernel until `applyFactors`.
+    /// doubles apart. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the kernel
+    /// until `applyFactors`.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
                                const double* records, std::size_t recordArray, std::span<const double* const> columns,
                                const K kernel, bool readsW, long nullParticle)
     {
         i = particle;
-        const double* p[dim];
-        for (int c = 0; c < dim; ++c) p[c] = position[c];
         Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return p[c][particle]; });
-        const int packed = records ? std::min(int(columns.size()), packedColumns) : 0;
-        n = records ? fromRecords(records, list, within, x_i, sqr(kernel.H), packed)
-                    : gatherWithin<dim>(p, list.data(), int(list.size()), x_i, sqr(kernel.H), j, x, r);
-        for (; n%lanes; ++n)
+        fetch(x_i, [&](int c) { return position[c][particle]; });
+        const int packed = std::min(int(columns.size()), packedColumns);
+        if (!within)
         {
-            j[n] = nullParticle;
-            for (int c = 0; c < dim; ++c) x[c][n] = 0;
-            r[n] = sqr(2*kernel.H);
-            for (int c = 0; c < packed; ++c) field[c][n] = columns[c][nullParticle];
+            int found = selectRecords<dim>(records, list.data(), int(list.size()), x_i, sqr(kernel.H), kept);
+            while (found%lanes) kept[found++] = int(nullParticle);
+            list = {kept, std::size_t(found)};
         }
+        n = int(list.size());
+        fromRecords(records, list.data(), x_i, sqr(kernel.H), packed);
 
         #pragma GCC ivdep
-        for (int t = 0; t < n; ++t)
-        {
-            const double r_ij = std::sqrt(r[t]);
-            r[t] = r_ij;
-            dWdrOverR[t] = kernel.dWdrOverR(r_ij);
-        }
+        for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
         if (readsW)
             #pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
 
         std::size_t c = packed;
-        if (records)
-            for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
-                gatherColumns(records + array*recordArray, j, n, field + c);
+        for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
+            gatherColumns(records + array*recordArray, j, n, field + c);
         for (; c < columns.size(); ++c)
         {
             const double* const source = columns[c];
@@ -117,13 +108,11 @@ template<int dim> struct Stencil
             for (int t = 0; t < n; ++t) W[t] *= weight[t];
     }
 
-    int fromRecords(const double* records, std::span<const int> list, bool within, Vector<dim> x_i, double radiusSqr, int packed)
+    void fromRecords(const double* records, const int* list, Vector<dim> x_i, double radiusSqr, int packed)
     {
         const auto gather = [&]<int count>(std::integral_constant<int, count>)
         {
-            const auto n_list = int(list.size());
-            return within ? gatherRecords<dim, count, false>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field)
-                          : gatherRecords<dim, count>(records, list.data(), n_list, x_i, radiusSqr, j, x, r, field);
+            gatherRecords<dim, count>(records, list, n, x_i, radiusSqr, *this);
         };
         switch (packed)
         {

@@ -6,7 +6,7 @@ namespace sph
 
 PressureField readPressure(const Dictionary& dict)
 {
-    const auto text = dict.get<std::string>("pressure");
+    const auto text = entry::pressure(dict, "");
     const auto pressure = [text](const Vector<3>& x)
     {
         const auto value = evaluateAt(text, x);
@@ -19,7 +19,7 @@ PressureField readPressure(const Dictionary& dict)
     }
     catch (const ExpressionError& e)
     {
-        dict.error("pressure", e.what());
+        entry::pressure.error(dict, e.what());
         return [](const Vector<3>&) { return 0.0; };
     }
     return pressure;

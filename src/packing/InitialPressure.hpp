@@ -1,7 +1,7 @@
 /// The pressure at the start, by an expression: a fluid that is released at p = 0 and not at the pressure that it will have rings at
 /// the speed of sound.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include <functional>
 
 namespace sph
@@ -9,7 +9,13 @@ namespace sph
 
 using PressureField = std::function<double(const Vector<3>&)>;
 
-/// Reads the entry `pressure "1000*9.81*(0.1 - $y)";` [Pa] of the position [m].
+namespace entry
+{
+const Text pressure{
+    "pressure", byScene("that of the positions"),
+    "at the start [Pa], \"1000*9.81*(0.1 - $y)\"; $x, $y, $z are the position [m]; goes with `density continuity;` in system/sphSchemes"};
+}
+
 PressureField readPressure(const Dictionary&);
 
 }

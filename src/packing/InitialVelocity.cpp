@@ -6,28 +6,46 @@
 namespace sph
 {
 
-namespace
+namespace entry
 {
-Vector<3> unit(const Dictionary& dict, const std::string& key, const Vector<3>& fallback)
+const VectorParameter value{"value", units::mPerS, required, "velocity"}, omega{"omega", units::none/units::s, required, "rate of rotation"},
+    origin{"origin", units::m, Vector<3>{}, "point that coordinates count from"};
+const Scalar U{"U", units::mPerS, required, "largest velocity"}, L{"L", units::m, required, positive, "period of the vortices"},
+    height{"height", units::m, required, positive, "from origin to the other plate"};
+const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"}, normal{"normal", Vector<3>{0, 1, 0}, "across the flow"};
+const Text expression{"U", required, "velocity [m/s], \"vector(sin(2*pi()*$x), 0, 0)\"; $x, $y, $z are the position [m]"};
+
+/// The types of velocity, with what each needs.
+static const Cases& velocities()
 {
-    const auto v = dict.get<Vector<3>>(key, fallback);
-    if (mag(v) > 0) return v/mag(v);
-    dict.error(key, key + " has no length, and so no direction");
-    return fallback;
+    static const Cases all{{"uniform", {value}},
+                           {{"taylorGreen", "u = U sin(kx) cos(ky), v = -U cos(kx) sin(ky), k = 2 pi/L"}, {U, L}},
+                           {{"rotation", "omega x (x - origin)"}, {omega, origin}},
+                           {{"couette", "from 0 at the origin to U at the height"}, {U, height, direction, normal, origin}},
+                           {{"poiseuille", "4 U s (1 - s), s the height above the origin in heights"}, {U, height, direction, normal, origin}},
+                           {"expression", {expression}}};
+    return all;
+}
+static const Choice& type()
+{
+    static const Choice choice{"type", wordsOf(velocities()), required, "of the velocity"};
+    return choice;
+}
 }
 
+namespace
+{
 /// u(s) along `direction`, s being the height above `origin` along `normal` in units of `height`.
 VelocityField sheared(const Dictionary& dict, double (*profile)(double s))
 {
-    const double U = dict.get("U", units::mPerS), height = dict.getPositive("height", units::m);
-    const auto direction = unit(dict, "direction", {1, 0, 0}), normal = unit(dict, "normal", {0, 1, 0});
-    const auto origin = dict.get<Vector<3>>("origin", {});
+    const double U = entry::U(dict), height = entry::height(dict);
+    const auto direction = entry::direction(dict), normal = entry::normal(dict), origin = entry::origin(dict);
     return [=](const Vector<3>& x) { return U*profile(dot(x - origin, normal)/height)*direction; };
 }
 
 VelocityField byExpression(const Dictionary& dict)
 {
-    const auto text = dict.get<std::string>("U");
+    const auto text = entry::expression(dict);
     const auto valueAt = [text](const Vector<3>& x)
     {
         const auto value = evaluateAt(text, x);
@@ -40,38 +58,34 @@ VelocityField byExpression(const Dictionary& dict)
     }
     catch (const ExpressionError& e)
     {
-        if (dict.found("U")) dict.error("U", e.what());
+        if (entry::expression.given(dict)) entry::expression.error(dict, e.what());
         return [](const Vector<3>&) { return Vector<3>{}; };
     }
     return valueAt;
 }
 }
 
-const std::vector<std::string>& velocityNames()
-{
-    static const std::vector<std::string> names{"uniform", "taylorGreen", "rotation", "couette", "poiseuille", "expression"};
-    return names;
-}
+EntryList velocityEntries() { return {{entry::type(), entry::velocities()}}; }
 
 VelocityField readVelocity(const Dictionary& dict)
 {
-    const auto type = dict.choose("type", velocityNames());
+    const auto type = entry::type()(dict);
     if (type == "taylorGreen")
     {
-        const double U = dict.get("U", units::mPerS), k = 2*std::numbers::pi/dict.getPositive("L", units::m);
+        const double U = entry::U(dict), k = 2*std::numbers::pi/entry::L(dict);
         return [=](const Vector<3>& x) {
             return Vector<3>{U*std::sin(k*x.x)*std::cos(k*x.y), -U*std::cos(k*x.x)*std::sin(k*x.y), 0};
         };
     }
     if (type == "rotation")
     {
-        const auto omega = dict.get<Vector<3>>("omega"), origin = dict.get<Vector<3>>("origin", {});
+        const auto omega = entry::omega(dict), origin = entry::origin(dict);
         return [=](const Vector<3>& x) { return cross(omega, x - origin); };
     }
     if (type == "couette") return sheared(dict, [](double s) { return s; });
     if (type == "poiseuille") return sheared(dict, [](double s) { return 4*s*(1 - s); });
     if (type == "expression") return byExpression(dict);
-    const auto value = dict.get<Vector<3>>("value");
+    const auto value = entry::value(dict);
     return [=](const Vector<3>&) { return value; };
 }
 

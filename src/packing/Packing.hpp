@@ -53,6 +53,8 @@ struct PackingPlan
 /// Reads constant/geometry, constant/phaseProperties, constant/g, system/sphSchemes (`resolution`) and system/packParticlesDict
 /// (every entry has a default, and the file may be missing). Throws CaseError with all mistakes.
 PackingPlan readPackingPlan(const Case&);
+/// Those of system/packParticlesDict.
+EntryList packingEntries();
 
 struct PackedPhase
 {

@@ -6,6 +6,36 @@
 namespace sph
 {
 
+namespace entry
+{
+const VectorParameter centre{"centre", units::m, required, "of the region"}, min{"min", units::m, required, "lowest corner"},
+    max{"max", units::m, required, "highest corner"}, point{"point", units::m, required, "a point of the plane"};
+const Scalar radius{"radius", units::m, required, positive, "of the region"},
+    length{"length", units::m, byScene("endless"), positive, "half of it to either side of the centre"};
+const Direction axis{"axis", required, "along the axis"}, normal{"normal", required, "to the side that is meant"};
+const DictionaryList of{"of", required, "regions, each with its own entries"};
+
+/// The types of regions, with what each needs.
+static const Cases& regions()
+{
+    static const Cases all{{"all", {}},
+                           {"none", {}},
+                           {{"sphere", "with its periodic copies; in 2-D a circle"}, {centre, radius}},
+                           {{"box", "min <= x < max: boxes side by side share no particle; z does not count in 2-D"}, {min, max}},
+                           {{"halfSpace", "what lies on one side of a plane"}, {point, normal}},
+                           {"cylinder", {centre, axis, radius, length}},
+                           {"union", {of}},
+                           {"intersection", {of}},
+                           {{"difference", "the first without the others"}, {of}}};
+    return all;
+}
+static const Choice& region()
+{
+    static const Choice choice{"region", wordsOf(regions()), required, "type of the region"};
+    return choice;
+}
+}
+
 namespace
 {
 /// The vector from `to` to x by the shortest way round the periodic directions.
@@ -17,20 +47,11 @@ Vector<3> shortest(const Geometry& g, const Vector<3>& x, const Vector<3>& to)
     return d;
 }
 
-Vector<3> unit(const Dictionary& dict, const std::string& key)
-{
-    const auto v = dict.get<Vector<3>>(key);
-    const double length = mag(v);
-    if (length > 0) return v/length;
-    if (dict.found(key)) dict.error(key, key + " has no length, and so no direction");
-    return {0, 1, 0};
-}
-
 Region sphere(const Dictionary& dict, const Geometry& g)
 {
-    auto centre = dict.get<Vector<3>>("centre");
+    auto centre = entry::centre(dict);
     if (g.dimension == 2) centre.z = 0;
-    const double R2 = sqr(dict.getPositive("radius", units::m));
+    const double R2 = sqr(entry::radius(dict));
     // by value: regions outlive the reading
     Geometry space;
     space.dimension = g.dimension;
@@ -46,9 +67,9 @@ Region sphere(const Dictionary& dict, const Geometry& g)
 
 Region box(const Dictionary& dict, const Geometry& g)
 {
-    const auto low = dict.get<Vector<3>>("min"), high = dict.get<Vector<3>>("max");
+    const auto low = entry::min(dict), high = entry::max(dict);
     for (int k = 0; k < g.dimension; ++k)
-        if (low.*component(k) > high.*component(k)) dict.error("max", "max lies below min: the box is inside out");
+        if (low.*component(k) > high.*component(k)) entry::max.error(dict, "max lies below min: the box is inside out");
     const bool hasDepth = g.dimension == 3;
     return [=](const Vector<3>& x)
     { return x.x >= low.x && x.x < high.x && x.y >= low.y && x.y < high.y && (!hasDepth || (x.z >= low.z && x.z < high.z)); };
@@ -56,10 +77,8 @@ Region box(const Dictionary& dict, const Geometry& g)
 
 Region cylinder(const Dictionary& dict)
 {
-    const auto centre = dict.get<Vector<3>>("centre");
-    const auto axis = unit(dict, "axis");
-    const double R2 = sqr(dict.getPositive("radius", units::m));
-    const double half = dict.getPositive("length", units::m, 2*Box::infinity)/2;
+    const auto centre = entry::centre(dict), axis = entry::axis(dict);
+    const double R2 = sqr(entry::radius(dict)), half = entry::length(dict, 2*Box::infinity)/2;
     return [=](const Vector<3>& x)
     {
         const Vector<3> d = x - centre;
@@ -71,8 +90,8 @@ Region cylinder(const Dictionary& dict)
 Region combined(const Dictionary& dict, const std::string& type, const Geometry& g)
 {
     std::vector<Region> parts;
-    for (const auto& part : dict.dictionaries("of")) parts.push_back(readRegion(part, g));
-    if (parts.empty() && dict.found("of")) dict.error("of", "the " + type + " is of no regions");
+    for (const auto& part : entry::of(dict)) parts.push_back(readRegion(part, g));
+    if (parts.empty() && entry::of.given(dict)) entry::of.error(dict, "the " + type + " is of no regions");
     const auto contains = [](const Vector<3>& x) { return [&x](const Region& r) { return r(x); }; };
     if (type == "union") return [=](const Vector<3>& x) { return std::any_of(parts.begin(), parts.end(), contains(x)); };
     if (type == "intersection")
@@ -82,24 +101,18 @@ Region combined(const Dictionary& dict, const std::string& type, const Geometry&
 }
 }
 
-const std::vector<std::string>& regionNames()
-{
-    static const std::vector<std::string> names{"all",      "none",  "sphere",       "box",       "halfSpace",
-                                                "cylinder", "union", "intersection", "difference"};
-    return names;
-}
+EntryList regionEntries() { return {{entry::region(), entry::regions()}}; }
 
 Region readRegion(const Dictionary& dict, const Geometry& g)
 {
-    const std::string type = dict.choose("region", regionNames());
+    const std::string type = entry::region()(dict);
     if (type == "all") return [](const Vector<3>&) { return true; };
     if (type == "sphere") return sphere(dict, g);
     if (type == "box") return box(dict, g);
     if (type == "cylinder") return cylinder(dict);
     if (type == "halfSpace")
     {
-        const auto point = dict.get<Vector<3>>("point");
-        const auto normal = unit(dict, "normal");
+        const auto point = entry::point(dict), normal = entry::normal(dict);
         return [=](const Vector<3>& x) { return dot(x - point, normal) >= 0; };
     }
     if (type == "union" || type == "intersection" || type == "difference") return combined(dict, type, g);

@@ -11,6 +11,26 @@
 namespace sph
 {
 
+namespace entry
+{
+const Word phase{"phase", required, "phase that is given"}, gas{"gas", required, "phase that is left in the rest"};
+const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"), "share of the void space"};
+const Count seed{"seed", 1, anyNumber, "of chance"},
+    number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"), "of drops, at places chosen by chance"};
+const ListOf<Vector<3>> centres{"centres", units::m, byScene("chosen by chance"), "of the drops"};
+const VectorParameter point{"point", units::m, required, "a point of the layer's middle plane"};
+const Direction normal{"normal", required, "across the layer"};
+const Choice placement{"placement",
+                       {{"contacts", "where the gap between two walls is smallest: pendular water between grains"},
+                        {"film", "nearest to the walls"},
+                        {"top", "highest"},
+                        {"bottom", "lowest"},
+                        {"layer", "nearest to a plane"},
+                        {"random", "anywhere"},
+                        {"drops", "nearest to some centres"}},
+                       "contacts", "where the phase is put"};
+}
+
 namespace
 {
 /// Distances to the two nearest patches; infinite where there are fewer.
@@ -49,45 +69,40 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
 }
 }
 
-const std::vector<std::string>& placementNames()
+EntryList saturationEntries()
 {
-    static const std::vector<std::string> names{"contacts", "film", "top", "bottom", "layer", "random", "drops"};
-    return names;
+    return {entry::phase,
+            entry::gas,
+            entry::value,
+            {entry::placement,
+             {{"layer", {entry::point, entry::normal}}, {"random", {entry::seed}}, {"drops", {entry::centres, entry::number, entry::seed}}}}};
 }
 
 Saturation readSaturation(const Dictionary& dict, std::span<const std::string> phases, const Vector<3>& up)
 {
     Saturation s;
-    s.where = dict.where("value");
-    const auto indexOf = [&](const std::string& key)
+    s.where = entry::value.where(dict);
+    const auto indexOf = [&](const Word& key)
     {
-        return int(std::find(phases.begin(), phases.end(), dict.choose(key, phases)) - phases.begin()) %
+        return int(std::find(phases.begin(), phases.end(), key.among(dict, phases)) - phases.begin()) %
                std::max(1, int(phases.size()));
     };
-    s.phase = indexOf("phase");
-    s.gas = indexOf("gas");
-    if (s.phase == s.gas && dict.found("gas")) dict.error("gas", "phase and gas are the same");
-    s.value = dict.get<double>("value");
-    if (s.value < 0 || s.value > 1) dict.error("value", fmt::format("a saturation of {:g} is not between 0 and 1", s.value));
-    s.placement = dict.choose("placement", placementNames(), "contacts");
+    s.phase = indexOf(entry::phase);
+    s.gas = indexOf(entry::gas);
+    if (s.phase == s.gas && entry::gas.given(dict)) entry::gas.error(dict, "phase and gas are the same");
+    s.value = entry::value(dict);
+    s.placement = entry::placement(dict);
     s.up = up;
-    if (s.placement == "random" || s.placement == "drops") s.seed = dict.get<int>("seed", 1);
+    if (s.placement == "random" || s.placement == "drops") s.seed = entry::seed(dict);
     if (s.placement == "drops")
     {
-        if (dict.found("centres"))
-            s.centres = dict.get<std::vector<Vector<3>>>("centres");
-        else
-            s.number = dict.get<int>("number");
-        if (s.number < 1) dict.error("number", "at least one drop is needed");
+        if (entry::centres.given(dict)) s.centres = entry::centres.needed(dict);
+        else s.number = entry::number.needed(dict);
     }
     if (s.placement == "layer")
     {
-        s.point = dict.get<Vector<3>>("point");
-        s.normal = dict.get<Vector<3>>("normal");
-        if (mag(s.normal) > 0)
-            s.normal = s.normal/mag(s.normal);
-        else if (dict.found("normal"))
-            dict.error("normal", "normal has no length, and so no direction");
+        s.point = entry::point(dict);
+        s.normal = entry::normal(dict);
     }
     return s;
 }

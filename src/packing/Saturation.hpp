@@ -1,6 +1,6 @@
 /// Gives a share of the void space to one phase, exact to one particle, where that phase would lie.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "Geometry.hpp"
 #include "Points.hpp"
 #include <span>
@@ -30,9 +30,8 @@ struct Saturation
     Location where;
 };
 
-const std::vector<std::string>& placementNames();
-
 /// Reads the sub-dictionary `saturation`; `phases` are the names in order.
+EntryList saturationEntries();
 Saturation readSaturation(const Dictionary&, std::span<const std::string> phases, const Vector<3>& up);
 
 /// True for the particles that hold the phase.

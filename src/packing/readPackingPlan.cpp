@@ -1,10 +1,36 @@
 #include "Packing.hpp"
+#include "phaseEntries.hpp"
+#include "resolutionEntries.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const DictionaryList fill{"fill", byScene("all of the first phase"), "regions and what is in them; the last that contains a particle decides"};
+const Word fillPhase{"phase", required, "phase in the region, or none"};
+const VectorParameter U{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
+const Word lattice{"lattice", byScene("cubic"), "cubic; hexagonal in 2-D, fcc and bcc in 3-D"};
+const Scalar jitter{"jitter", Unit{units::none, "spacings"}, 0,
+                    between(0, 0.5).saying("a jitter of {:g} spacings is none of 0 to 0.5: beyond, neighbours change places"),
+                    "largest displacement of each component"};
+const Count seed{"seed", 1, anyNumber, "of the jitter"};
+const Switch allowEmpty{"allowEmpty", false, "a phase may have no particles"};
+const SubDictionary relax{"relax", byScene("no relaxation"), "move particles until their number density is even"},
+    saturation{"saturation", notGiven, "give a share of the void space to one phase"},
+    velocity{"velocity", byScene("at rest"), "velocity at the start"};
+
+const RelaxationSettings usual;
+const Count steps{"steps", usual.steps, nonNegative, "most steps"};
+const ListOf<double> bias{"bias", std::vector<double>{usual.bias[0], usual.bias[1]},
+                          "pressure that all particles share, at the start and at the end"};
+const Scalar tolerance{"tolerance", units::none, usual.tolerance, nonNegative, "scatter of the number density at walls at which to stop"},
+    coefficient{"coefficient", units::none, usual.coefficient,
+                positiveUpTo(1).saying("coefficient {:g} makes the relaxation unstable; above 0 and at most 1"), "of each step; 0.2 to 0.8 do"};
+}
 
 namespace
 {
@@ -14,27 +40,24 @@ constexpr double reachPerSupport = 1.1;
 std::vector<PhaseToPack> readPhases(const Dictionary& dict)
 {
     std::vector<PhaseToPack> phases;
-    for (const auto& name : dict.get<std::vector<std::string>>("phases"))
+    for (const auto& name : entry::phases(dict))
     {
         const auto phase = dict.subDict(name);
-        phases.push_back({name, phase.getPositive("rho", units::density), phase.location()});
+        phases.push_back({name, entry::rho(phase), phase.location()});
     }
-    if (phases.empty() && dict.found("phases")) dict.error("phases", "no phase is named: phases (water air);");
+    if (phases.empty() && entry::phases.given(dict)) entry::phases.error(dict, "no phase is named: phases (water air);");
     return phases;
 }
 
 std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> phaseNames, const Geometry& g)
 {
     std::vector<FillRule> rules;
-    if (!dict.found("fill")) return rules;
     phaseNames.push_back("none");
-    for (const auto& entry : dict.dictionaries("fill"))
+    for (const auto& d : entry::fill(dict))
     {
-        FillRule rule{readRegion(entry, g), FillRule::noPhase, std::nullopt};
-        const auto phase =
-            std::find(phaseNames.begin(), phaseNames.end(), entry.choose("phase", phaseNames)) - phaseNames.begin();
+        FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d)};
+        const auto phase = std::find(phaseNames.begin(), phaseNames.end(), entry::fillPhase.among(d, phaseNames)) - phaseNames.begin();
         if (phase < long(phaseNames.size()) - 1) rule.phase = int(phase);
-        if (entry.found("U")) rule.U = entry.getVector("U", units::mPerS);
         rules.push_back(std::move(rule));
     }
     return rules;
@@ -43,91 +66,83 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
 LatticeSpec readLattice(const Dictionary& dict, int dimension, double spacing)
 {
     LatticeSpec lattice;
-    lattice.type = dict.choose("lattice", latticeNames(dimension), latticeNames(dimension).front());
+    lattice.type = entry::lattice.among(dict, latticeNames(dimension), latticeNames(dimension).front());
     lattice.spacing = spacing;
-    lattice.jitter = dict.getNonNegative("jitter", units::none, 0);
-    if (lattice.jitter > 0.5)
-        dict.error("jitter", fmt::format("a jitter of {:g} spacings lets neighbours change places; at most 0.5", lattice.jitter));
-    lattice.seed = std::uint64_t(dict.get<int>("seed", 1));
+    lattice.jitter = entry::jitter(dict);
+    lattice.seed = std::uint64_t(entry::seed(dict));
     return lattice;
 }
 
 RelaxationSettings readRelaxation(const Dictionary& dict)
 {
     RelaxationSettings s;
-    s.steps = dict.get<int>("steps", s.steps);
-    if (s.steps < 0) dict.error("steps", "steps cannot be negative");
-    const auto bias = dict.get<std::vector<double>>("bias", {s.bias[0], s.bias[1]});
+    s.steps = entry::steps(dict);
+    const auto bias = entry::bias(dict);
     if (bias.size() != 2 || bias[0] <= 0 || bias[1] <= 0)
-        dict.error("bias", "bias is two positive numbers, at the start and at the end: bias (1 0.01);");
+        entry::bias.error(dict, "bias is two positive numbers, at the start and at the end: bias (1 0.01);");
     else
         s.bias = {bias[0], bias[1]};
-    s.tolerance = dict.getNonNegative("tolerance", units::none, s.tolerance);
-    s.coefficient = dict.getPositive("coefficient", units::none, s.coefficient);
-    if (s.coefficient > 1)
-        dict.error("coefficient", fmt::format("coefficient {:g} makes the relaxation unstable; at most 1", s.coefficient));
+    s.tolerance = entry::tolerance(dict);
+    s.coefficient = entry::coefficient(dict);
     return s;
 }
 
-double bedPeriod(const Dictionary& geometry)
-{
-    const auto walls = geometry.subDictOrEmpty("walls");
-    for (const auto& name : walls.keys())
-        if (walls.isDictionary(name) && walls.subDict(name).get("type", "") == "sphereBed")
-            return walls.subDict(name).get("period", units::m, 0);
-    return 0;
 }
 
-Vector<3> readGravity(const Case& c)
+EntryList packingEntries()
 {
-    const auto dict = c.dictionaryIfPresent("constant/g");
-    return dict.getVector("value", units::mPerS2, {});
-}
+    return {entry::lattice,
+            entry::jitter,
+            entry::seed,
+            entry::allowEmpty,
+            {entry::fill, regionEntries() + EntryList{entry::fillPhase, entry::U}},
+            {entry::saturation, saturationEntries()},
+            {entry::velocity, velocityEntries()},
+            entry::pressure,
+            {entry::relax, {entry::steps, entry::bias, entry::tolerance, entry::coefficient}}};
 }
 
 PackingPlan readPackingPlan(const Case& c)
 {
     PackingPlan plan;
     const auto schemes = c.dictionary("system/sphSchemes");
-    const auto resolution = schemes.subDict("resolution");
-    const double spacing = resolution.getPositive("spacing", units::m);
-    plan.kernel = resolution.choose("kernel", kernelNames(), "wendlandC2");
-    plan.support = resolution.getPositive("support", units::none, 2.6)*spacing;
-    plan.spacingAt = resolution.where("spacing");
+    const auto resolution = entry::resolution::dictionary(schemes);
+    const double spacing = entry::resolution::spacing(resolution);
+    plan.kernel = entry::resolution::kernel(resolution);
+    plan.support = entry::resolution::support(resolution)*spacing;
+    plan.spacingAt = entry::resolution::spacing.where(resolution);
     // nothing below can be made of a spacing or a support that is not there
     c.diagnostics().throwIfAny();
 
     const auto geometry = c.dictionary("constant/geometry");
     plan.geometry = readGeometry(geometry, reachPerSupport*plan.support);
     if (wallsAreLayers(schemes)) plan.geometry.layers = makeWallLayers(plan.geometry, plan.support, spacing, c.diagnostics());
-    plan.bedPeriod = bedPeriod(geometry);
-    const Vector<3> gravity = readGravity(c);
+    if (c.diagnostics().ok()) plan.bedPeriod = bedPeriod(geometry);
+    const Vector<3> gravity = entry::gravity(c.dictionaryIfPresent("constant/g"), {});
     plan.g = mag(gravity);
 
     const auto properties = c.dictionary("constant/phaseProperties");
     plan.phases = readPhases(properties);
-    if (properties.found("sigma"))
-        if (const auto pairs = properties.pairs("sigma"); !pairs.empty()) plan.surfaceTension = pairs.front().value;
+    if (const auto pairs = entry::sigma(properties); !pairs.empty()) plan.surfaceTension = pairs.front().value;
 
     std::vector<std::string> names;
     for (const auto& phase : plan.phases) names.push_back(phase.name);
     const auto dict = c.dictionaryIfPresent("system/packParticlesDict");
     plan.lattice = readLattice(dict, plan.geometry.dimension, spacing);
-    plan.latticeAt = dict.where(dict.found("jitter") ? "jitter" : "lattice");
-    plan.allowEmpty = dict.get<bool>("allowEmpty", false);
+    plan.latticeAt = entry::jitter.given(dict) ? entry::jitter.where(dict) : entry::lattice.where(dict);
+    plan.allowEmpty = entry::allowEmpty(dict);
     plan.fill = readFill(dict, names, plan.geometry);
-    if (dict.found("saturation"))
-        plan.saturation =
-            readSaturation(dict.subDict("saturation"), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
-    if (dict.found("velocity")) plan.velocity = readVelocity(dict.subDict("velocity"));
-    if (dict.found("pressure"))
+    if (entry::saturation.given(dict))
+        plan.saturation = readSaturation(entry::saturation(dict), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
+    if (entry::velocity.given(dict)) plan.velocity = readVelocity(entry::velocity(dict));
+    if (entry::pressure.given(dict))
     {
         plan.pressure = readPressure(dict);
         if (!schemes.isWord("density", "continuity"))
-            dict.error("pressure", "a pressure at the start goes with `density continuity;` in system/sphSchemes: "
+            entry::pressure.error(dict, "a pressure at the start goes with `density continuity;` in system/sphSchemes: "
                                    "else the positions decide it");
     }
-    if (dict.found("relax")) plan.relaxation = readRelaxation(dict.subDict("relax"));
+    if (entry::relax.given(dict)) plan.relaxation = readRelaxation(entry::relax(dict));
     dict.reportUnused();
     geometry.reportUnused();
     c.diagnostics().throwIfAny();

@@ -24,7 +24,7 @@ template<int dim> struct CatalogueEntry
 template<int dim> using Catalogue = std::vector<CatalogueEntry<dim>>;
 
 /// A term as an entry; `make` gives it its numbers.
-template<int dim, class T, class Make> CatalogueEntry<dim> entry(std::string name, const Make& make, const Names& names = {})
+template<int dim, class T, class Make> CatalogueEntry<dim> termEntry(std::string name, const Make& make, const Names& names = {})
 {
     static_assert(PairTerm<T, dim> + LocalLaw<T, dim> + WallLaw<T, dim> == 1);
     constexpr Over over = PairTerm<T, dim> ? Over::pairs : LocalLaw<T, dim> ? Over::particles : Over::walls;
@@ -44,7 +44,7 @@ template<int dim, class... T> Catalogue<dim> catalogue()
             else return Term{};
         };
     };
-    return {entry<dim, T>(T::name, make(std::type_identity<T>{}))...};
+    return {termEntry<dim, T>(T::name, make(std::type_identity<T>{}))...};
 }
 
 }

@@ -51,17 +51,16 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
             {
                 auto names = e->names;
                 names.insert(g.group.names.begin(), g.group.names.end());
-                const bool adds = !written.insert(g.resultName(e->results[0])).second && !e->advances;
+                const bool adds = !written.insert(g.resultName(e->results[0])).second && !e->provides && !e->advances;
                 pass.operations.push_back(e->bind(coefficients, {store, names, pass.firstColumn, adds}));
             }
         }
     }
 }
 
-/// Positions and columns of every particle, eight doubles to a cache line; null where the machine gathers one by one.
+/// Positions and columns of every particle, eight doubles to a cache line.
 template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store)
 {
-    if constexpr (!packsRecords) return nullptr;
     const std::size_t n = store.size();
     const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
     if (records_.size() < arrays*n*recordSize)

@@ -1,11 +1,23 @@
 #include "BedHydrodynamics.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
+#include "readBox.hpp"
 #include <fmt/format.h>
 #include <limits>
 
 namespace sph
 {
+
+namespace entry
+{
+const Word liquid{"liquid", byScene("the first of constant/phaseProperties"), "phase whose saturation and flow are measured"};
+const Scalar length{"length", units::m, byScene("the shortest period of the domain, else its length in x"), positive,
+                    "length of Bond and Reynolds number"},
+    porosity{"porosity", units::none, byScene("the share of sampled points outside of the walls"),
+             positiveUpTo(1).saying("porosity is a fraction of the bed, above 0 and at most 1"), "share of the pores in the bed"};
+const Count samples{"samples", 64, atLeast(2), "points in each direction by which porosity and wall area are found"};
+const SubDictionary region{"region", byScene("the domain"), "the bed"};
+}
 
 namespace
 {
@@ -43,20 +55,23 @@ double defaultLength(const Geometry& g)
 BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       phases_(context.phases),
-      liquid_(readPhase(d, "liquid", context.phases)),
-      length_(d.getPositive("length", units::m, defaultLength(context.geometry))),
-      samples_(d.get("samples", 64)),
+      liquid_(readPhase(d, entry::liquid, context.phases)),
+      length_(entry::length(d, defaultLength(context.geometry))),
+      porosity_(entry::porosity.ifGiven(d)),
+      samples_(entry::samples(d)),
       where_(d.location())
 {
-    if (d.found("porosity")) porosity_ = d.getPositive("porosity", units::none);
-    if (porosity_ && *porosity_ > 1) d.error("porosity", "porosity is a fraction of the bed, at most 1");
-    if (samples_ < 2) d.error("samples", "samples must be at least 2");
-    const auto region = d.subDictOrEmpty("region");
-    low_ = region.get("min", context.geometry.low);
-    high_ = region.get("max", context.geometry.high);
+    const auto region = entry::region(d);
+    low_ = entry::min(region, context.geometry.low);
+    high_ = entry::max(region, context.geometry.high);
     const auto size = high_ - low_;
     if (!(size.x > 0 && size.y > 0 && (size.z > 0 || context.geometry.dimension == 2)))
-        d.error("region", "min must lie below max in each direction");
+        entry::region.error(d, "min must lie below max in each direction");
+}
+
+EntryList BedHydrodynamics::entries()
+{
+    return {entry::liquid, entry::length, entry::porosity, {entry::region, {entry::min, entry::max}}, entry::samples};
 }
 
 bool BedHydrodynamics::inBed(const Vector<3>& x) const

@@ -35,6 +35,7 @@ class BedHydrodynamics : public FunctionObject
     bool inBed(const Vector<3>&) const;
 
 public:
+    static EntryList entries();
     BedHydrodynamics(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override { return report_; }

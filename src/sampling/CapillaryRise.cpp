@@ -1,40 +1,54 @@
 #include "CapillaryRise.hpp"
 #include "BosanquetRise.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <cmath>
 #include <numbers>
 
 namespace sph
 {
 
+namespace entry
+{
+const SubDictionary slit{"slit", required, "box of the slit"}, reservoir{"reservoir", required, "box of the reservoir beside it"};
+const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
+const Scalar foot{"foot", units::m, required, "height of the slit's lower end"},
+    level{"level", units::m, required, "height of both surfaces at the start"},
+    contactAngle{"contactAngle", degrees, required,
+                 Range{.low = 0, .high = 90, .highIncluded = false}.saying("the liquid rises where its contact angle lies between 0 and 90 degrees"),
+                 "of the plates"},
+    slipLength{"slipLength", units::m, 0, nonNegative, "of the plates in the reference"};
+}
+
 namespace
 {
 
 Box readBox(const Dictionary& d)
 {
-    const Box box{d.get<Vector<3>>("min"), d.get<Vector<3>>("max")};
-    if (!(box.high.x > box.low.x && box.high.y > box.low.y)) d.error("max", "max must be greater than min in x and y");
+    const Box box{entry::min(d), entry::max(d)};
+    if (!(box.high.x > box.low.x && box.high.y > box.low.y)) entry::max.error(d, "max must be greater than min in x and y");
     return box;
 }
 
 }
 
 CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)),
-      slit_(readBox(d.subDict("slit"))),
-      reservoir_(readBox(d.subDict("reservoir"))),
-      foot_(d.get("foot", units::m)),
-      start_(d.get("level", units::m)),
-      angle_(d.get("contactAngle", units::none)),
-      slipLength_(d.getNonNegative("slipLength", units::m, 0)),
-      where_(d.where("name"))
+    : phase_(readPhase(d, entry::phase, phases)), slit_(readBox(entry::slit(d))), reservoir_(readBox(entry::reservoir(d))), foot_(entry::foot(d)),
+      start_(entry::level(d)), angle_(entry::contactAngle(d)), slipLength_(entry::slipLength(d)), where_(d.where("name"))
 {
     if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
-    if (!(angle_ >= 0 && angle_ < 90)) d.error("contactAngle", "the liquid rises where its contact angle lies between 0 and 90 degrees");
-    if (start_ < foot_) d.error("level", "the slit must be immersed: level lies below foot");
-    if (slipLength_ > 0 && start_ == foot_) d.error("slipLength", "friction of the whole tank needs a slit that is immersed: level lies at foot");
-    if (slipLength_ > 0 && slipLength_ >= 0.5 * (slit_.high.x - slit_.low.x)) d.error("slipLength", "must be less than half the width of the slit");
+    if (start_ < foot_) entry::level.error(d, "the slit must be immersed: level lies below foot");
+    if (slipLength_ > 0 && start_ == foot_)
+        entry::slipLength.error(d, "friction of the whole tank needs a slit that is immersed: level lies at foot");
+    if (slipLength_ > 0 && slipLength_ >= 0.5 * (slit_.high.x - slit_.low.x))
+        entry::slipLength.error(d, "must be less than half the width of the slit");
+}
+
+EntryList CapillaryRise::entries()
+{
+    const EntryList box{entry::min, entry::max};
+    return {entry::phase, {entry::slit, box}, {entry::reservoir, box}, entry::foot, entry::level, entry::contactAngle, entry::slipLength};
 }
 
 Measurement CapillaryRise::operator()(const ParticleView& view) const

@@ -19,7 +19,8 @@ class CapillaryRise
     Location where_;
 
 public:
-    /// phase (the first); slit { min; max; }; reservoir { min; max; }; foot; level; contactAngle; slipLength (0). 2-D, gravity along -y.
+    /// 2-D, gravity along -y.
+    static EntryList entries();
     CapillaryRise(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     /// CaseError without surface tension, and of a liquid that is lighter than the gas.
     Measurement operator()(const ParticleView&) const;

@@ -2,6 +2,7 @@
 #include "ColumnMode.hpp"
 #include "ModeFit.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,13 +10,20 @@
 namespace sph
 {
 
+namespace entry
+{
+const Scalar largest{"largest", Unit{units::none, "radii"}, 0.2, positive, "amplitude up to which samples add to the fit"};
+}
+
 ColumnGrowth::ColumnGrowth(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), largest_(d.getPositive("largest", units::none, 0.2)), history_(d)
+    : phase_(readPhase(d, entry::phase, phases)), largest_(entry::largest(d)), history_(d)
 {
     if (phases.size() != 2) d.error("name", "a column stands in a second phase: the scene must have two");
     if (geometry.dimension != 3 || !geometry.periodic[2])
         d.error("name", "the column's waves are measured along z: the domain must be 3-D and periodic in z");
 }
+
+EntryList ColumnGrowth::entries() { return {entry::phase, entry::largest, entry::from}; }
 
 Measurement ColumnGrowth::operator()(const ParticleView& view)
 {

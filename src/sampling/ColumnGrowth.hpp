@@ -19,7 +19,8 @@ class ColumnGrowth
     ModeHistory history_;
 
 public:
-    /// phase (the first); from 0 [s]; largest 0.2. The domain is periodic in z.
+    /// The domain is periodic in z.
+    static EntryList entries();
     ColumnGrowth(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&);
 };

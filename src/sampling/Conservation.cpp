@@ -1,6 +1,7 @@
 #include "Conservation.hpp"
 #include "Norms.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>
@@ -8,14 +9,21 @@
 namespace sph
 {
 
+namespace entry
+{
+const Switch angularMomentum{"angularMomentum", false, "the angular momentum as well"};
+}
+
 Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       phases_(context.phases),
-      angular_(d.get("angularMomentum", false)),
-      origin_(d.get("origin", Vector<3>{})),
+      angular_(entry::angularMomentum(d)),
+      origin_(entry::origin(d)),
       where_(d.location())
 {
 }
+
+EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }
 
 Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>& origin, const Location& where)
 {

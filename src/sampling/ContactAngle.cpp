@@ -3,12 +3,20 @@
 #include "SampledField.hpp"
 #include "SphereFit.hpp"
 #include "VolumeFraction.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar angle{"angle", degrees, byScene("the wall's contactAngle, turned round for other phases than the first"),
+                   between(0, 180).saying("a contact angle lies between 0 and 180 degrees"), "the exact one"},
+    above{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "height above the wall from which on the surface is fitted"};
+}
 
 namespace
 {
@@ -33,10 +41,10 @@ std::vector<Vector<3>> directions(int dimension)
 }
 
 ContactAngle::ContactAngle(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), angle_(d.get("angle", -1.0)), above_(d.getNonNegative("above", units::none, 2.5))
-{
-    if (d.found("angle") && !(angle_ >= 0 && angle_ <= 180)) d.error("angle", "a contact angle lies between 0 and 180 degrees");
-}
+    : phase_(readPhase(d, entry::phase, phases)), angle_(entry::angle(d, -1)), above_(entry::above(d))
+{}
+
+EntryList ContactAngle::entries() { return {entry::phase, entry::angle, entry::above}; }
 
 Measurement ContactAngle::operator()(const ParticleView& view) const
 {

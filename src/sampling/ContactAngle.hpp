@@ -18,7 +18,7 @@ class ContactAngle
     double angle_, above_; ///< [degrees], negative: that of the wall; [spacings]
 
 public:
-    /// phase (the first); angle (by default the wall's contactAngle, turned round for other phases than the first); above 2.5.
+    static EntryList entries();
     ContactAngle(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

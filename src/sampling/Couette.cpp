@@ -1,9 +1,14 @@
 #include "Couette.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <numbers>
 
 namespace sph
 {
+
+namespace entry
+{
+const VectorParameter velocity{"velocity", units::mPerS, required, "of the plate that moves"};
+}
 
 namespace
 {
@@ -13,14 +18,10 @@ constexpr double imagesBelow = 0.05; // nu t/L^2
 Couette::Couette(double nu, double speed, double width) : nu_(nu), L_(width), V_{speed, 0, 0}, normal_{0, 1, 0}, steady_(false) {}
 
 Couette::Couette(const Dictionary& d)
-    : nu_(d.getPositive("nu", units::kinematicViscosity)),
-      L_(d.getPositive("width", units::m)),
-      V_(d.getVector("velocity", units::mPerS)),
-      normal_(readDirection(d, "normal", {0, 1, 0})),
-      origin_(d.get("origin", Vector<3>{})),
-      steady_(d.get("steady", false))
-{
-}
+    : nu_(entry::nu(d)), L_(entry::width(d)), V_(entry::velocity(d)), normal_(entry::normal(d)), origin_(entry::origin(d)), steady_(entry::steady(d))
+{}
+
+EntryList Couette::entries() { return {entry::nu, entry::width, entry::velocity, entry::normal, entry::origin, entry::steady}; }
 
 double Couette::relativeSpeed(double y, double t) const
 {

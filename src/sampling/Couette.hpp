@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -19,7 +19,7 @@ class Couette
 
 public:
     Couette(double nu, double speed, double width);
-    /// nu width; velocity (1 0 0) of the moving plate; normal (0 1 0); origin (0 0 0); steady no.
+    static EntryList entries();
     explicit Couette(const Dictionary&);
 
     /// v/V

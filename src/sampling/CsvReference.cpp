@@ -1,6 +1,6 @@
 #include "CsvReference.hpp"
 #include "csv.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,6 +10,21 @@
 
 namespace sph
 {
+
+namespace entry
+{
+const Text file{"file", required, "table, relative to the case; its first line names the columns, # begins a note"};
+const SubDictionary columns{"columns", required, "names of the columns"}, units{"units", byScene("1 each"), "SI value of 1 in each column"},
+    select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
+const Word coordinate{"coordinate", required, "column of the coordinate"}, time{"time", byScene("none: a steady reference"), "column of the time"},
+    timeAlone{"time", required, "column of the time"}, value{"value", required, "column of the value"};
+const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"},
+    timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"}, valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
+const FreeName column{"<column>", "word or number", "what the column must hold"};
+const Direction axis{"axis", byScene("that of the coordinate column x, y or z"), "coordinate of a point: (point - origin).axis"};
+const Switch mirror{"mirror", false, "take the coordinate's absolute value, for profiles given from the middle"};
+const Choice interpolation{"interpolation", {"linear", {"cubic", "through the four nearest rows"}}, "linear", "between the rows"};
+}
 
 namespace
 {
@@ -44,35 +59,42 @@ CsvReference::CsvReference(const Dictionary& d, const std::filesystem::path& cas
 {
     if (over == Over::space)
     {
-        origin_ = d.get("origin", Vector<3>{});
-        mirror_ = d.get("mirror", false);
+        origin_ = entry::origin(d);
+        mirror_ = entry::mirror(d);
     }
-    const std::vector<std::string> forms{"linear", "cubic"};
-    cubic_ = d.choose("interpolation", forms, "linear") == "cubic";
+    cubic_ = entry::interpolation(d) == "cubic";
     read(d, caseFolder);
+}
+
+EntryList CsvReference::entries(Over over)
+{
+    const EntryList rest{{entry::select, {entry::column}}, entry::interpolation};
+    if (over == Over::time)
+        return EntryList{entry::file, {entry::columns, {entry::timeAlone, entry::value}}, {entry::units, {entry::timeUnit, entry::valueUnit}}} + rest;
+    return EntryList{entry::file, {entry::columns, {entry::coordinate, entry::time, entry::value}},
+                     {entry::units, {entry::coordinateUnit, entry::timeUnit, entry::valueUnit}}, entry::axis, entry::origin, entry::mirror} + rest;
 }
 
 void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFolder)
 {
-    const auto fileName = d.get<std::string>("file");
-    const auto columns = d.subDict("columns");
+    const auto fileName = entry::file(d);
+    const auto columns = entry::columns(d);
     const bool inSpace = over_ == Over::space;
-    const std::string coordinateKey = inSpace ? "coordinate" : "time";
-    const auto coordinateName = columns.get<std::string>(coordinateKey), valueName = columns.get<std::string>("value");
-    const auto timeName = inSpace ? columns.get("time", "") : "";
+    const Word& coordinateWord = inSpace ? entry::coordinate : entry::timeAlone;
+    const auto coordinateName = coordinateWord(columns), valueName = entry::value(columns);
+    const auto timeName = inSpace ? entry::time(columns, "") : "";
     steady_ = timeName.empty();
     if (inSpace)
-        axis_ = readDirection(d, "axis",
-                              coordinateName == "x"   ? Vector<3>{1, 0, 0}
-                              : coordinateName == "z" ? Vector<3>{0, 0, 1}
-                                                      : Vector<3>{0, 1, 0});
-    if (inSpace && !d.found("axis") && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
-        d.error("axis", fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
+        axis_ = entry::axis(d, coordinateName == "x"   ? Vector<3>{1, 0, 0}
+                               : coordinateName == "z" ? Vector<3>{0, 0, 1}
+                                                       : Vector<3>{0, 1, 0});
+    if (inSpace && !entry::axis.given(d) && coordinateName != "x" && coordinateName != "y" && coordinateName != "z")
+        entry::axis.error(d, fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
 
-    const auto units = d.subDictOrEmpty("units");
-    const double coordinateUnit = units.get(coordinateKey, 1.0), timeUnit = inSpace ? units.get("time", 1.0) : 1,
-                 valueUnit = units.get("value", 1.0);
-    const auto select = d.subDictOrEmpty("select");
+    const auto unitsOf = entry::units(d);
+    const double coordinateUnit = (inSpace ? entry::coordinateUnit : entry::timeUnit)(unitsOf), timeUnit = inSpace ? entry::timeUnit(unitsOf) : 1,
+                 valueUnit = entry::valueUnit(unitsOf);
+    const auto select = entry::select(d);
     std::map<std::string, std::string> wanted;
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
     if (fileName.empty() || coordinateName.empty() || valueName.empty()) return;
@@ -86,7 +108,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
         while (std::getline(file, line) && line.starts_with('#'));
         return bool(file);
     };
-    if (!file || !nextLine()) return d.error("file", fmt::format("cannot read {}", fileName));
+    if (!file || !nextLine()) return entry::file.error(d, fmt::format("cannot read {}", fileName));
     const auto header = csvCells(line);
     const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
     {
@@ -95,8 +117,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             asked.error(key, fmt::format("{} has no column \"{}\". {}", fileName, name, suggestion(name, "columns", header)));
         return std::size_t(found - header.begin());
     };
-    const auto c = column(columns, coordinateKey, coordinateName), v = column(columns, "value", valueName);
-    const auto t = steady_ ? 0 : column(columns, "time", timeName);
+    const auto c = column(columns, coordinateWord.keyword(), coordinateName), v = column(columns, entry::value.keyword(), valueName);
+    const auto t = steady_ ? 0 : column(columns, entry::time.keyword(), timeName);
     std::map<std::size_t, std::string> filter;
     for (const auto& [key, word] : wanted) filter[column(select, key, key)] = word;
     if (std::max({c, v, t}) >= header.size() || filter.contains(header.size())) return;
@@ -132,7 +154,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             profile.coordinate.push_back(coordinate);
             profile.value.push_back(value);
         }
-        if (rows.size() < 2) d.error("file", fmt::format("{} has only one row at {} = {}", fileName, timeName, time / timeUnit));
+        if (rows.size() < 2) entry::file.error(d, fmt::format("{} has only one row at {} = {}", fileName, timeName, time / timeUnit));
         profiles_.push_back(std::move(profile));
         times_.push_back(time);
     }

@@ -1,6 +1,6 @@
 /// A reference field from a table on disk, by linear or cubic interpolation in one coordinate and in time.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include <filesystem>
 #include <optional>
 
@@ -45,6 +45,7 @@ private:
     void read(const Dictionary&, const std::filesystem::path& caseFolder);
 
 public:
+    static EntryList entries(Over);
     CsvReference(const Dictionary&, const std::filesystem::path& caseFolder, Over = Over::space);
 
     /// Over time: the first argument is the time [s], and nothing is extrapolated.

@@ -1,6 +1,7 @@
 #include "DragFactor.hpp"
 #include "Drop.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include "words.hpp"
 #include <fmt/format.h>
 #include <limits>
@@ -9,6 +10,15 @@
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar radius{"radius", units::m, required, positive, "of the spheres, in 2-D of the cylinders"},
+    period{"period", units::m, notGiven, positive, "edge of the lattice's cell, in place of solidFraction"},
+    solidFraction{"solidFraction", units::none, byScene("that of lattice and period"), positive, "share of the solids in the cell"},
+    reference{"reference", units::none, byScene("that of the lattice at the solid fraction"), positive, "the exact factor K"};
+const Word lattice{"lattice", notGiven, "sc, bcc or fcc; in 2-D square"};
+}
 
 namespace
 {
@@ -62,8 +72,8 @@ double referenceOf(const Dictionary& d, const std::string& lattice, double solid
     const auto known = references().find(lattice);
     if (known == references().end())
     {
-        if (!d.found("lattice"))
-            d.error("lattice", "dragFactor needs a lattice or a reference. Known lattices: " + list(lattices));
+        if (!entry::lattice.given(d))
+            entry::lattice.error(d, "dragFactor needs a lattice or a reference. Known lattices: " + list(lattices));
         return 1;
     }
     std::string fractions;
@@ -72,34 +82,35 @@ double referenceOf(const Dictionary& d, const std::string& lattice, double solid
         if (std::abs(fraction - solidFraction) <= sameSolidFraction * fraction) return K;
         fractions += fmt::format("{}{}", fractions.empty() ? "" : ", ", fraction);
     }
-    d.error("lattice",
-            fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
-                        lattice, solidFraction, fractions));
+    entry::lattice.error(d, fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
+                                        lattice, solidFraction, fractions));
     return 1;
 }
 
 }
 
 DragFactor::DragFactor(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), radius_(d.getPositive("radius", units::m))
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d))
 {
     const std::vector<std::string> lattices =
         geometry.dimension == 2 ? std::vector<std::string>{"square"} : std::vector<std::string>{"sc", "bcc", "fcc"};
     std::string lattice;
-    if (d.found("lattice")) lattice = d.choose("lattice", lattices);
-    if (d.found("period"))
+    if (entry::lattice.given(d)) lattice = entry::lattice.among(d, lattices);
+    if (const auto period = entry::period.ifGiven(d))
     {
-        const double period = d.getPositive("period", units::m), a = radius_ / period;
+        const double a = radius_ / *period;
         solidFraction_ = geometry.dimension == 2 ? pi * a * a : spheresPerCell(lattice) * 4.0 / 3 * pi * a * a * a;
-        if (lattice.empty()) d.error("lattice", "lattice is needed where period is given. Known lattices: " + list(lattices));
+        if (lattice.empty()) entry::lattice.error(d, "lattice is needed where period is given. Known lattices: " + list(lattices));
     }
     else
-        solidFraction_ = d.getPositive("solidFraction", units::none);
+        solidFraction_ = entry::solidFraction.needed(d);
+    const auto reference = entry::reference.ifGiven(d);
+    reference_ = reference ? *reference : referenceOf(d, lattice, solidFraction_, lattices);
+}
 
-    if (d.found("reference"))
-        reference_ = d.getPositive("reference", units::none);
-    else
-        reference_ = referenceOf(d, lattice, solidFraction_, lattices);
+EntryList DragFactor::entries()
+{
+    return {entry::phase, entry::radius, entry::lattice, entry::period, entry::solidFraction, entry::reference};
 }
 
 Measurement DragFactor::operator()(const ParticleView& view) const

@@ -22,7 +22,7 @@ class DragFactor
     double radius_, solidFraction_, reference_ = 1;
 
 public:
-    /// radius; solidFraction, or lattice and period; lattice sc|bcc|fcc|square or reference; phase (the first).
+    static EntryList entries();
     DragFactor(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

@@ -3,11 +3,17 @@
 #include "DropMode.hpp"
 #include "ModeFit.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <limits>
 #include <numbers>
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative, "of the drop at rest"};
+}
 
 namespace
 {
@@ -15,11 +21,13 @@ constexpr double pi = std::numbers::pi;
 }
 
 DropOscillation::DropOscillation(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)), radius_(d.getNonNegative("radius", units::m, 0)), history_(d)
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), history_(d)
 {
     if (geometry.dimension != 2) d.error("name", "the oscillation of a drop is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "a drop oscillates in a second phase: the scene must have two");
 }
+
+EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::from}; }
 
 DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 {

@@ -25,7 +25,7 @@ public:
         Measurement measurement;           ///< without value and reference
     };
 
-    /// phase (the first); radius (by default that of a drop of the phase's volume); from 0 [s].
+    static EntryList entries();
     DropOscillation(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Rates operator()(const ParticleView&);
 };
@@ -34,6 +34,7 @@ public:
 struct DropPeriod
 {
     DropOscillation drop;
+    static EntryList entries() { return DropOscillation::entries(); }
     DropPeriod(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
     Measurement operator()(const ParticleView&);
 };
@@ -42,6 +43,7 @@ struct DropPeriod
 struct DropDecay
 {
     DropOscillation drop;
+    static EntryList entries() { return DropOscillation::entries(); }
     DropDecay(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
     Measurement operator()(const ParticleView&);
 };

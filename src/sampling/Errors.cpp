@@ -2,13 +2,26 @@
 #include "CsvReference.hpp"
 #include "Formulas.hpp"
 #include "Measurement.hpp"
-#include "knownWord.hpp"
-#include <algorithm>
+#include "sharedEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const DictionaryList comparisons{"fields", byScene("the one comparison that stands here"),
+                                 "several comparisons, each with its own field, reference ..."};
+const SubDictionary reference{"reference", required, "what to compare with"};
+const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}}, required, "of the reference"};
+
+static const Choice& name()
+{
+    static const Choice formulaOrMeasure{"name", wordsOf(formulas() + measures()), required, "formula or measure"};
+    return formulaOrMeasure;
+}
+}
 
 namespace
 {
@@ -25,21 +38,27 @@ std::optional<ErrorRow> compareMeasure(const std::string& name, const Measuremen
 
 Errors::Errors(const Dictionary& d, const FunctionContext& context) : context_(context)
 {
-    if (!d.found("fields"))
-        readComparison(d);
-    else
-        for (const auto& comparison : d.dictionaries("fields")) readComparison(comparison);
+    if (!entry::comparisons.given(d)) readComparison(d);
+    for (const auto& comparison : entry::comparisons(d)) readComparison(comparison);
+}
+
+EntryList Errors::entries()
+{
+    return FieldComparison::entries() + EntryList{{entry::reference,
+                                                   {{entry::type,
+                                                     {{"formula", {{entry::name(), formulas() + measures()}}},
+                                                      {"csv", CsvReference::entries(CsvReference::Over::space)}}}}},
+                                                  entry::comparisons};
 }
 
 void Errors::readComparison(const Dictionary& d)
 {
-    const auto reference = d.subDict("reference");
+    const auto reference = entry::reference(d);
     const auto leaveRest = [&d]
     {
         for (const auto& key : d.keys()) d.ignore(key);
     };
-    const std::vector<std::string> types{"formula", "csv"};
-    const auto type = knownWord(reference, "type", types);
+    const auto type = entry::type.known(reference);
     if (type == "csv")
     {
         auto csv = CsvReference(reference, context_.output.caseFolder(context_.name));
@@ -54,22 +73,17 @@ void Errors::readComparison(const Dictionary& d)
     if (!type) leaveRest();
     if (type != "formula") return;
 
-    const auto measures = measureNames();
-    auto names = formulaNames();
-    names.insert(names.end(), measures.begin(), measures.end());
-    const auto chosen = knownWord(reference, "name", names);
+    const auto chosen = entry::name().known(reference);
     if (!chosen) return leaveRest();
     const auto name = *chosen;
-    if (std::ranges::find(measures, name) != measures.end())
+    if (const auto measure = readMeasure(name, reference, context_.geometry, context_.phases, context_.output.caseFolder(context_.name)))
     {
-        const auto measure = readMeasure(name, reference, context_.geometry, context_.phases,
-                                         context_.output.caseFolder(context_.name));
         const bool relative = readsRelative(d);
         comparisons_.push_back([=](const ParticleView& view) { return compareMeasure(name, measure(view), relative); });
         return;
     }
-    const auto exact = readFormula(name, reference, d.get<std::string>("field"));
-    const auto component = d.get("component", "");
+    const auto exact = readFormula(name, reference, entry::field(d));
+    const auto component = readComponent(d);
     comparisons_.push_back(FieldComparison(d, context_,
                                            [=](const Vector<3>& x, double t) -> std::optional<Vector<3>>
                                            {

@@ -30,6 +30,7 @@ class Errors : public FunctionObject
     void readComparison(const Dictionary&);
 
 public:
+    static EntryList entries();
     Errors(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override { return report_; }

@@ -3,6 +3,7 @@
 #include "Interpolator.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,45 +11,61 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice component{
+    "component", {"x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"}, byScene("the magnitude of the difference"), "component to compare"},
+    norm{"norm", {"relative", "absolute"}, "relative", "errors divided by the reference, or as they are"},
+    cellMeans{
+        "cellMeans", {"x", "y", "z"}, notGiven, "direction along which the reference is averaged over a spacing: all that particles have of a cusp"},
+    points{"points",
+           {"particles", {"rows", "the rows of a csv reference, all of the same weight, where the field is interpolated"}},
+           "particles",
+           "where to compare"};
+const Scalar scale{"scale", Unit{units::none, "of the field"}, byScene("the same norm of the reference"), positive,
+                   "what relative errors are divided by"};
+const Switch removeMean{"removeMean", false, "compare up to a constant, as for a pressure without a level"};
+const Word phaseAlone{"phase", byScene("all"), "compare its particles alone"};
+const SubDictionary region{"region", byScene("everywhere"), "compare points within this box alone"};
+const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
+}
+
 bool readsRelative(const Dictionary& d)
 {
-    const std::vector<std::string> norms{"relative", "absolute"};
-    return d.choose("norm", norms, "relative") == "relative";
+    return entry::norm(d) == "relative";
+}
+
+std::string readComponent(const Dictionary& d) { return entry::component.ifGiven(d).value_or(""); }
+
+EntryList FieldComparison::entries()
+{
+    return {
+        entry::field,     entry::component, entry::norm, entry::scale, entry::points, entry::phaseAlone, {entry::region, {entry::min, entry::max}},
+        entry::cellMeans, entry::removeMean};
 }
 
 FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference,
                                  const std::vector<Vector<3>>& rows)
-    : field_(d.get<std::string>("field")),
+    : field_(entry::field(d)),
+      component_(readComponent(d)),
       relative_(readsRelative(d)),
-      removeMean_(d.get("removeMean", false)),
-      where_(d.where("field")),
+      removeMean_(entry::removeMean(d)),
+      scale_(entry::scale.ifGiven(d)),
+      where_(component_.empty() ? entry::field.where(d) : entry::component.where(d)),
       reference_(std::move(reference))
 {
-    static const std::vector<std::string> components{"x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
-    if (d.found("component"))
+    if (const auto axis = entry::cellMeans.ifGiven(d)) cell_ = {*axis == "x" ? 1.0 : 0.0, *axis == "y" ? 1.0 : 0.0, *axis == "z" ? 1.0 : 0.0};
+    if (entry::phaseAlone.given(d)) phase_ = readPhase(d, entry::phaseAlone, context.phases);
+    if (entry::region.given(d))
     {
-        component_ = d.choose("component", components);
-        where_ = d.where("component");
+        const auto region = entry::region(d);
+        region_ = Box{entry::min(region), entry::max(region)};
     }
-    if (d.found("scale")) scale_ = d.getPositive("scale", DimensionSet{});
-    if (d.found("cellMeans"))
-    {
-        static const std::vector<std::string> axes{"x", "y", "z"};
-        const auto axis = d.choose("cellMeans", axes);
-        cell_ = {axis == "x" ? 1.0 : 0.0, axis == "y" ? 1.0 : 0.0, axis == "z" ? 1.0 : 0.0};
-    }
-    if (d.found("phase")) phase_ = readPhase(d, "phase", context.phases);
-    if (d.found("region"))
-    {
-        const auto region = d.subDict("region");
-        region_ = Box{region.get<Vector<3>>("min"), region.get<Vector<3>>("max")};
-    }
-    static const std::vector<std::string> points{"particles", "rows"};
-    if (d.choose("points", points, "particles") == "particles") return;
+    if (entry::points(d) == "particles") return;
     rows_ = rows;
-    if (rows.empty()) d.error("points", "only a reference of type csv has rows");
-    if (mag(cell_) > 0) d.error("cellMeans", "cellMeans goes with `points particles;` alone: a row has no cell");
-    if (phase_) d.error("phase", "phase goes with `points particles;` alone: a row belongs to no phase");
+    if (rows.empty()) entry::points.error(d, "only a reference of type csv has rows");
+    if (mag(cell_) > 0) entry::cellMeans.error(d, "cellMeans goes with `points particles;` alone: a row has no cell");
+    if (phase_) entry::phaseAlone.error(d, "phase goes with `points particles;` alone: a row belongs to no phase");
 }
 
 /// The component that is compared; -1 for the whole vector or scalar.

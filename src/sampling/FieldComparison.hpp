@@ -23,16 +23,6 @@ struct ErrorRow
 /// The reference at x [m] and t [s], a scalar in the first component; nothing where the reference does not reach.
 using ReferenceField = std::function<std::optional<Vector<3>>(const Vector<3>& x, double t)>;
 
-/// Dictionary, beside `reference`:
-///
-///     field U;  component x;            // no component: the magnitude of the difference of vectors
-///     norm relative;                    // or absolute
-///     scale 1.25e-5;                    // what relative norms are relative to; by default the same norm of the reference
-///     points particles;                 // or rows: the field interpolated at the rows of a csv reference, all of the same weight
-///     phase water;                      // only its particles
-///     region { min (..); max (..); }    // only points within
-///     cellMeans y;                      // the reference's mean over a spacing along x, y or z around each particle, all it has of a cusp
-///     removeMean yes;                   // for a pressure that is given up to a constant
 class FieldComparison
 {
     std::string field_, component_;
@@ -57,6 +47,7 @@ class FieldComparison
     std::vector<Sample> atRows(const ParticleView&, const SampledField&, int component) const;
 
 public:
+    static EntryList entries();
     /// `rows`: where the reference has its own values, which `points rows` asks for; empty of a formula.
     FieldComparison(const Dictionary&, const FunctionContext&, ReferenceField, const std::vector<Vector<3>>& rows = {});
 
@@ -67,5 +58,7 @@ public:
 
 /// `norm relative|absolute;`, relative by default.
 bool readsRelative(const Dictionary&);
+/// "x" to "zz", empty where none is given.
+std::string readComponent(const Dictionary&);
 
 }

@@ -10,11 +10,17 @@
 namespace sph
 {
 
-Filling::Filling(const Dictionary& d, const FunctionContext& context)
-    : context_(context), box_(readBox(d, context.geometry)), level_(d.getPositive("level", units::none, 0.99))
+namespace entry
 {
-    if (level_ > 1) d.error("level", fmt::format("{} is more than the whole cavity", level_));
+const Scalar level{"level", units::none, 0.99, positiveUpTo(1).saying("{} is no share of the cavity, above 0 and at most 1"),
+                   "share of the cavity reached at the fill time"};
 }
+
+Filling::Filling(const Dictionary& d, const FunctionContext& context)
+    : context_(context), box_(readBox(d, context.geometry)), level_(entry::level(d))
+{}
+
+EntryList Filling::entries() { return {entry::min, entry::max, entry::level}; }
 
 Vector<3> Filling::centre(int i, int k, int l, double spacing) const
 {

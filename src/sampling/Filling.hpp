@@ -31,6 +31,7 @@ class Filling : public FunctionObject
     double shareReached(const ParticleView&) const;
 
 public:
+    static EntryList entries();
     Filling(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;

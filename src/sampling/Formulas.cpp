@@ -20,49 +20,60 @@ struct Formula
 {
     std::string name, field;
     ExactField (*read)(const Dictionary&);
+    EntryList (*entries)();
 };
 
-template<class Solution> ExactField velocity(const Dictionary& dictionary)
+template<class Solution> Formula velocity(const std::string& name)
 {
-    return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return solution.velocity(x, t); };
+    return {name, "U",
+            [](const Dictionary& dictionary) -> ExactField
+            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return solution.velocity(x, t); }; },
+            Solution::entries};
 }
 
-template<class Solution> ExactField pressure(const Dictionary& dictionary)
+template<class Solution> Formula pressure(const std::string& name)
 {
-    return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; };
+    return {name, "p",
+            [](const Dictionary& dictionary) -> ExactField
+            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; }; },
+            Solution::entries};
 }
 
-template<class Solution> ExactField scalar(const Dictionary& dictionary)
+template<class Solution> Formula phi(const std::string& name)
 {
-    return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; };
+    return {name, "phi",
+            [](const Dictionary& dictionary) -> ExactField
+            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; }; },
+            Solution::entries};
 }
 
 const std::vector<Formula>& catalogue()
 {
-    static const std::vector<Formula> formulas{
-        {"planePoiseuille", "U", velocity<PlanePoiseuille>},
-        {"twoLayerPoiseuille", "U", velocity<TwoLayerPoiseuille>},
-        {"couette", "U", velocity<Couette>},
-        {"taylorGreen", "U", velocity<TaylorGreen>},
-        {"taylorGreen", "p", pressure<TaylorGreen>},
-        {"hydrostatic", "p", pressure<Hydrostatic>},
-        {"ritter", "U", velocity<Ritter>},
-        {"ritter", "p", pressure<Ritter>},
-        {"suspensionChannel", "phi", scalar<SuspensionChannel>},
-        {"suspensionChannel", "U", velocity<SuspensionChannel>},
-        {"rotatingSquarePatch", "p", pressure<RotatingSquarePatch>},
+    static const std::vector<Formula> all{
+        velocity<PlanePoiseuille>("planePoiseuille"),
+        velocity<TwoLayerPoiseuille>("twoLayerPoiseuille"),
+        velocity<Couette>("couette"),
+        velocity<TaylorGreen>("taylorGreen"),
+        pressure<TaylorGreen>("taylorGreen"),
+        pressure<Hydrostatic>("hydrostatic"),
+        velocity<Ritter>("ritter"),
+        pressure<Ritter>("ritter"),
+        phi<SuspensionChannel>("suspensionChannel"),
+        velocity<SuspensionChannel>("suspensionChannel"),
+        pressure<RotatingSquarePatch>("rotatingSquarePatch"),
     };
-    return formulas;
+    return all;
 }
 
 }
 
-std::vector<std::string> formulaNames()
+Cases formulas()
 {
-    std::vector<std::string> names;
+    Cases all;
     for (const auto& f : catalogue())
-        if (names.empty() || names.back() != f.name) names.push_back(f.name);
-    return names;
+        if (!all.empty() && all.back().first.word == f.name) all.back().first.meaning += " and " + f.field;
+        else all.push_back({{f.name, "gives " + f.field}, f.entries()});
+    return all;
 }
 
 ExactField readFormula(const std::string& name, const Dictionary& dictionary, const std::string& field)

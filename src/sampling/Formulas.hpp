@@ -1,6 +1,6 @@
 /// The catalogue of exact solutions that `errors` can compare a field with. A new one is one file and one word in Formulas.cpp.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include <functional>
 #include <string>
 
@@ -10,9 +10,10 @@ namespace sph
 /// The exact field at x [m] and t [s]; a scalar is in the first component.
 using ExactField = std::function<Vector<3>(const Vector<3>& x, double t)>;
 
-std::vector<std::string> formulaNames();
+/// The formulas with their entries.
+Cases formulas();
 
-/// Reads the parameters of formula `name`, one of formulaNames(), from the dictionary in which `name planePoiseuille;` stands.
+/// Reads the parameters of formula `name`, one of these, from the dictionary in which `name planePoiseuille;` stands.
 /// `field` must be one that the formula gives. Mistakes are recorded, and then the result may be empty.
 ExactField readFormula(const std::string& name, const Dictionary&, const std::string& field);
 

@@ -1,18 +1,25 @@
 #include "FrontPosition.hpp"
 #include "SampledField.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <limits>
 
 namespace sph
 {
 
-FrontPosition::FrontPosition(const Dictionary& d, const std::vector<std::string>& phases, const std::filesystem::path& caseFolder)
-    : phase_(readPhase(d, "phase", phases)),
-      direction_(readDirection(d, "direction", {1, 0, 0})),
-      origin_(d.get("origin", Vector<3>{})),
-      table_(d.subDict("table"), caseFolder, CsvReference::Over::time)
+namespace entry
 {
+const SubDictionary table{"table", required, "positions over time"};
+}
+
+FrontPosition::FrontPosition(const Dictionary& d, const std::vector<std::string>& phases, const std::filesystem::path& caseFolder)
+    : phase_(readPhase(d, entry::phase, phases)), direction_(entry::direction(d)), origin_(entry::origin(d)),
+      table_(entry::table(d), caseFolder, CsvReference::Over::time)
+{}
+
+EntryList FrontPosition::entries()
+{
+    return {entry::phase, entry::direction, entry::origin, {entry::table, CsvReference::entries(CsvReference::Over::time)}};
 }
 
 Measurement FrontPosition::operator()(const ParticleView& view) const

@@ -24,6 +24,7 @@ class FrontPosition
     CsvReference table_;
 
 public:
+    static EntryList entries();
     FrontPosition(const Dictionary&, const std::vector<std::string>& phases, const std::filesystem::path& caseFolder);
     Measurement operator()(const ParticleView&) const;
 };

@@ -1,6 +1,6 @@
 /// Function objects of controlDict's `functions` sub-dictionary: they look at the run and write below postProcessing/.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "OutputPlace.hpp"
 #include "ParticleView.hpp"
 #include "RunTime.hpp"
@@ -20,6 +20,9 @@ public:
     /// One or more lines for the solver's log, "" where there is nothing to say.
     virtual std::string report() const { return ""; }
 };
+
+/// Entries of each function object: the sub-dictionaries of controlDict's `functions`.
+EntryList functionEntries();
 
 /// All function objects of a case; reads `functions`, records every mistake in its Diagnostics. Geometry and run time must
 /// outlive it.

@@ -6,7 +6,6 @@
 #include "Probes.hpp"
 #include "Profile.hpp"
 #include "VolFieldValue.hpp"
-#include "knownWord.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -20,28 +19,69 @@ namespace
 
 struct Type
 {
-    std::string name;
+    ChoiceWord name;
     std::unique_ptr<FunctionObject> (*make)(const Dictionary&, const FunctionContext&);
+    EntryList (*entries)();
 };
 
-template<class Object> std::unique_ptr<FunctionObject> make(const Dictionary& d, const FunctionContext& context)
+template<class Object> Type type(const char* name, const char* meaning)
 {
-    return std::make_unique<Object>(d, context);
+    return {{name, meaning},
+            [](const Dictionary& d, const FunctionContext& context) -> std::unique_ptr<FunctionObject>
+            { return std::make_unique<Object>(d, context); },
+            Object::entries};
 }
 
 const std::vector<Type>& catalogue()
 {
     static const std::vector<Type> types{
-        {"probes", make<Probes>},
-        {"profile", make<Profile>},
-        {"conservation", make<Conservation>},
-        {"bedHydrodynamics", make<BedHydrodynamics>},
-        {"errors", make<Errors>},
-        {"filling", make<Filling>},
-        {"volFieldValue", make<VolFieldValue>},
+        type<Probes>("probes", "fields at points"),
+        type<Profile>("profile", "fields along a line"),
+        type<Conservation>("conservation", "mass, momentum and energy"),
+        type<BedHydrodynamics>("bedHydrodynamics", "saturation and flow in a packed bed"),
+        type<Errors>("errors", "errors against exact solutions and tables"),
+        type<Filling>("filling", "how far a cavity is filled"),
+        type<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
     };
     return types;
 }
+
+Cases types()
+{
+    Cases all;
+    for (const auto& t : catalogue()) all.push_back({t.name, t.entries()});
+    return all;
+}
+}
+
+namespace entry
+{
+const Choice control{"executeControl",
+                     {{"writeTime", "at each executeInterval-th write time"},
+                      {"timeStep", "at each executeInterval-th step"},
+                      {"runTime", "at multiples of executeInterval"},
+                      {"onEnd", "when the run ends"}}, // in the order of FunctionObjects::Entry::Control
+                     "writeTime", "when it is due"};
+const Scalar time{"executeInterval", units::s, required, positive, "time between two samples"};
+const Count times{"executeInterval", 1, atLeast(1), "write times or steps between two samples"};
+const FreeName function{"<function>", "dictionary", "a function object; its name is that of the folder below postProcessing"};
+
+static const Choice& type()
+{
+    static const Choice choice{"type", wordsOf(types()), required, "what it measures"};
+    return choice;
+}
+}
+
+EntryList functionEntries()
+{
+    return {{entry::function,
+             {{entry::control, {{"writeTime", {entry::times}}, {"timeStep", {entry::times}}, {"runTime", {entry::time}}, {"onEnd", {entry::times}}}},
+              {entry::type(), types()}}}};
+}
+
+namespace
+{
 
 /// The next multiple of the interval after t, so that a restarted run samples at the same times. The fraction forgives the
 /// round-off of a sum of time steps.
@@ -72,33 +112,19 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
                            const OutputPlace& output, const std::string& name, double now)
 {
     using Control = Entry::Control;
-    std::vector<std::string> types;
-    for (const auto& t : catalogue()) types.push_back(t.name);
-    const std::vector<std::string> controls{"writeTime", "timeStep", "runTime", "onEnd"}; // in the order of Control
-
     if (!functions.isDictionary(name))
         return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
     const auto d = functions.subDict(name);
-    const auto type = knownWord(d, "type", types);
+    const auto type = entry::type().known(d);
     if (!type) return;
-    const auto control = d.choose("executeControl", controls, "writeTime");
     Entry entry;
     entry.name = name;
-    entry.control = Control(std::ranges::find(controls, control) - controls.begin());
-    if (entry.control == Control::runTime)
-    {
-        entry.interval = d.getPositive("executeInterval", units::s);
-        entry.next = nextMultiple(entry.interval, now);
-    }
-    else
-    {
-        entry.interval = d.get("executeInterval", 1);
-        entry.next = 0;
-        if (entry.interval < 1)
-            d.error("executeInterval", fmt::format("executeInterval of {} counts and must be at least 1", control));
-    }
+    entry.control = Control(entry::control.index(d));
+    const bool byTime = entry.control == Control::runTime;
+    entry.interval = byTime ? entry::time(d) : entry::times(d);
+    entry.next = byTime ? nextMultiple(entry.interval, now) : 0;
     for (const auto& t : catalogue())
-        if (t.name == *type)
+        if (t.name.word == *type)
         {
             entry.object = t.make(d, {name, geometry, phases, output});
             d.reportUnused();

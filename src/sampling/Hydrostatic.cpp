@@ -1,9 +1,18 @@
 #include "Hydrostatic.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const ListOf<double> heights{"heights", units::m, required, "thicknesses of the layers, from the bottom up"},
+    densities{"densities", units::density, required, "densities of the layers"};
+const VectorParameter g{"g", units::mPerS2, Vector<3>{0, -9.81, 0}, "gravity"};
+const Scalar pTop{"pTop", units::pressure, 0, "pressure above the uppermost layer"};
+}
 
 Hydrostatic::Hydrostatic(std::vector<double> heights, std::vector<double> densities, const Vector<3>& g)
     : heights_(std::move(heights)), densities_(std::move(densities)), g_(g), pTop_(0)
@@ -11,21 +20,19 @@ Hydrostatic::Hydrostatic(std::vector<double> heights, std::vector<double> densit
 }
 
 Hydrostatic::Hydrostatic(const Dictionary& d)
-    : heights_(d.get<std::vector<double>>("heights")),
-      densities_(d.get<std::vector<double>>("densities")),
-      g_(d.getVector("g", units::mPerS2, {0, -9.81, 0})),
-      origin_(d.get("origin", Vector<3>{})),
-      pTop_(d.get("pTop", units::pressure, 0))
+    : heights_(entry::heights(d)), densities_(entry::densities(d)), g_(entry::g(d)), origin_(entry::origin(d)), pTop_(entry::pTop(d))
 {
     if (heights_.size() != densities_.size())
-        d.error("densities", fmt::format("{} densities for {} heights: one of each per layer, from the bottom up",
+        entry::densities.error(d, fmt::format("{} densities for {} heights: one of each per layer, from the bottom up",
                                          densities_.size(), heights_.size()));
     const auto isNegative = [](double a) { return a < 0; };
     if (std::ranges::any_of(heights_, isNegative))
-        d.error("heights", "heights are thicknesses of layers and must not be negative");
-    if (std::ranges::any_of(densities_, isNegative)) d.error("densities", "densities must not be negative");
-    if (!(mag(g_) > 0)) d.error("g", "g must not be zero: it tells which way is up");
+        entry::heights.error(d, "heights are thicknesses of layers and must not be negative");
+    if (std::ranges::any_of(densities_, isNegative)) entry::densities.error(d, "densities must not be negative");
+    if (!(mag(g_) > 0)) entry::g.error(d, "g must not be zero: it tells which way is up");
 }
+
+EntryList Hydrostatic::entries() { return {entry::heights, entry::densities, entry::g, entry::origin, entry::pTop}; }
 
 double Hydrostatic::pressure(const Vector<3>& x, double) const
 {

@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -18,7 +18,7 @@ class Hydrostatic
 
 public:
     Hydrostatic(std::vector<double> heights, std::vector<double> densities, const Vector<3>& g);
-    /// heights (..); densities (..); g (0 -9.81 0); origin (0 0 0); pTop 0.
+    static EntryList entries();
     explicit Hydrostatic(const Dictionary&);
 
     double pressure(const Vector<3>& x, double) const;

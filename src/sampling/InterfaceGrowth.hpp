@@ -19,7 +19,8 @@ class InterfaceGrowth
     ModeHistory history_;
 
 public:
-    /// waves 1; depth of each layer [m]; from 0 [s]; largest 0.05. Gravity must be along -y; the domain is periodic in x.
+    /// Gravity must be along -y; the domain is periodic in x.
+    static EntryList entries();
     InterfaceGrowth(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&);
 };

@@ -1,18 +1,24 @@
 #include "LaplaceJump.hpp"
 #include "Drop.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <limits>
 #include <numbers>
 
 namespace sph
 {
 
-LaplaceJump::LaplaceJump(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)),
-      radius_(d.getNonNegative("radius", units::m, 0)),
-      sigma_(d.getNonNegative("sigma", units::surfaceTension, 0))
+namespace entry
 {
+const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative, "of the drop"},
+    sigma{"sigma", units::surfaceTension, byScene("that of the scene"), nonNegative, "surface tension"};
 }
+
+LaplaceJump::LaplaceJump(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), sigma_(entry::sigma(d, 0))
+{}
+
+EntryList LaplaceJump::entries() { return {entry::phase, entry::radius, entry::sigma}; }
 
 Measurement LaplaceJump::operator()(const ParticleView& view) const
 {

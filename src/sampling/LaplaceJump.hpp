@@ -17,7 +17,7 @@ class LaplaceJump
     double radius_, sigma_; ///< 0: from the volume of the drop's particles; the scene's
 
 public:
-    /// phase (the first); radius (by default that of a drop of the phase's volume); sigma (by default that of the scene).
+    static EntryList entries();
     LaplaceJump(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

@@ -1,5 +1,6 @@
 #include "LiquidBridge.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include "VolumeFraction.hpp"
 #include <fmt/format.h>
 #include <limits>
@@ -7,6 +8,16 @@
 
 namespace sph
 {
+
+namespace entry
+{
+const ListOf<Vector<3>> centres{"centres", units::m, required, "centres of the two solids"};
+const Scalar radius{"radius", units::m, required, positive, "of the solids"},
+    contactAngle{
+        "contactAngle", degrees, required,
+        Range{.low = 0, .high = 180, .highIncluded = false}.saying("a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
+        "of the solids"};
+}
 
 namespace
 {
@@ -38,26 +49,24 @@ double volumeOf(const ParticleView& view, std::size_t phase)
 }
 
 LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, "phase", phases)),
-      radius_(d.getPositive("radius", units::m)),
-      angle_(d.get("contactAngle", units::none)),
-      where_(d.where("centres"))
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d)), angle_(entry::contactAngle(d)), where_(entry::centres.where(d))
 {
     if (phases.size() != 2) d.error("name", "the bridge is one of liquid in a gas: the scene must have two phases");
-    if (!(angle_ >= 0 && angle_ < 180)) d.error("contactAngle", "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees");
-    auto centres = d.get<std::vector<Vector<3>>>("centres");
+    auto centres = entry::centres(d);
     if (centres.size() != 2)
     {
-        if (d.found("centres")) d.error("centres", fmt::format("a bridge has two centres, not {}", centres.size()));
+        if (entry::centres.given(d)) entry::centres.error(d, fmt::format("a bridge has two centres, not {}", centres.size()));
         return;
     }
     if (geometry.dimension == 2) centres[0].z = centres[1].z = 0;
     const double distance = mag(centres[1] - centres[0]);
     gap_ = distance - 2*radius_;
-    if (gap_ < 0) d.error("centres", fmt::format("the centres are {:.4g} m apart, less than two radii: there is no gap for a bridge", distance));
+    if (gap_ < 0) entry::centres.error(d, fmt::format("the centres are {:.4g} m apart, less than two radii: there is no gap for a bridge", distance));
     else axis_ = (centres[1] - centres[0])/distance;
     middle_ = (centres[0] + centres[1])/2;
 }
+
+EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry::radius, entry::contactAngle}; }
 
 CapillaryBridge LiquidBridge::atRest(const ParticleView& view) const
 {

@@ -21,8 +21,8 @@ protected:
     CapillaryBridge atRest(const ParticleView&) const;
 
 public:
-    /// phase (the first); centres ((x y z) (x y z)) of the solids, with the bridge inside the domain and not across a periodic face;
-    /// radius; contactAngle.
+    /// The bridge lies inside the domain and not across a periodic face.
+    static EntryList entries();
     LiquidBridge(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
 };
 

@@ -24,6 +24,7 @@ struct Entry
 {
     std::string name;
     Measure (*read)(const Dictionary&, const Geometry&, const std::vector<std::string>&, const std::filesystem::path&);
+    EntryList (*entries)();
 };
 
 template<class M>
@@ -37,25 +38,32 @@ Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector
 
 const std::vector<Entry>& catalogue()
 {
-    static const std::vector<Entry> measures{
-        {"laplaceJump", measure<LaplaceJump>},
-        {"contactAngle", measure<ContactAngle>},
-        {"dragFactor", measure<DragFactor>},
-        {"vortexDecay", measure<VortexDecay>},
-        {"frontPosition", measure<FrontPosition>},
-        {"dropPeriod", measure<DropPeriod>},
-        {"dropDecay", measure<DropDecay>},
-        {"interfaceGrowth", measure<InterfaceGrowth>},
-        {"columnGrowth", measure<ColumnGrowth>},
-        {"capillaryRise", measure<CapillaryRise>},
-        {"bridgeNeck", measure<BridgeNeck>},
-        {"bridgePressure", measure<BridgePressure>},
-        {"migrationBalance", measure<MigrationBalance>},
-        {"wallDropTime", measure<WallDropTime>},
+    static const std::vector<Entry> all{
+        {"laplaceJump", measure<LaplaceJump>, LaplaceJump::entries},
+        {"contactAngle", measure<ContactAngle>, ContactAngle::entries},
+        {"dragFactor", measure<DragFactor>, DragFactor::entries},
+        {"vortexDecay", measure<VortexDecay>, VortexDecay::entries},
+        {"frontPosition", measure<FrontPosition>, FrontPosition::entries},
+        {"dropPeriod", measure<DropPeriod>, DropPeriod::entries},
+        {"dropDecay", measure<DropDecay>, DropDecay::entries},
+        {"interfaceGrowth", measure<InterfaceGrowth>, InterfaceGrowth::entries},
+        {"columnGrowth", measure<ColumnGrowth>, ColumnGrowth::entries},
+        {"capillaryRise", measure<CapillaryRise>, CapillaryRise::entries},
+        {"bridgeNeck", measure<BridgeNeck>, BridgeNeck::entries},
+        {"bridgePressure", measure<BridgePressure>, BridgePressure::entries},
+        {"migrationBalance", measure<MigrationBalance>, MigrationBalance::entries},
+        {"wallDropTime", measure<WallDropTime>, WallDropTime::entries},
     };
-    return measures;
+    return all;
 }
 
+}
+
+Cases measures()
+{
+    Cases all;
+    for (const auto& m : catalogue()) all.push_back({m.name, m.entries()});
+    return all;
 }
 
 std::vector<std::string> measureNames()
@@ -73,10 +81,10 @@ Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry
     return {};
 }
 
-std::size_t readPhase(const Dictionary& d, const std::string& key, const std::vector<std::string>& phases)
+std::size_t readPhase(const Dictionary& d, const Word& phase, const std::vector<std::string>& phases)
 {
     if (phases.empty()) return 0;
-    const auto name = d.choose(key, phases, phases.front());
+    const auto name = phase.among(d, phases, phases.front());
     return std::size_t(std::max<long>(0, std::find(phases.begin(), phases.end(), name) - phases.begin())) % phases.size();
 }
 

@@ -1,6 +1,6 @@
 /// Measures: single numbers taken from a whole view that have a reference value of their own.
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include "ParticleView.hpp"
 #include <filesystem>
 #include <functional>
@@ -20,12 +20,15 @@ struct Measurement
 using Measure = std::function<Measurement(const ParticleView&)>;
 
 std::vector<std::string> measureNames();
+/// The measures with their entries.
+Cases measures();
 
-/// Reads the parameters of measure `name`, one of measureNames(); `phases` are those that `phase` may name, tables lie in the case's folder.
+/// Reads the parameters of measure `name`, nothing where it is none of measureNames(); `phases` are those that `phase` may name, tables lie in
+/// the case's folder.
 Measure readMeasure(const std::string& name, const Dictionary&, const Geometry&, const std::vector<std::string>& phases,
                     const std::filesystem::path& caseFolder);
 
 /// The index of the phase that an entry names; the first one where there is no such entry.
-std::size_t readPhase(const Dictionary&, const std::string& key, const std::vector<std::string>& phases);
+std::size_t readPhase(const Dictionary&, const Word&, const std::vector<std::string>& phases);
 
 }

@@ -1,5 +1,6 @@
 #include "MigrationBalance.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,12 +8,19 @@
 namespace sph
 {
 
-MigrationBalance::MigrationBalance(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
-    : r_(1/d.getPositive("ratio", units::none)), leastStress_(d.getNonNegative("leastStress", units::none, 0)),
-      where_(d.where("name"))
+namespace entry
 {
-    if (leastStress_ >= 1) d.error("leastStress", "is a fraction of the largest shear stress: at 1 no particle would be left");
+const Scalar ratio{"ratio", units::none, required, positive, "D_c/D_eta of Phillips' fluxes"},
+    leastStress{"leastStress", units::none, 0,
+                Range{.low = 0, .high = 1, .highIncluded = false}.saying("is a fraction of the largest shear stress: at 1 no particle would be left"),
+                "share of the largest shear stress from which on particles count"};
 }
+
+MigrationBalance::MigrationBalance(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
+    : r_(1/entry::ratio(d)), leastStress_(entry::leastStress(d)), where_(d.where("name"))
+{}
+
+EntryList MigrationBalance::entries() { return {entry::ratio, entry::leastStress}; }
 
 Measurement MigrationBalance::operator()(const ParticleView& view) const
 {

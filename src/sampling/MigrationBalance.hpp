@@ -10,16 +10,14 @@ namespace sph
 ///
 /// so that phi gammaDot mu^r is uniform when all is steady. The value is the largest |ln(phi gammaDot mu^r) - its mean| of the particles
 /// whose shear stress mu gammaDot is at least `leastStress` times the largest: in the middle of a channel and in corners gammaDot vanishes,
-/// and no particle is small enough. Its reference is 0: compare with `norm absolute;`. Dictionary:
-///
-///     ratio 0.4;                // D_c/D_eta
-///     leastStress 0.15;         // default 0
+/// and no particle is small enough. Its reference is 0: compare with `norm absolute;`.
 class MigrationBalance
 {
     double r_, leastStress_;
     Location where_;
 
 public:
+    static EntryList entries();
     MigrationBalance(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

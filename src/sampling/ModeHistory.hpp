@@ -1,9 +1,14 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 #include <vector>
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar from{"from", units::s, 0, nonNegative, "time from which on samples add to the fit"};
+}
 
 /// Amplitudes of a mode as a run goes on, from the time `from` on. A run that is restarted begins a new history: rates need no common origin.
 struct ModeHistory
@@ -11,8 +16,7 @@ struct ModeHistory
     double from; ///< [s]
     std::vector<double> times, amplitudes;
 
-    /// from 0
-    explicit ModeHistory(const Dictionary& d) : from(d.getNonNegative("from", units::s, 0)) {}
+    explicit ModeHistory(const Dictionary& d) : from(entry::from(d)) {}
     void add(double time, double amplitude)
     {
         if (time < from) return;

@@ -1,9 +1,14 @@
 #include "PlanePoiseuille.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <numbers>
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar acceleration{"acceleration", units::mPerS2, required, "of the force that drives the flow"};
+}
 
 namespace
 {
@@ -19,14 +24,13 @@ PlanePoiseuille::PlanePoiseuille(double nu, double acceleration, double width)
 }
 
 PlanePoiseuille::PlanePoiseuille(const Dictionary& d)
-    : nu_(d.getPositive("nu", units::kinematicViscosity)),
-      F_(d.get("acceleration", units::mPerS2)),
-      L_(d.getPositive("width", units::m)),
-      direction_(readDirection(d, "direction", {1, 0, 0})),
-      normal_(readDirection(d, "normal", {0, 1, 0})),
-      origin_(d.get("origin", Vector<3>{})),
-      steady_(d.get("steady", false))
+    : nu_(entry::nu(d)), F_(entry::acceleration(d)), L_(entry::width(d)), direction_(entry::direction(d)), normal_(entry::normal(d)),
+      origin_(entry::origin(d)), steady_(entry::steady(d))
+{}
+
+EntryList PlanePoiseuille::entries()
 {
+    return {entry::nu, entry::acceleration, entry::width, entry::direction, entry::normal, entry::origin, entry::steady};
 }
 
 double PlanePoiseuille::speed(double y, double t) const

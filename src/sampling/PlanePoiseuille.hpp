@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -19,7 +19,7 @@ class PlanePoiseuille
 
 public:
     PlanePoiseuille(double nu, double acceleration, double width);
-    /// nu acceleration width; direction (1 0 0); normal (0 1 0); origin (0 0 0); steady no.
+    static EntryList entries();
     explicit PlanePoiseuille(const Dictionary&);
 
     /// [m/s]

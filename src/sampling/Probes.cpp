@@ -1,10 +1,16 @@
 #include "Probes.hpp"
 #include "Interpolator.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const ListOf<Vector<3>> probeLocations{"probeLocations", units::m, required, "points, inside the domain"};
+}
 
 namespace
 {
@@ -21,15 +27,17 @@ bool inside(const Geometry& g, const Vector<3>& x)
 
 Probes::Probes(const Dictionary& d, const FunctionContext& context)
     : context_(context),
-      fields_(d.get<std::vector<std::string>>("fields")),
-      locations_(d.get<std::vector<Vector<3>>>("probeLocations")),
-      fieldsWhere_(d.where("fields"))
+      fields_(entry::fields(d)),
+      locations_(entry::probeLocations(d)),
+      fieldsWhere_(entry::fields.where(d))
 {
     for (std::size_t k = 0; k < locations_.size(); ++k)
         if (!inside(context.geometry, locations_[k]))
-            d.error("probeLocations", fmt::format("probe {} at {} lies outside the domain from {} to {}", k, cell(locations_[k]),
-                                                  cell(context.geometry.low), cell(context.geometry.high)));
+            entry::probeLocations.error(d, fmt::format("probe {} at {} lies outside the domain from {} to {}", k, cell(locations_[k]),
+                                                       cell(context.geometry.low), cell(context.geometry.high)));
 }
+
+EntryList Probes::entries() { return {entry::fields, entry::probeLocations}; }
 
 void Probes::execute(const ParticleView& view)
 {

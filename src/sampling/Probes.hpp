@@ -20,6 +20,7 @@ class Probes : public FunctionObject
     std::map<std::string, OutputTable> files_;
 
 public:
+    static EntryList entries();
     Probes(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
 };

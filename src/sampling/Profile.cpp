@@ -1,26 +1,34 @@
 #include "Profile.hpp"
 #include "Interpolator.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace sph
 {
 
+namespace entry
+{
+const VectorParameter start{"start", units::m, required, "where the line begins"}, end{"end", units::m, required, "where the line ends"};
+const Count nPoints{"nPoints", notGiven, atLeast(2), "number of points at which fields are interpolated"},
+    bins{"bins", notGiven, atLeast(1), "in place of nPoints: number of slabs across the line whose means are taken"};
+}
+
 Profile::Profile(const Dictionary& d, const FunctionContext& context)
     : context_(context),
-      start_(d.get<Vector<3>>("start")),
-      end_(d.get<Vector<3>>("end")),
-      fields_(d.get<std::vector<std::string>>("fields")),
-      fieldsWhere_(d.where("fields")),
-      points_(d.get("nPoints", 0)),
-      bins_(d.get("bins", 0))
+      start_(entry::start(d)),
+      end_(entry::end(d)),
+      fields_(entry::fields(d)),
+      fieldsWhere_(entry::fields.where(d)),
+      points_(entry::nPoints(d, 0)),
+      bins_(entry::bins(d, 0))
 {
-    if (!(mag(end_ - start_) > 0)) d.error("end", "start and end of a profile must differ");
-    if (d.found("nPoints") == d.found("bins")) d.error("nPoints", "a profile needs either nPoints or bins");
-    if (d.found("nPoints") && points_ < 2) d.error("nPoints", "nPoints must be at least 2");
-    if (d.found("bins") && bins_ < 1) d.error("bins", "bins must be at least 1");
+    if (!(mag(end_ - start_) > 0)) entry::end.error(d, "start and end of a profile must differ");
+    if (entry::nPoints.given(d) == entry::bins.given(d)) entry::nPoints.error(d, "a profile needs either nPoints or bins");
 }
+
+EntryList Profile::entries() { return {entry::start, entry::end, entry::fields, entry::nPoints, entry::bins}; }
 
 void Profile::execute(const ParticleView& view)
 {

@@ -24,6 +24,7 @@ class Profile : public FunctionObject
     std::string binRows(const ParticleView&) const;
 
 public:
+    static EntryList entries();
     Profile(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
 };

@@ -1,22 +1,25 @@
 #include "Ritter.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <cmath>
 
 namespace sph
 {
 
+namespace entry
+{
+const Scalar depth{"depth", units::m, required, positive, "of the reservoir before the dam is gone"},
+    g{"g", units::mPerS2, 9.81, positive, "gravity"}, rho{"rho", units::density, 1000, positive, "density"};
+const Direction up{"up", Vector<3>{0, 1, 0}, "against gravity"};
+}
+
 Ritter::Ritter(double depth, double g, double rho) : depth_(depth), g_(g), rho_(rho), direction_{1, 0, 0}, up_{0, 1, 0} {}
 
 Ritter::Ritter(const Dictionary& d)
-    : depth_(d.getPositive("depth", units::m)),
-      g_(d.getPositive("g", units::mPerS2, 9.81)),
-      rho_(d.getPositive("rho", units::density, 1000)),
-      direction_(readDirection(d, "direction", {1, 0, 0})),
-      up_(readDirection(d, "up", {0, 1, 0})),
-      origin_(d.get("origin", Vector<3>{}))
-{
-}
+    : depth_(entry::depth(d)), g_(entry::g(d)), rho_(entry::rho(d)), direction_(entry::direction(d)), up_(entry::up(d)), origin_(entry::origin(d))
+{}
+
+EntryList Ritter::entries() { return {entry::depth, entry::g, entry::rho, entry::direction, entry::up, entry::origin}; }
 
 double Ritter::depth(double x, double t) const
 {

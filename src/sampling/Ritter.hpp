@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -18,7 +18,7 @@ class Ritter
 
 public:
     Ritter(double depth, double g, double rho);
-    /// depth; g 9.81; rho 1000; direction (1 0 0); up (0 1 0); origin (0 0 0).
+    static EntryList entries();
     explicit Ritter(const Dictionary&);
 
     /// [m] at x [m] along the direction

@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -18,7 +18,7 @@ class RotatingSquarePatch
 
 public:
     RotatingSquarePatch(double side, double omega, double rho);
-    /// side omega; rho 1000; centre (0 0 0).
+    static EntryList entries();
     explicit RotatingSquarePatch(const Dictionary&);
 
     double pressure(const Vector<3>& x, double) const;

@@ -1,10 +1,25 @@
 #include "SuspensionChannel.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const Scalar phi{"phi", units::none, required, positive, "mean volume fraction of the powder"},
+    phiMax{"phiMax", units::none, required, positiveUpTo(1).saying("{:.6g} is no volume fraction"), "volume fraction at which powder is packed"},
+    exponent{"exponent", units::none, required, positive, "exponent c of Krieger's law"},
+    ratio{"ratio", units::none, required,
+          positiveBelow(1).saying("D_c/D_eta must be above 0 and less than 1: from there on there is no steady state"),
+          "D_c/D_eta of Phillips' fluxes"},
+    pressureGradient{"pressureGradient", units::forcePerVolume, 0, "fall of the pressure along the flow; for U"},
+    mu{"mu", units::viscosity, 1, positive, "viscosity of the binder; for U"};
+const Choice section{"section",
+                     {{"plane", "between plates, origin on one of them"}, {"circular", "a pipe: width is its diameter, origin on its axis"}},
+                     "plane", "of the channel"};
+}
 
 namespace
 {
@@ -22,22 +37,22 @@ double bisect(double low, double high, double value, const auto& f)
 }
 }
 
+EntryList SuspensionChannel::entries()
+{
+    return {entry::width,     entry::phi,    entry::phiMax, entry::exponent, entry::ratio,           entry::section,
+            entry::direction, entry::normal, entry::origin, entry::mu,       entry::pressureGradient};
+}
+
 SuspensionChannel::SuspensionChannel(const Dictionary& d)
-    : width_(d.getPositive("width", units::m)),
-      phiMax_(d.getPositive("phiMax", units::none)),
-      exponent_(d.getPositive("exponent", units::none)),
-      speedScale_(0.25*sqr(width_)*d.get("pressureGradient", units::forcePerVolume, 0)/d.getPositive("mu", units::viscosity, 1)),
-      direction_(readDirection(d, "direction", {1, 0, 0})),
-      normal_(readDirection(d, "normal", {0, 1, 0})),
-      origin_(d.get("origin", Vector<3>{})),
-      pipe_(d.choose("section", std::vector<std::string>{"plane", "circular"}, "plane") == "circular")
+    : width_(entry::width(d)), phiMax_(entry::phiMax(d)), exponent_(entry::exponent(d)),
+      speedScale_(0.25*sqr(width_)*entry::pressureGradient(d)/entry::mu(d)), direction_(entry::direction(d)), normal_(entry::normal(d)),
+      origin_(entry::origin(d)), pipe_(entry::section(d) == "circular")
 {
     if (pipe_) speedScale_ *= 0.5;
-    const double mean = d.getPositive("phi", units::none), ratio = d.getPositive("ratio", units::none);
-    if (ratio >= 1) d.error("ratio", "D_c/D_eta must be less than 1: from there on there is no steady state");
-    if (phiMax_ > 1) d.error("phiMax", fmt::format("{:.6g} is no volume fraction", phiMax_));
-    if (!pipe_ && std::abs(dot(direction_, normal_)) > 1e-6) d.error("normal", "normal must be at right angles to direction, along which the flow goes");
-    if (mean >= phiMax_) d.error("phi", "must be less than phiMax");
+    const double mean = entry::phi(d), ratio = entry::ratio(d);
+    if (!pipe_ && std::abs(dot(direction_, normal_)) > 1e-6)
+        entry::normal.error(d, "normal must be at right angles to direction, along which the flow goes");
+    if (mean >= phiMax_) entry::phi.error(d, "must be less than phiMax");
     n_ = exponent_*(1/std::min(ratio, 0.999) - 1);
     // The mean grows with the value at the walls.
     const auto lessMean = [&](double phi)

@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -22,8 +22,7 @@ class SuspensionChannel
     std::vector<double> integral_; ///< of U, at equal steps of s from 0 to 1
 
 public:
-    /// width phi (mean) phiMax exponent ratio (D_c/D_eta); for U also mu [Pa s] (of the binder) and pressureGradient [Pa/m]; direction
-    /// (1 0 0); normal (0 1 0); origin (0 0 0), on a wall; section plane. `section circular`: width is the diameter, origin on the axis.
+    static EntryList entries();
     explicit SuspensionChannel(const Dictionary&);
 
     /// At s = |y|/h from 0 (middle) to 1 (wall).

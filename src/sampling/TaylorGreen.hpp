@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -17,7 +17,7 @@ class TaylorGreen
 
 public:
     TaylorGreen(double speed, double period, double nu, double rho);
-    /// speed period; nu 0; rho 1; origin (0 0 0).
+    static EntryList entries();
     explicit TaylorGreen(const Dictionary&);
 
     Vector<3> velocity(const Vector<3>& x, double t) const;

@@ -1,24 +1,33 @@
 #include "TwoLayerPoiseuille.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 
 namespace sph
 {
 
+namespace entry
+{
+const ListOf<double> viscosities{"viscosities", units::viscosity, required, "viscosities of the two layers, that at the origin first"},
+    heights{"heights", units::m, required, "thicknesses of the two layers"},
+    densities{"densities", units::density, required, "densities of the two layers"};
+const Scalar pressureGradient{"pressureGradient", units::forcePerVolume, 0, "fall of the pressure along the flow"},
+    acceleration{"acceleration", units::mPerS2, 0, "of a body force on both layers"};
+}
+
 namespace
 {
 /// Two positive numbers, lower layer first.
-std::vector<double> pairOf(const Dictionary& d, const std::string& key)
+std::vector<double> pairOf(const Dictionary& d, const ListOf<double>& two)
 {
-    auto values = d.get<std::vector<double>>(key);
+    auto values = two(d);
     if (values.size() == 2 && values[0] > 0 && values[1] > 0) return values;
-    d.error(key, key + " must be two positive numbers, the layer at the origin first");
+    two.error(d, two.keyword() + " must be two positive numbers, the layer at the origin first");
     return {1, 1};
 }
 
 TwoLayerPoiseuille fromDictionary(const Dictionary& d)
 {
-    const auto mu = pairOf(d, "viscosities"), H = pairOf(d, "heights"), rho = pairOf(d, "densities");
-    const double dp = d.get("pressureGradient", units::forcePerVolume, 0), f = d.get("acceleration", units::mPerS2, 0);
+    const auto mu = pairOf(d, entry::viscosities), H = pairOf(d, entry::heights), rho = pairOf(d, entry::densities);
+    const double dp = entry::pressureGradient(d), f = entry::acceleration(d);
     return {mu[0], mu[1], H[0], H[1], dp + rho[0] * f, dp + rho[1] * f};
 }
 }
@@ -34,9 +43,15 @@ TwoLayerPoiseuille::TwoLayerPoiseuille(double mu1, double mu2, double H1, double
 
 TwoLayerPoiseuille::TwoLayerPoiseuille(const Dictionary& d) : TwoLayerPoiseuille(fromDictionary(d))
 {
-    direction_ = readDirection(d, "direction", {1, 0, 0});
-    normal_ = readDirection(d, "normal", {0, 1, 0});
-    origin_ = d.get("origin", Vector<3>{});
+    direction_ = entry::direction(d);
+    normal_ = entry::normal(d);
+    origin_ = entry::origin(d);
+}
+
+EntryList TwoLayerPoiseuille::entries()
+{
+    return {entry::viscosities,  entry::heights,   entry::densities, entry::pressureGradient,
+            entry::acceleration, entry::direction, entry::normal,    entry::origin};
 }
 
 double TwoLayerPoiseuille::speed(double y) const

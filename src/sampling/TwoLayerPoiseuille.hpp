@@ -1,5 +1,5 @@
 #pragma once
-#include "Dictionary.hpp"
+#include "EntryList.hpp"
 
 namespace sph
 {
@@ -19,8 +19,7 @@ class TwoLayerPoiseuille
 
 public:
     TwoLayerPoiseuille(double mu1, double mu2, double H1, double H2, double G1, double G2);
-    /// viscosities (mu1 mu2); heights (H1 H2); densities (rho1 rho2); pressureGradient 0; acceleration 0; direction (1 0 0);
-    /// normal (0 1 0); origin (0 0 0).
+    static EntryList entries();
     explicit TwoLayerPoiseuille(const Dictionary&);
 
     double speed(double y) const;

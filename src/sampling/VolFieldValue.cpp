@@ -2,6 +2,7 @@
 #include "SampledField.hpp"
 #include "contains.hpp"
 #include "readBox.hpp"
+#include "sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -9,13 +10,20 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice operation{"operation", {{"volAverage", "sum V f/sum V"}, "min", "max"}, required, "what is taken of the particles in the box"};
+}
+
 VolFieldValue::VolFieldValue(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       box_(readBox(d, context.geometry)),
-      fields_(d.get<std::vector<std::string>>("fields")),
-      fieldsWhere_(d.where("fields")),
-      operation_(d.choose("operation", std::vector<std::string>{"volAverage", "min", "max"}))
+      fields_(entry::fields(d)),
+      fieldsWhere_(entry::fields.where(d)),
+      operation_(entry::operation(d))
 {}
+
+EntryList VolFieldValue::entries() { return {entry::fields, entry::operation, entry::min, entry::max}; }
 
 double VolFieldValue::value(const ParticleView& view, const double* field) const
 {

@@ -25,6 +25,7 @@ class VolFieldValue : public FunctionObject
     double value(const ParticleView&, const double* field) const;
 
 public:
+    static EntryList entries();
     VolFieldValue(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;

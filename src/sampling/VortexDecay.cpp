@@ -1,5 +1,6 @@
 #include "VortexDecay.hpp"
 #include "SampledField.hpp"
+#include "sharedEntries.hpp"
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,11 +8,16 @@
 namespace sph
 {
 
-VortexDecay::VortexDecay(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
-    : start_(d),
-      rate_(8*sqr(std::numbers::pi/d.getPositive("period", units::m))*d.getPositive("nu", units::kinematicViscosity))
+namespace entry
 {
+const Scalar period{"period", units::m, required, positive, "of the vortices"};
 }
+
+VortexDecay::VortexDecay(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
+    : start_(d), rate_(8*sqr(std::numbers::pi/entry::period(d))*entry::nu(d))
+{}
+
+EntryList VortexDecay::entries() { return EntryList{entry::nu} + TaylorGreen::entries(); }
 
 Measurement VortexDecay::operator()(const ParticleView& view) const
 {

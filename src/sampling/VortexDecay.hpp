@@ -17,7 +17,7 @@ class VortexDecay
     double rate_;
 
 public:
-    /// speed period nu; origin (0 0 0).
+    static EntryList entries();
     VortexDecay(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&) const;
 };

@@ -1,6 +1,6 @@
 #include "WallDropTime.hpp"
 #include "SampledField.hpp"
-#include "readDirection.hpp"
+#include "sharedEntries.hpp"
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,17 +8,23 @@
 namespace sph
 {
 
-WallDropTime::WallDropTime(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
-    : field_(d.get<std::string>("field")),
-      share_(d.getPositive("share", units::none)),
-      reference_(d.getPositive("time", units::s)),
-      origin_(d.get("origin", Vector<3>{})),
-      normal_(readDirection(d, "normal", {0, 1, 0})),
-      where_(d.where("field")),
-      times_{0},
-      values_{d.get<double>("start")}
+namespace entry
 {
-    if (share_ >= 1) d.error("share", "must be less than 1: the whole way is never gone");
+const Scalar share{"share", units::none, required, positiveBelow(1).saying("must be above 0 and less than 1: the whole way is never gone"),
+                   "share of the way from the start to the last value"},
+    time{"time", units::s, required, positive, "the exact time"},
+    start{"start", Unit{units::none, "of the field"}, required, "its uniform value at t = 0"};
+const Direction wallNormal{"normal", Vector<3>{0, 1, 0}, "of the wall through origin, into the fluid"};
+}
+
+WallDropTime::WallDropTime(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
+    : field_(entry::field(d)), share_(entry::share(d)), reference_(entry::time(d)), origin_(entry::origin(d)), normal_(entry::wallNormal(d)),
+      where_(entry::field.where(d)), times_{0}, values_{entry::start(d)}
+{}
+
+EntryList WallDropTime::entries()
+{
+    return {entry::field, entry::start, entry::share, entry::time, entry::origin, entry::wallNormal};
 }
 
 double WallDropTime::wallValue(const ParticleView& view) const

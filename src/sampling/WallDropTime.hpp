@@ -24,6 +24,7 @@ class WallDropTime
     double wallValue(const ParticleView&) const;
 
 public:
+    static EntryList entries();
     WallDropTime(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&);
 };

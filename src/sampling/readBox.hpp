@@ -1,5 +1,6 @@
 /// A box within the domain, `min` and `max` of a function object: all of the domain unless given.
 #pragma once
+#include "EntryList.hpp"
 #include "Geometry.hpp"
 #include "components.hpp"
 #include <fmt/format.h>
@@ -7,12 +8,18 @@
 namespace sph
 {
 
+namespace entry
+{
+const VectorParameter min{"min", units::m, byScene("that of the domain"), "lowest corner of the box"},
+    max{"max", units::m, byScene("that of the domain"), "highest corner of the box"};
+}
+
 inline Box readBox(const Dictionary& d, const Geometry& g)
 {
-    const Box box{d.getVector("min", units::m, g.low), d.getVector("max", units::m, g.high)};
+    const Box box{entry::min(d, g.low), entry::max(d, g.high)};
     for (int k = 0; k < g.dimension; ++k)
         if (const auto c = component(k); !(box.high.*c > box.low.*c))
-            d.error("max", fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], box.high.*c, box.low.*c));
+            entry::max.error(d, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], box.high.*c, box.low.*c));
     return box;
 }
 

@@ -4,16 +4,16 @@
 namespace sph
 {
 
-const std::string& Reading::choose(const std::string& entry, const std::vector<std::string>& words, const std::string& fallback) const
+const std::string& Reading::choose(const Choice& entry, const std::string& fallback) const
 {
-    const auto preferred = settings.preferred.find(entry);
-    return settings.chosen[entry] = schemes.choose(entry, words, preferred == settings.preferred.end() ? fallback : preferred->second);
+    const auto preferred = settings.preferred.find(entry.keyword());
+    return settings.chosen[entry.keyword()] = entry(schemes, preferred == settings.preferred.end() ? fallback : preferred->second);
 }
 
-void Reading::belongs(const char* entry, const char* to) const
+void Reading::belongs(const Parameter& entry, const Parameter& to) const
 {
-    if (schemes.found(entry) && !schemes.found(to))
-        schemes.error(entry, fmt::format("does nothing without {}; give that a value, or leave this out", to));
+    if (entry.given(schemes) && !to.given(schemes))
+        entry.error(schemes, fmt::format("does nothing without {}; give that a value, or leave this out", to.keyword()));
 }
 
 }

@@ -1,6 +1,7 @@
 /// A model: one room with its words, its terms and laws, its state, its limits and columns, and what it cannot go with. Registered once
 /// (models.cpp); all else of the suite knows models by this alone.
 #pragma once
+#include "EntryList.hpp"
 #include "Settings.hpp"
 #include <functional>
 #include <optional>
@@ -18,11 +19,12 @@ struct Reading
 
     bool paper() const { return settings.has("scheme", "paper"); }
     /// The word of an entry of system/sphSchemes, and keeps it. `fallback` holds where no other model prefers another word.
-    const std::string& choose(const std::string& entry, const std::vector<std::string>& words, const std::string& fallback) const;
+    const std::string& choose(const Choice& entry, const std::string& fallback) const;
+    const std::string& choose(const Choice& entry) const { return choose(entry, entry.info().fallback); }
     void prefer(const std::string& entry, const std::string& word) const { settings.preferred[entry] = word; }
     void select(const std::string& term) const { settings.terms.push_back(term); }
     /// An entry that does nothing without another one.
-    void belongs(const char* entry, const char* to) const;
+    void belongs(const Parameter& entry, const Parameter& to) const;
 };
 
 /// Two choices that do not go together: an error at the first, which says why.
@@ -39,6 +41,14 @@ struct Measured
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
     std::optional<double> leastViscosity, largestViscosity;   ///< of the moment, where viscosity is a field of its own [Pa s]
 };
+/// Entries of a file that a model reads; `meaning` of the file, said once.
+struct FileEntries
+{
+    std::string file;
+    EntryList entries;
+    std::string meaning = {};
+};
+
 using Limit = std::optional<StepLimit> (*)(const Settings&, const Measured&);
 
 struct Model
@@ -50,6 +60,7 @@ struct Model
     void (*prepare)(const Reading&) = nullptr;         ///< before all models read: what others' defaults hang on
     std::vector<Conflict> conflicts = {};              ///< looked at when all have read
     std::vector<Limit> limits = {};                    ///< of the step, where particles move
+    std::vector<FileEntries> entries = {};             ///< for the reference of entries
 
     template<int dim> const Catalogue<dim>& terms() const
     {

@@ -73,6 +73,9 @@ public:
     /// What fields and the log show beyond an evaluation, at the present state; and the groups that it evaluates.
     virtual void complete(Particles<dim>&) {}
     virtual std::vector<std::string> completes() const { return {}; }
+    /// What an observation must leave as it was, and its return.
+    virtual double memory() const { return 0; }
+    virtual void recall(double) {}
     /// A rate is about to act for `deltaT` [s] by a model's own step: takes from it what would change particles that are held.
     virtual void holdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
     /// Further limits of the step.

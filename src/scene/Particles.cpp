@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sph
 {
@@ -46,7 +47,9 @@ template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
     : settings_(settings), geometry_(geometry), coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing),
+      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing,
+              skinInSpacings*settings.resolution.spacing),
+      leakGuard_(geometry, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
       kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
 {
     plan_.allocate(store_);
@@ -63,9 +66,11 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();
     checkApart();
-    evaluate();
+    if (restored.empty()) evaluate();
     if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
-    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    if (restored.empty() && plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    if (restored.empty()) complete();
+    else observe();
 }
 
 template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(Place place) const
@@ -84,8 +89,8 @@ template<int dim> void Particles<dim>::allocateState()
         allocate(evolving.value, evolving.value.name);
         if (!evolving.rate || evolving.advancedByModel) continue;
         if (settings_.integration.predicts) allocate(evolving.value, evolving.startName());
-        if (settings_.integration.keepsRates) allocate(*evolving.rate, evolving.rate->name);
     }
+    for (const auto& rate : settings_.keptRates()) allocate(rate, rate.name);
 }
 
 template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
@@ -114,75 +119,29 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.check) evolving.check(loading);
     }
-}
-
-/// Wraps across periodic faces; a particle that touched a wall is put back, one that is well beyond it is an error.
-template<int dim> void Particles<dim>::keepInside()
-{
-    const auto x = store_.pointers(Position{});
-    const auto v = store_.pointers(Velocity{});
-    const double low[3] = {geometry_.low.x, geometry_.low.y, geometry_.low.z}, high[3] = {geometry_.high.x, geometry_.high.y, geometry_.high.z};
-    const double spacing = coefficients_.spacing, closest = 0.02*spacing;
-    std::size_t lost = owned_;
-    #pragma omp parallel for schedule(static) reduction(min: lost)
-    for (std::size_t i = 0; i < owned_; ++i)
-    {
-        bool outside = false;
-        for (int c = 0; c < dim; ++c)
-        {
-            if (geometry_.periodic[c])
-            {
-                const double L = high[c] - low[c];
-                if (x[c][i] < low[c] && x[c][i] >= low[c] - L) x[c][i] += L;
-                if (x[c][i] >= high[c] && x[c][i] < high[c] + L) x[c][i] -= L;
-            }
-            // One support beyond an open face is left to the walls to judge.
-            const double slack = geometry_.periodic[c] ? 0 : coefficients_.support;
-            outside = outside || !(x[c][i] >= low[c] - slack && x[c][i] <= high[c] + slack);
-        }
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][i]; });
-        for (int p : outside ? std::span<const int>{} : images_.wallsNear(x_i))
-        {
-            const Foot f = geometry_.patches[p].shape->foot(in3D(x_i));
-            if (f.distance >= closest) continue;
-            if (f.distance < -0.5*spacing) { outside = true; break; }
-            const auto n = in<dim>(f.normal);
-            x_i += (closest - f.distance)*n;
-            Vector<dim> v_i;
-            fetch(v_i, [&](int c) { return v[c][i]; });
-            const double inward = std::fmin(0.0, dot(v_i, n));
-            sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
-            sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
-        }
-        if (outside && i < lost) lost = i;
-    }
-    if (lost < owned_)
-    {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][lost]; });
-        const double d = geometry_.distance(in3D(x_i));
-        const bool beyondWall = d < 0;
-        throw CaseError(fmt::format("particle {} at {} {}", lost, at(in3D(x_i)),
-                                    beyondWall ? fmt::format("is {:.3g} m beyond a wall", -d)
-                                               : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
-    }
+    for (const auto& rate : settings_.keptRates())
+        if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
+            for (int c = 0; c < rate.in(dim); ++c) std::copy_n(found->second.component[std::size_t(c)].begin(), owned_, store_.component(rate.name, c));
 }
 
 template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
-    keepInside();
-    const auto pointers = [&] { const auto p = store_.pointers(Position{}); std::array<const double*, dim> x; std::copy(p.begin(), p.end(), x.begin()); return x; };
-    cells_.build(pointers(), owned_, 0.5*(settings_.resolution.H() + skin_));
+    leakGuard_(store_, owned_, images_);
+    cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5*(settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
-    images_.build(store_, owned_);
-    lists_.build(pointers(), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
-    images_.listLayers(lists_);
-    bind();
+    makeLists();
     for (const auto& part : parts_) part->sorted(*this);
     travelled_ = 0;
     ++rebuilds_;
+}
+
+template<int dim> void Particles<dim>::makeLists()
+{
+    images_.build(store_, owned_);
+    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
+    images_.listLayers(lists_);
+    bind();
 }
 
 template<int dim> void Particles<dim>::bind()
@@ -228,12 +187,31 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
     plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
 }
 
+/// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
+template<int dim> void Particles<dim>::observe()
+{
+    std::map<std::string, std::vector<Array>> kept;
+    for (const auto& [name, field] : store_.fields())
+        if (field.state && plan_.provides(name)) kept[name] = field.component;
+    std::vector<double> memories;
+    for (const auto& part : parts_) memories.push_back(part->memory());
+
+    // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
+    if (travelled_ > 0.5*skin_) makeLists();
+    else images_.move(store_);
+    evaluateFirst();
+    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+    complete();
+
+    for (const auto& [name, component] : kept)
+        for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
+}
+
 template<int dim> void Particles<dim>::settle()
 {
     rebuild();
-    evaluate();
-    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-    complete();
+    observe();
 }
 
 template<int dim> std::size_t Particles<dim>::bytes() const

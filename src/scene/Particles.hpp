@@ -1,6 +1,7 @@
 /// The particles with their images, lists, plan and the parts of models: everything that stages move, and nothing of time.
 #pragma once
 #include "Images.hpp"
+#include "LeakGuard.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include <memory>
@@ -20,12 +21,15 @@ public:
     void evaluate();
     /// A further group of the plan, after an evaluation and at the same positions. `deltaT` [s] for laws that advance a state.
     void evaluate(const std::string& group, double deltaT = 0);
-    /// Sorts the particles, and evaluates all fields at the present state.
+    /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so
+    /// the bytes of a run, stay as they are.
+    void observe();
+    /// The same after the particles have been sorted: what is written is what a restart begins with.
     void settle();
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
-    void moved(double distance) { travelled_ += distance; }
+    void moved(double distance) { travelled_ += distance*images_.closingSpeed(); }
 
     std::size_t size() const { return owned_; }
     const Settings& settings() const { return settings_; }
@@ -60,6 +64,7 @@ public:
 
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
+    const Leaks& leaks() const { return leakGuard_.leaks(); }
     std::size_t bytes() const;
 
 private:
@@ -69,6 +74,7 @@ private:
     Plan<dim> plan_;
     FieldStore<dim> store_;
     Images<dim> images_;
+    LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
     CellList<dim> cells_;
     Kernel<dim> kernel_;
@@ -81,13 +87,14 @@ private:
 
     void allocateState();
     void load(const Cloud&, bool restarted);
-    void keepInside();
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();
     void bind();
     /// The first group and what joins it, for positions and images as they are.
     void evaluateFirst();
+    /// Images and lists for the present positions.
+    void makeLists();
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Coefficients.hpp"
 #include "Geometry.hpp"
+#include "LeakGuard.hpp"
 #include "Part.hpp"
 #include "Plan.hpp"
 #include "State.hpp"
@@ -73,6 +74,7 @@ struct Settings
     std::set<std::string> separate;                ///< results that somebody wants by themselves
     std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 
+    Leaked leaked = Leaked::putBack;               ///< what becomes of particles in a solid
     bool variableViscosity = false;            ///< viscosity is a field
     bool integratedDensity = false;            ///< density evolves
     bool normaliseDensity = true;
@@ -84,6 +86,14 @@ struct Settings
     bool needsParticles = true;                ///< at the start; else they come in
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
+    /// Rates that the next step begins with: as much state as what they change.
+    std::vector<StateField> keptRates() const
+    {
+        std::vector<StateField> rates;
+        for (const auto& evolving : state)
+            if (integration.keepsRates && evolving.rate && !evolving.advancedByModel) rates.push_back(*evolving.rate);
+        return rates;
+    }
     bool has(const std::string& entry, const std::string& word) const
     {
         const auto found = chosen.find(entry);
@@ -97,8 +107,8 @@ struct Settings
     /// Adds a term of its own numbers under its own name; `make(coefficients)` gives it.
     template<class T> void define(const std::string& name, const auto& make, const Names& names = {})
     {
-        terms2.push_back(entry<2, T>(name, make, names));
-        terms3.push_back(entry<3, T>(name, make, names));
+        terms2.push_back(termEntry<2, T>(name, make, names));
+        terms3.push_back(termEntry<3, T>(name, make, names));
     }
 };
 

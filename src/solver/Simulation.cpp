@@ -6,6 +6,7 @@
 #include "models.hpp"
 #include "summarise.hpp"
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,6 +15,13 @@ namespace sph
 
 namespace
 {
+/// Of a number that was measured in the last step, in the state that a restart begins with: "lastPower".
+std::string lastName(std::string name)
+{
+    name[0] = char(std::toupper(name[0]));
+    return "last" + name;
+}
+
 template<int dim> class Simulation final : public AnySimulation
 {
     const Settings& settings_;
@@ -32,15 +40,24 @@ template<int dim> class Simulation final : public AnySimulation
         terms.insert(terms.end(), own.begin(), own.end());
         return terms;
     }
-    Summary firstSummary(bool restarted)
+    /// At a restart that of the last step: what was measured at its middle cannot be seen at its end.
+    Summary firstSummary(const Numbers& restored)
     {
-        particles_.complete();
-        if (!settings_.integration.moves && !restarted)
+        if (!settings_.integration.moves && restored.empty())
         {
             for (const auto& stage : particles_.stages(Place::solve)) stage.run(particles_, {});
             particles_.complete();
         }
-        return measured();
+        auto summary = measured();
+        const auto restore = [&](const std::string& name, double& value)
+        {
+            if (const auto found = restored.find(lastName(name)); found != restored.end()) value = found->second;
+        };
+        restore("maxAcceleration", summary.maxAcceleration);
+        restore("maxSlowAcceleration", summary.maxSlowAcceleration);
+        restore("power", summary.power);
+        for (auto& [name, value] : summary.columns) restore(name, value);
+        return summary;
     }
     Summary measured()
     {
@@ -59,7 +76,7 @@ template<int dim> class Simulation final : public AnySimulation
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
         : settings_(settings), terms_(termsOf(settings)), particles_(settings, geometry, terms_, cloud, restored),
-          schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(!restored.empty())),
+          schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(restored)),
           energy_(particles_, settings_, geometry, summary_)
     {
         integratorOf(settings.integration.scheme).stages(schedule_);
@@ -91,11 +108,8 @@ public:
     Summary summary() const override { return summary_; }
     Energy energy() const override { return energy_.at(particles_, summary_); }
 
-    void settle() override
-    {
-        particles_.settle();
-        summary_ = measured();
-    }
+    void observe() override { particles_.observe(); }
+    void settle() override { particles_.settle(); }
 
     std::size_t size() const override { return particles_.size(); }
     FieldView positions() const override { return field(Position::info.name); }
@@ -122,6 +136,7 @@ public:
         };
         for (const auto& evolving : settings_.state)
             if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.fileName());
+        for (const auto& rate : settings_.keptRates()) add(rate.name, rate.name);
         for (const auto& [name, onDisk] : settings_.shown) add(name, onDisk);
         return views;
     }
@@ -130,6 +145,10 @@ public:
     {
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        numbers[lastName("maxAcceleration")] = summary_.maxAcceleration;
+        if (summary_.maxSlowAcceleration > 0) numbers[lastName("maxSlowAcceleration")] = summary_.maxSlowAcceleration;
+        numbers[lastName("power")] = summary_.power;
+        for (const auto& [name, value] : summary_.columns) numbers[lastName(name)] = value;
         for (const auto& part : particles_.parts()) part->save(numbers);
         return numbers;
     }
@@ -155,9 +174,11 @@ public:
         return ofParts([](const auto& part) { return part.note(); });
     }
     int pairPasses() const override { return particles_.plan().pairPasses(); }
+    int slowPairPasses() const override { return particles_.plan().hasGroup(onceAStep) ? particles_.plan().pairPasses(particles_.plan().group(onceAStep)) : 0; }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }
+    Leaks leaks() const override { return particles_.leaks(); }
     double bytesPerParticle() const override { return double(particles_.bytes())/double(std::max<std::size_t>(1, size())); }
 
 private:

@@ -1,6 +1,7 @@
 /// The particles of a case and the step that moves them.
 #pragma once
 #include "Cloud.hpp"
+#include "LeakGuard.hpp"
 #include "RunTime.hpp"
 #include "Settings.hpp"
 #include "readSettings.hpp"
@@ -45,7 +46,9 @@ public:
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 
-    /// Sorts the particles, rebuilds the lists and evaluates all fields at the present state: before writing, and before looking.
+    /// Evaluates all fields at the present state, for whoever looks at them; leaves no trace in the run.
+    virtual void observe() = 0;
+    /// The same after the particles have been sorted and lists rebuilt: before writing.
     virtual void settle() = 0;
     virtual std::size_t size() const = 0;
     virtual FieldView positions() const = 0;
@@ -65,9 +68,13 @@ public:
     virtual std::string note() const = 0;
     /// Of an evaluation.
     virtual int pairPasses() const = 0;
+    /// Of what acts once in a step of several parts; `pairPasses` counts those of each part.
+    virtual int slowPairPasses() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;
+    /// What was put back out of the solid since the start of the run.
+    virtual Leaks leaks() const = 0;
     /// Of all arrays but the neighbour lists, per owned particle.
     virtual double bytesPerParticle() const = 0;
 };

@@ -1,4 +1,5 @@
 #include "readPhases.hpp"
+#include "phaseEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -6,6 +7,21 @@
 
 namespace sph
 {
+
+namespace entry
+{
+const VectorParameter bodyForce{"bodyForce", units::forcePerVolume, Vector<3>{}, "on all phases alike"};
+const Scalar mu{"mu", units::viscosity, 0, nonNegative, "dynamic viscosity"},
+    exponent{"exponent", units::none, 7, positive, "of Tait's equation of state"};
+const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS, byScene("automatic: 10 times the largest velocity that `expected` implies"), positive,
+                                 "speed of sound, the same for all phases or not"};
+const SubDictionary expected{"expected", byScene("needed for soundSpeed automatic"), "what the scene is expected to see"};
+const Scalar depth{"depth", units::m, 0, nonNegative, "of the liquid: v = sqrt(g depth)"},
+    radius{"radius", units::m, 0, nonNegative, "of curvature: v = sqrt(sigma/(rho radius))"},
+    velocity{"velocity", units::mPerS, 0, nonNegative, "largest velocity"},
+    pressure{"pressure", units::pressure, 0, nonNegative, "difference: v = sqrt(p/rho)"};
+const FreeName dimensions{"dimensions", "list of numbers", "of value, as OpenFOAM has them; not looked at"};
+}
 
 namespace
 {
@@ -23,11 +39,11 @@ struct Expected
 Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double rho)
 {
     Expected most;
-    const auto expected = dict.subDictOrEmpty("expected");
-    const double depth = expected.getNonNegative("depth", units::m, 0), radius = expected.getNonNegative("radius", units::m, 0);
-    most.consider(expected.getNonNegative("velocity", units::mPerS, 0), "the expected velocity");
+    const auto expected = entry::expected(dict);
+    const double depth = entry::depth(expected), radius = entry::radius(expected);
+    most.consider(entry::velocity(expected), "the expected velocity");
     most.consider(std::sqrt(mag(c.g)*depth), "the hydrostatic pressure over the expected depth");
-    most.consider(std::sqrt(expected.getNonNegative("pressure", units::pressure, 0)/rho), "the expected pressure difference");
+    most.consider(std::sqrt(entry::pressure(expected)/rho), "the expected pressure difference");
     double gamma = 0;
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     if (radius > 0) most.consider(std::sqrt(gamma/(rho*radius)), "the capillary pressure at the expected radius");
@@ -35,45 +51,51 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
 }
 }
 
+EntryList phaseEntries()
+{
+    using namespace entry;
+    return {
+        phases, {phaseName, {rho, mu, soundSpeed, exponent}}, entry::sigma, bodyForce, {expected, {entry::velocity, depth, pressure, entry::radius}}};
+}
+EntryList gravityEntries() { return {entry::dimensions, entry::gravity}; }
+
 void readPhases(const Case& theCase, Settings& settings)
 {
     auto& c = settings.coefficients;
     const auto dict = theCase.dictionary("constant/phaseProperties");
-    c.phases = dict.get<std::vector<std::string>>("phases");
-    if (dict.found("phases") && c.phases.empty()) dict.error("phases", "there must be at least one phase");
+    c.phases = entry::phases(dict);
+    if (entry::phases.given(dict) && c.phases.empty()) entry::phases.error(dict, "there must be at least one phase");
     if (theCase.has("constant/g"))
     {
         const auto g = theCase.dictionary("constant/g");
-        g.ignore("dimensions");
-        c.g = g.getVector("value", units::mPerS2);
+        g.ignore(entry::dimensions.keyword());
+        c.g = entry::gravity(g);
         g.reportUnused();
     }
-    c.bodyForce = dict.getVector("bodyForce", units::forcePerVolume, {});
+    c.bodyForce = entry::bodyForce(dict);
 
     const std::size_t n = c.phases.size();
     c.surfaceTension.assign(n*n, 0.0);
-    if (dict.found("sigma"))
-        for (const auto& [first, second, value] : dict.pairs("sigma"))
-        {
-            const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
-            for (const auto& [found, word] : {std::pair(a, first), std::pair(b, second)})
-                if (found == c.phases.end())
-                    dict.error("sigma", fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
-            if (value < 0) dict.error("sigma", fmt::format("surface tension of {} and {} must not be negative", first, second));
-            if (a == c.phases.end() || b == c.phases.end()) continue;
-            const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
-            if (k == l) dict.error("sigma", fmt::format("\"{}\" has no surface tension with itself", first));
-            c.surfaceTension[k*n + l] = c.surfaceTension[l*n + k] = value;
-        }
+    for (const auto& [first, second, value] : entry::sigma(dict))
+    {
+        const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
+        for (const auto& [found, word] : {std::pair(a, first), std::pair(b, second)})
+            if (found == c.phases.end())
+                entry::sigma.error(dict, fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
+        if (value < 0) entry::sigma.error(dict, fmt::format("surface tension of {} and {} must not be negative", first, second));
+        if (a == c.phases.end() || b == c.phases.end()) continue;
+        const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
+        if (k == l) entry::sigma.error(dict, fmt::format("\"{}\" has no surface tension with itself", first));
+        c.surfaceTension[k*n + l] = c.surfaceTension[l*n + k] = value;
+    }
     for (const auto& name : c.phases)
     {
         const auto phase = dict.subDict(name);
-        const double rho = phase.getPositive("rho", units::density);
+        const double rho = entry::rho(phase);
         c.restDensity.push_back(rho);
-        c.viscosity.push_back(phase.getNonNegative("mu", units::viscosity, 0));
+        c.viscosity.push_back(entry::mu(phase));
         double sound = 1;
-        const bool automatic = phase.isWord("soundSpeed", "automatic") || !phase.found("soundSpeed");
-        if (!automatic) sound = phase.getPositive("soundSpeed", units::mPerS);
+        if (const auto given = entry::soundSpeed(phase)) sound = *given;
         else
         {
             const auto most = expectedVelocity(dict, c, rho);
@@ -81,11 +103,13 @@ void readPhases(const Case& theCase, Settings& settings)
             if (most.velocity > 0)
                 settings.reasons.push_back(fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
             else
-                phase.error("soundSpeed", fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
-                                                      "radius; }}` to choose it from", name));
+                entry::soundSpeed.error(
+                    phase, fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
+                                       "radius; }}` to choose it from",
+                                       name));
         }
         c.soundSpeed.push_back(sound);
-        const double exponent = phase.getPositive("exponent", units::none, 7);
+        const double exponent = entry::exponent(phase);
         c.exponent.push_back(exponent);
         c.stiffness.push_back(rho*sqr(sound)/exponent);
     }

@@ -1,5 +1,6 @@
 /// constant/phaseProperties and constant/g: the materials of a case.
 #pragma once
+#include "EntryList.hpp"
 #include "Settings.hpp"
 
 namespace sph
@@ -13,5 +14,7 @@ namespace sph
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
 /// says why.
 void readPhases(const Case&, Settings&);
+EntryList phaseEntries();
+EntryList gravityEntries();
 
 }

@@ -1,12 +1,19 @@
 #include "readSettings.hpp"
-#include "Kernel.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
+#include "resolutionEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace entry
+{
+const Choice scheme{"scheme", {{"suite", "what measurements favour"}, {"paper", "what Barker et al. (2012) printed"}}, "suite", "the set of defaults"};
+}
+
+EntryList schemeEntries() { return {entry::scheme}; }
 
 namespace
 {
@@ -37,13 +44,8 @@ void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coeffi
 
 Resolution readResolution(const Dictionary& sphSchemes)
 {
-    const auto dict = sphSchemes.subDict("resolution");
-    Resolution r;
-    r.spacing = dict.getPositive("spacing", units::m);
-    r.support = dict.getPositive("support", units::none, r.support);
-    r.kernel = dict.choose("kernel", kernelNames(), r.kernel);
-    if (r.support < 1.5 || r.support > 6) dict.error("support", "the kernel support is given in spacings and lies between 1.5 and 6");
-    return r;
+    const auto dict = entry::resolution::dictionary(sphSchemes);
+    return {entry::resolution::spacing(dict), entry::resolution::support(dict), entry::resolution::kernel(dict)};
 }
 
 Settings readSettings(const Case& theCase, const Geometry& geometry)
@@ -61,7 +63,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     checkPeriods(dict, geometry, c);
 
     const Reading reading{theCase, geometry, dict, settings};
-    reading.choose("scheme", {"suite", "paper"}, "suite");
+    reading.choose(entry::scheme);
     for (const auto* model : models())
         if (model->prepare) model->prepare(reading);
     for (const auto* model : models()) model->read(reading);

@@ -47,32 +47,6 @@ struct SurfaceSettings
     PictureSettings picture;
 };
 
-/// Reads
-///
-///     cloud        sph;
-///     phases       (water);          // default: the first of constant/phaseProperties
-///     gridSpacing  2.5e-5;           // [m] default: half the particles' spacing
-///     support      1.5e-4;           // [m] of the kernel; default 3 spacings
-///     kernel       wendlandC2;
-///     iso          0.5;
-///     normalise    particles;        // none | walls | particles; default: particles where there are several phases, else walls
-///     closed       no;               // cap the surface along walls and domain faces
-///     smoothing    0;                // passes of the windowed-sinc filter
-///     formats      (vtp stl obj);    // default (vtp)
-///     picture
-///     {
-///         size       (1200 900);
-///         camera     { position (..); focalPoint (..); up (0 1 0); zoom 1; }
-///         show       (surface walls);   // and particles; default: (surface walls) in 3-D with several phases, else (particles
-/// walls)
-///         colourBy   U;                 // of particles: a field, or phase
-///         range      (0 1);             // of the colours, the same in all pictures; default: each picture's own
-///         plane      { point (..); normal (0 0 1); }   // 3-D: particles are shown on this cut
-///         smoothing  20;                // of the surface in the picture
-///         title      "Bo = 0.78";
-///         showTime   yes;
-///     }
-///
 /// The default support is measured, on a sphere of radius 16 spacings, particles displaced by 0.15 spacings at random, step half
 /// a spacing: support 1.5/2/2.5/3 spacings gives the area +9.0/+3.6/+1.4/+0.5 % and the volume within 0.4 %.
 SurfaceSettings readSurfaceSettings(const Dictionary&, const SurfaceCase&, const Geometry&);

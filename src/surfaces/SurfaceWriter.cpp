@@ -1,7 +1,7 @@
 #include "SurfaceWriter.hpp"
 #include "CaseError.hpp"
 #include "VtkErrors.hpp"
-#include <array>
+#include "surfaceEntries.hpp"
 #include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
@@ -14,7 +14,7 @@ namespace sph
 
 std::span<const std::string> surfaceFormats()
 {
-    static const std::array<std::string, 3> formats{"vtp", "stl", "obj"};
+    static const auto formats = entry::formats.info().choices.words();
     return formats;
 }
 

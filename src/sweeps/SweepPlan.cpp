@@ -13,6 +13,32 @@
 namespace sph
 {
 
+namespace entry
+{
+const Text baseCase{"baseCase", ".", "the case that is run"};
+const ListOf<double> resolutions{"resolutions", required, "$n is one of these at a time"};
+const SubDictionary setResolution{"setResolution", byScene("nothing, of one resolution alone"),
+                                  "what a resolution means: entries of the case's files, as of $n"},
+    variants{"variants", byScene("one, called base"), "entries that differ, on top of setResolution"};
+const FreeName variant{"<variant>", "dictionary", "a variant of the case"},
+    file{"<file>", "dictionary", "file of the case with the entries to change, \"system/sphSchemes\" { .. }"};
+const ListOf<std::string> steps{"steps", std::vector<std::string>{"packParticles", "meshToGhost", "sphFoamLike"},
+                                "applications that make a run, with arguments in quotes"},
+    peers{"peers", std::vector<std::string>{}, "tables with other codes' rows, drawn beside"};
+const Count repeats{"repeats", 1, atLeast(1), "runs of which the least cost counts"},
+    core{"core", byScene("the last one that the process may use"), anyNumber, "processor core of the runs"};
+const Scalar timeLimit{"timeLimit", units::s, byScene("none"), positive, "for the steps of one run together"};
+const Switch plots{"plots", true, "draw the diagrams"};
+
+const DictionaryList errors{"errors", required, "which errors of the function objects count"};
+const Word function{"function", "errors", "function object of the type errors"}, field{"field", required, "field of its table, as U.x"};
+const Choice norm{
+    "norm", errorNorms(), "L2",
+    "L1, L2, Linf at a time; mean and rms over time: |mean value/mean reference - 1|, sqrt(mean (value - reference)^2/mean reference^2)"};
+const Scalar time{"time", units::s, byScene("the end"), nonNegative, "when"},
+    averageFrom{"averageFrom", units::s, byScene("needed of mean and rms"), nonNegative, "begin of the mean over time"};
+}
+
 namespace
 {
 
@@ -24,15 +50,15 @@ Dictionary readAt(double n, const Case& c, std::shared_ptr<Diagnostics> diagnost
 /// Ascending; what is wrong with the list is recorded, and what can be used of it is returned.
 std::vector<double> readResolutions(const Dictionary& d)
 {
-    auto ladder = d.get<std::vector<double>>("resolutions");
-    if (d.found("resolutions") && ladder.empty())
-        d.error("resolutions", "\"resolutions\" is empty: give at least one, as (8 16 32)");
+    auto ladder = entry::resolutions(d);
+    if (entry::resolutions.given(d) && ladder.empty())
+        entry::resolutions.error(d, "\"resolutions\" is empty: give at least one, as (8 16 32)");
     for (const double n : ladder)
-        if (!(n > 0)) d.error("resolutions", fmt::format("resolution {} must be greater than 0", shortestText(n)));
+        if (!(n > 0)) entry::resolutions.error(d, fmt::format("resolution {} must be greater than 0", shortestText(n)));
     std::erase_if(ladder, [](double n) { return !(n > 0); });
     std::ranges::sort(ladder);
     if (const auto twice = std::ranges::adjacent_find(ladder); twice != ladder.end())
-        d.error("resolutions", fmt::format("resolution {} stands twice", shortestText(*twice)));
+        entry::resolutions.error(d, fmt::format("resolution {} stands twice", shortestText(*twice)));
     ladder.erase(std::unique(ladder.begin(), ladder.end()), ladder.end());
     return ladder;
 }
@@ -97,62 +123,60 @@ std::vector<Override> readOverrides(const Dictionary& d, const std::filesystem::
 std::vector<ErrorChoice> readErrors(const Dictionary& d)
 {
     std::vector<ErrorChoice> choices;
-    for (const auto& e : d.dictionaries("errors"))
+    for (const auto& e : entry::errors(d))
     {
         ErrorChoice choice;
-        choice.function = e.get<std::string>("function", "errors");
-        choice.field = e.get<std::string>("field");
-        choice.norm = e.choose("norm", errorNorms(), "L2");
-        if (e.found("time")) choice.time = e.getNonNegative("time", units::s, 0);
+        choice.function = entry::function(e);
+        choice.field = entry::field(e);
+        choice.norm = entry::norm(e);
+        choice.time = entry::time.ifGiven(e);
         if (choice.norm == "mean" || choice.norm == "rms")
         {
-            choice.averageFrom = e.getNonNegative("averageFrom", units::s, 0);
-            if (!e.found("averageFrom"))
-                e.error("norm", fmt::format("norm {} is one over time: say from when on, as `averageFrom 1.2;`", choice.norm));
+            choice.averageFrom = entry::averageFrom(e, 0);
+            if (!entry::averageFrom.given(e))
+                entry::norm.error(e, fmt::format("norm {} is one over time: say from when on, as `averageFrom 1.2;`", choice.norm));
             if (choice.time && *choice.averageFrom > *choice.time)
-                e.error("averageFrom", fmt::format("averageFrom {} is after time {}", *choice.averageFrom, *choice.time));
+                entry::averageFrom.error(e, fmt::format("averageFrom {} is after time {}", *choice.averageFrom, *choice.time));
         }
-        choice.whereFunction = e.where("function");
-        choice.whereField = e.where("field");
-        choice.whereTime = e.where("time");
+        choice.whereFunction = entry::function.where(e);
+        choice.whereField = entry::field.where(e);
+        choice.whereTime = entry::time.where(e);
         choices.push_back(std::move(choice));
     }
-    if (d.found("errors") && choices.empty())
-        d.error("errors", "\"errors\" is empty: give at least one, as ( { field U.x; norm L2; } )");
+    if (entry::errors.given(d) && choices.empty())
+        entry::errors.error(d, "\"errors\" is empty: give at least one, as ( { field U.x; norm L2; } )");
     return choices;
 }
 
 /// All but the ladder; adds the runs at the resolution `n`.
 void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
 {
-    plan.baseCase = c.folder() / d.get<std::string>("baseCase", ".");
+    plan.baseCase = c.folder() / entry::baseCase(d);
     if (!std::filesystem::is_directory(plan.baseCase))
-        d.error("baseCase", fmt::format("there is no case folder \"{}\"", d.get<std::string>("baseCase", ".")));
-    plan.steps = d.get<std::vector<std::string>>("steps", {"packParticles", "meshToGhost", "sphFoamLike"});
-    plan.whereSteps = d.where("steps");
-    if (plan.steps.empty()) d.error("steps", "\"steps\" is empty");
-    plan.repeats = d.get<int>("repeats", 1);
-    if (plan.repeats < 1) d.error("repeats", "\"repeats\" must be at least 1");
-    if (d.found("timeLimit")) plan.timeLimit = d.getPositive("timeLimit", units::s);
-    if (d.found("core")) plan.core = d.get<int>("core");
-    plan.whereCore = d.where("core");
+        entry::baseCase.error(d, fmt::format("there is no case folder \"{}\"", entry::baseCase(d)));
+    plan.steps = entry::steps(d);
+    plan.whereSteps = entry::steps.where(d);
+    if (plan.steps.empty()) entry::steps.error(d, "\"steps\" is empty");
+    plan.repeats = entry::repeats(d);
+    plan.timeLimit = entry::timeLimit.ifGiven(d);
+    plan.core = entry::core.ifGiven(d);
+    plan.whereCore = entry::core.where(d);
     plan.errors = readErrors(d);
-    plan.peers = d.get<std::vector<std::string>>("peers", std::vector<std::string>{});
-    plan.plots = d.get<bool>("plots", true);
+    plan.peers = entry::peers(d);
+    plan.plots = entry::plots(d);
 
-    const auto resolution = readOverrides(
-        d.found("setResolution") || plan.resolutions.size() > 1 ? d.subDict("setResolution") : d.subDictOrEmpty("setResolution"),
-        plan.baseCase);
-    const auto variants = d.subDictOrEmpty("variants");
+    const auto resolution = readOverrides(plan.resolutions.size() > 1 ? entry::setResolution.needed(d) : entry::setResolution(d), plan.baseCase);
+    const bool hasVariants = entry::variants.given(d);
+    const auto variants = entry::variants(d);
     auto names = variants.keys();
-    if (!d.found("variants")) names.push_back("base");
-    if (names.empty()) d.error("variants", "\"variants\" is empty: leave it out to run the case as it is");
+    if (!hasVariants) names.push_back("base");
+    if (names.empty()) entry::variants.error(d, "\"variants\" is empty: leave it out to run the case as it is");
     for (const auto& name : names)
     {
         if (!isPlainName(name))
             variants.error(name, fmt::format("variant \"{}\" needs a name of letters, digits and _-+.", name));
-        PlannedRun run{name, n, d.found("variants") ? variants.where(name) : d.location(), resolution};
-        if (d.found("variants"))
+        PlannedRun run{name, n, hasVariants ? variants.where(name) : d.location(), resolution};
+        if (hasVariants)
             for (auto& o : readOverrides(variants.subDict(name), plan.baseCase)) run.overrides.push_back(std::move(o));
         plan.runs.push_back(std::move(run));
     }
@@ -160,6 +184,13 @@ void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
     d.reportUnused();
 }
 
+}
+
+EntryList sweepEntries()
+{
+    using namespace entry;
+    return {baseCase, resolutions, {setResolution, {file}}, {variants, {{variant, {file}}}}, steps, repeats, timeLimit, core,
+            {errors, {entry::function, field, norm, entry::time, averageFrom}}, peers, plots};
 }
 
 std::string Override::entry() const { return fmt::format("{}", fmt::join(keywords, ".")); }

@@ -27,6 +27,7 @@
 /// `$n`, and every macro and #eval, is resolved when the dictionary is read, once for each resolution.
 #pragma once
 #include "Case.hpp"
+#include "EntryList.hpp"
 #include <optional>
 
 namespace sph
@@ -87,5 +88,6 @@ inline const std::string sweepDictionary = "system/workPrecisionDict";
 
 /// Every mistake goes to the case's Diagnostics.
 SweepPlan readSweepPlan(const Case&);
+EntryList sweepEntries();
 
 }

@@ -1,6 +1,6 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
-///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress; all unless named
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed; all unless named
 #include "CaseError.hpp"
 #include "forcePass.hpp"
 #include "wholeStep.hpp"
@@ -38,6 +38,7 @@ int main(int argc, char** argv)
         }
         if (wanted("bed")) print(wholeStep(cases/"bed", "bed", limit, 20, 4));
         if (wanted("bedStress")) print(wholeStep(cases/"bedStress", "bedStress", limit, 20, 4));
+        if (wanted("bccBed")) print(wholeStep(cases/"../../../tutorials/heapLeaching/bccBed", "bccBed", limit, 10, 4));
     }
     catch (const CaseError& e)
     {

@@ -236,7 +236,7 @@ ParticleView Run::view() const
 void Run::sample(bool writeTime, bool end)
 {
     if (functions_->empty() || !functions_->due(time_, writeTime, end)) return;
-    if (!writeTime) simulation_->settle();
+    if (!writeTime) simulation_->observe();
     for (const auto& report : functions_->execute(view(), time_, writeTime, end)) log_ << report << '\n';
 }
 
@@ -247,6 +247,23 @@ void Run::write()
                 simulation_->state());
 }
 
+void Run::noteLeaks()
+{
+    if (const auto leaks = simulation_->leaks(); leaks.deepest > deepestLeak_)
+    {
+        deepestLeak_ = leaks.deepest;
+        deepestLeakAt_ = time_.name();
+    }
+}
+
+void Run::reportLeaks() const
+{
+    const auto leaks = simulation_->leaks();
+    log_ << fmt::format("Leaked: {} particles put back\n", leaks.putBack);
+    if (leaks.putBack > 0)
+        log_ << fmt::format("Deepest: {:.3g} m in a wall, near ({:.6g} {:.6g} {:.6g}) at time {}\n", leaks.deepest, leaks.at.x, leaks.at.y, leaks.at.z, deepestLeakAt_);
+}
+
 void Run::solve()
 {
     std::signal(SIGTERM, requestStop);
@@ -254,6 +271,7 @@ void Run::solve()
     reportPlan();
     writeBox(case_, geometry_);
     sample(true, false);
+    noteLeaks();
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
     while (time_.running())
@@ -264,6 +282,7 @@ void Run::solve()
         const double deltaT = time_.nextDeltaT(limit.deltaT);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
+        noteLeaks();
         if (stopRequested) time_.stopNow();
         if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
@@ -284,6 +303,7 @@ void Run::solve()
             lastReport = now;
         }
     }
+    reportLeaks();
     log_ << "End\n";
 }
 

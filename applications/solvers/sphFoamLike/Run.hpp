@@ -37,6 +37,8 @@ private:
     std::vector<bool> warned_; ///< of each phase's compression
     Energy energy_;            ///< when last looked at
     bool warnedOfEnergy_ = false;
+    double deepestLeak_ = 0; ///< [m]
+    std::string deepestLeakAt_;
 
     static Geometry loadGeometry(const Case&);
     void reportPlan() const;
@@ -46,6 +48,8 @@ private:
     void warnOfCompression();
     /// Warns once of more energy than the scene can have supplied; throws DivergedError where it is far more.
     void checkEnergy();
+    void noteLeaks();
+    void reportLeaks() const;
     void write();
     void sample(bool writeTime, bool end);
     ParticleView view() const;

@@ -7,10 +7,26 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice density{"density",
+                     {{"numberDensity", "rho = m sigma"}, {"continuity", "integrated"}},
+                     "numberDensity",
+                     "where the density comes from"},
+    volume{"volume",
+           {{"numberDensity", "V = 1/sigma"}, {"continuity", "V = m/rho"}},
+           byScene("as density"),
+           "of the sums over neighbours"},
+    normalisation{"normalisation",
+                  {{"secondMoment", "gradients are exact for linear fields on the mean"}, "none"},
+                  byScene("secondMoment; none with scheme paper or volume continuity"),
+                  "of the kernel's gradient"},
+    densityDiffusionForm{"densityDiffusionForm", {"molteni", {"antuono", "with the renormalised gradient"}}, "molteni", "of the density diffusion"};
+const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "delta of the diffusion against pressure noise, about 0.1"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 /// By Tait's law, the other way round, where the time folder gives the pressure; else that at rest.
 void densityAtStart(const Loading& loading)
 {
@@ -32,16 +48,16 @@ void readDiffusion(const Reading& reading)
 {
     const auto& dict = reading.schemes;
     auto& c = reading.settings.coefficients;
-    const double delta = dict.getNonNegative("densityDiffusion", units::none, 0);
-    const auto& form = reading.choose("densityDiffusionForm", Words{"molteni", "antuono"}, "molteni");
-    reading.belongs("densityDiffusionForm", "densityDiffusion");
+    const double delta = entry::densityDiffusion(dict);
+    const auto& form = reading.choose(entry::densityDiffusionForm);
+    reading.belongs(entry::densityDiffusionForm, entry::densityDiffusion);
     if (!(delta > 0)) return;
     c.set(DiffusionNumber{delta});
-    if (!reading.settings.integratedDensity) dict.error("densityDiffusion", "goes with `density continuity;` alone");
+    if (!reading.settings.integratedDensity) entry::densityDiffusion.error(dict, "goes with `density continuity;` alone");
     for (const double rho : c.restDensity)
         if (rho != c.restDensity[0])
         {
-            dict.error("densityDiffusion", "phases of different rest density cannot diffuse into one another");
+            entry::densityDiffusion.error(dict, "phases of different rest density cannot diffuse into one another");
             break;
         }
     reading.select(form == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
@@ -50,7 +66,7 @@ void readDiffusion(const Reading& reading)
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
-    settings.integratedDensity = reading.choose("density", Words{"numberDensity", "continuity"}, "numberDensity") == "continuity";
+    settings.integratedDensity = reading.choose(entry::density) == "continuity";
     if (!settings.integratedDensity) return;
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
     rho.missing = densityAtStart;
@@ -62,12 +78,11 @@ void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     const bool integrated = settings.integratedDensity;
-    const auto& volume = reading.choose("volume", Words{"numberDensity", "continuity"}, settings.chosen.at("density"));
-    if (!integrated && volume == "continuity") reading.schemes.error("volume", "goes with `density continuity;`: no density is integrated");
+    const auto& volume = reading.choose(entry::volume, settings.chosen.at("density"));
+    if (!integrated && volume == "continuity") entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
     reading.select(integrated ? "continuity" : "summedDensity");
-    const bool normalises = reading.choose("normalisation", Words{"secondMoment", "none"},
-                                           reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
+    const bool normalises = reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
     settings.normaliseDensity = volume == "numberDensity" && normalises;
     readDiffusion(reading);
@@ -80,7 +95,8 @@ const Model& densityModel()
                              densityTerms<2>(), densityTerms<3>(), prepare,
                              {{"density", [](const Settings& s) { return s.integratedDensity && !s.integration.predicts; },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
-                               "predictorCorrector"}}};
+                               "predictorCorrector"}},
+                             {}, {{"system/sphSchemes", {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm}}}};
     return model;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "Case.hpp"
 #include "Coefficients.hpp"
+#include "EntryList.hpp"
 #include "Geometry.hpp"
 #include "State.hpp"
 #include <map>
@@ -29,20 +30,11 @@ struct Opening
 
 /// Reads constant/openings, one dictionary an opening; none where there is no such file:
 ///
-///     gate
-///     {
-///         type      inlet;
-///         point     (0 0 0);
-///         normal    (1 0 0);                            into the scene, of any length
-///         min       (0 0 0); max (0 1e-3 1e-3);         optional: the plane is open within this box alone, to a spacing
-///         flowRate  1e-9;                               or velocity 0.1;
-///         pressure  1e6;                                alone: drives the flow; beside those: the most that they may need
-///         profile   developed;                          or uniform, the default
-///         phi       0.55;                               of a suspension; what else evolves asks for its own entry
-///     }
+///     gate { type inlet; point (0 0 0); normal (1 0 0); flowRate 1e-9; profile developed; }
 ///     vent { type outlet; point (1 0 0); normal (-1 0 0); pressure 0; }
 ///
 /// Mistakes go to the case's Diagnostics. `absent`: what would come in with a model that the scene does not have, and what to say to it.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, std::string>& absent = {});
+EntryList openingEntries();
 
 }

@@ -34,7 +34,8 @@ void read(const Reading& reading)
 
 const Model& openingsModel()
 {
-    static const Model model{"openings", "inlets and outlets: planes across ducts", read, {}, {}, prepare};
+    static const Model model{"openings", "inlets and outlets: planes across ducts", read, {}, {}, prepare,
+                             {}, {}, {{"constant/openings", openingEntries(), "inlets and outlets; without the file there are none"}}};
     return model;
 }
 

@@ -5,20 +5,36 @@
 namespace sph
 {
 
+namespace entry
+{
+const FreeName opening{"<opening>", "dictionary", "an opening of the case's own name"};
+const Choice type{"type", {"inlet", "outlet"}, required, "of the opening"},
+    profile{"profile",
+            {{"uniform", "the same velocity everywhere"}, {"developed", "that of developed flow in the section"}},
+            "uniform",
+            "of the velocity"};
+const VectorParameter point{"point", units::m, required, "a point of the plane"},
+    min{"min", units::m, byScene("endless"), "the plane is open within this box alone, to a spacing"},
+    max{"max", units::m, byScene("endless"), "highest corner of that box"};
+const Direction normal{"normal", required, "into the scene"};
+const Scalar velocity{"velocity", units::mPerS, notGiven, positive, "mean over the section"},
+    flowRate{"flowRate", units::m3 / units::s, notGiven, positive, "in place of velocity; in 2-D [m^2/s]"},
+    pressure{"pressure", units::pressure, notGiven, "alone: drives the flow; beside velocity or flowRate: the most that they may need"},
+    pressureOutside{"pressure", units::pressure, 0, "at the plane"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 void readInlet(const Dictionary& d, const Coefficients& c, const State& state, Opening& opening)
 {
     const auto area = c.dimension == 3 ? units::m2 : units::m;
-    if (d.found("velocity")) opening.velocity = d.getPositive("velocity", units::mPerS);
-    if (d.found("flowRate")) opening.flowRate = d.getPositive("flowRate", units::mPerS*area);
-    if (d.found("pressure")) opening.pressure = d.get("pressure", units::pressure);
-    if (opening.velocity && opening.flowRate) d.error("flowRate", "flowRate is given, and velocity too: keep one of them");
+    opening.velocity = entry::velocity.ifGiven(d);
+    opening.flowRate = entry::flowRate.in(units::mPerS*area).ifGiven(d);
+    opening.pressure = entry::pressure.ifGiven(d);
+    if (opening.velocity && opening.flowRate) entry::flowRate.error(d, "flowRate is given, and velocity too: keep one of them");
     if (!opening.velocity && !opening.flowRate && !opening.pressure)
-        d.error("velocity", "what drives the flow is missing: give a velocity, a flowRate or a pressure");
-    opening.developed = d.choose("profile", Words{"uniform", "developed"}, "uniform") == "developed";
+        entry::velocity.error(d, "what drives the flow is missing: give a velocity, a flowRate or a pressure");
+    opening.developed = entry::profile(d) == "developed";
     for (const auto& evolving : state)
         if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
 }
@@ -28,28 +44,33 @@ Opening readOpening(const Dictionary& d, const Geometry& g, const Coefficients& 
     Opening opening;
     opening.name = d.keyword();
     opening.where = d.location();
-    opening.inlet = d.choose("type", Words{"inlet", "outlet"}) == "inlet";
-    opening.point = d.getVector("point", units::m);
-    const auto normal = d.getVector("normal", units::none);
-    if (!(mag(normal) > 0) && d.found("normal")) d.error("normal", "must have a direction, not (0 0 0)");
-    opening.normal = mag(normal) > 0 ? unitVector(normal) : Vector<3>{1, 0, 0};
-    if (g.dimension == 2 && opening.normal.z != 0) d.error("normal", "in 2-D the z component of a normal must be 0");
+    opening.inlet = entry::type(d) == "inlet";
+    opening.point = entry::point(d);
+    opening.normal = entry::normal(d);
+    if (g.dimension == 2 && opening.normal.z != 0) entry::normal.error(d, "in 2-D the z component of a normal must be 0");
     for (int k = 0; k < g.dimension; ++k)
         if (g.periodic[k] && opening.normal.*component(k) != 0)
-            d.error("normal", fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
-                                          coordinateNames[k]));
-    if (d.found("min")) opening.extent.low = d.getVector("min", units::m);
-    if (d.found("max")) opening.extent.high = d.getVector("max", units::m);
+            entry::normal.error(d, fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
+                                               coordinateNames[k]));
+    opening.extent.low = entry::min(d, opening.extent.low);
+    opening.extent.high = entry::max(d, opening.extent.high);
     for (int k = 0; k < g.dimension; ++k)
         if (const auto a = component(k); opening.extent.high.*a < opening.extent.low.*a)
-            d.error("max", fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k], opening.extent.high.*a,
-                                       opening.extent.low.*a));
+            entry::max.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k], opening.extent.high.*a,
+                                            opening.extent.low.*a));
     opening.extent.low -= c.spacing*Vector<3>{1, 1, 1};
     opening.extent.high += c.spacing*Vector<3>{1, 1, 1};
     if (opening.inlet) readInlet(d, c, state, opening);
-    else opening.pressure = d.get("pressure", units::pressure, 0);
+    else opening.pressure = entry::pressureOutside(d);
     return opening;
 }
+}
+
+EntryList openingEntries()
+{
+    using namespace entry;
+    const Cases byType{{"inlet", {entry::velocity, flowRate, pressure, profile}}, {"outlet", {pressureOutside}}};
+    return {{opening, {{type, byType}, point, normal, min, max}}};
 }
 
 std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,

@@ -8,16 +8,30 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice pressureGradient{"pressureGradient",
+                              {{"huAdams", "gradient of an energy"},
+                               {"densityWeighted", "the same sound speed in phases of any density"},
+                               "monaghan",
+                               {"difference", "no force where p is uniform; does not conserve momentum"},
+                               {"correctedDifference", "the same, exact for a linear p"},
+                               {"tensileControlled", "for free surfaces"}},
+                              byScene("huAdams; densityWeighted with surfaceTension curvature"),
+                              "form of the acceleration by pressure"};
+const Scalar pMin{"pMin", units::pressure, notGiven, "tension at which a fluid without a gas parts, 0 or less"};
+const AutomaticScalar backgroundPressure{"backgroundPressure", units::pressure, byScene("automatic: 0.8 sigma/spacing with surface tension, else 0"), anyNumber,
+                                         "the same in all phases: keeps the particles of an interface together"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 void prepare(const Reading& reading)
 {
     auto& c = reading.settings.coefficients;
     const auto& dict = reading.schemes;
-    if (dict.found("pMin")) c.leastPressure = dict.get("pMin", units::pressure);
-    if (c.leastPressure > 0) dict.error("pMin", fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
+    if (const auto least = entry::pMin.ifGiven(dict)) c.leastPressure = *least;
+    if (c.leastPressure > 0) entry::pMin.error(dict, fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
     if (c.leastPressure > -1e299) reading.settings.endsInside = true;
 }
 
@@ -26,9 +40,7 @@ void readBackground(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    const auto& dict = reading.schemes;
-    const bool automatic = dict.isWord("backgroundPressure", "automatic") || !dict.found("backgroundPressure");
-    if (!automatic) c.backgroundPressure = dict.get("backgroundPressure", units::pressure, 0);
+    if (const auto given = entry::backgroundPressure(reading.schemes)) c.backgroundPressure = *given;
     else if (settings.surfaceTension)
     {
         c.backgroundPressure = 0.8*(*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()))/c.spacing;
@@ -44,9 +56,7 @@ void read(const Reading& reading)
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
     reading.select(settings.multiphase() ? "taitOfPhase" : prescribed ? "taitOrHeld" : "tait");
-    const auto& gradient = reading.choose("pressureGradient",
-                                          Words{"huAdams", "densityWeighted", "monaghan", "difference", "correctedDifference", "tensileControlled"},
-                                          "huAdams");
+    const auto& gradient = reading.choose(entry::pressureGradient, "huAdams");
     if (settings.separate.contains(PressureAcceleration::info.name))
     {
         reading.select("separateHuAdamsPressure");
@@ -94,7 +104,8 @@ std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured
 const Model& pressureModel()
 {
     static const Model model{"pressureGradient", "state equation, and the acceleration by pressure", read, pressureTerms<2>(), pressureTerms<3>(), prepare,
-                             {}, {soundLimit, stiffnessLimit}};
+                             {}, {soundLimit, stiffnessLimit},
+                             {{"system/sphSchemes", {entry::pressureGradient, entry::backgroundPressure, entry::pMin}}}};
     return model;
 }
 

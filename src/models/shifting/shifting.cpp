@@ -6,27 +6,34 @@
 namespace sph
 {
 
+namespace entry
+{
+const Scalar shifting{"shifting", units::none, 0, nonNegative, "C of particle shifting, 2 to 8; 0: none"},
+    transportVelocity{"transportVelocity", units::none, 0, nonNegative, "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
+const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"largest", "of all"}}, "own", "speed that shifting goes with"},
+    shiftingAtSurface{"shiftingAtSurface", {"any", {"tangential", "never out of a free surface"}}, "any", "direction of shifting"},
+    transportPressure{"transportPressure", {"uniform", {"local", "at most 10 |p| of the particle"}}, "uniform", "of the transport velocity"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
-    const double C = dict.getNonNegative("shifting", units::none, 0);
-    const bool largest = dict.choose("shiftingSpeed", Words{"own", "largest"}, "own") == "largest";
-    const double transport = dict.getNonNegative("transportVelocity", units::none, 0);
-    const bool tangential = reading.choose("shiftingAtSurface", Words{"any", "tangential"}, "any") == "tangential";
-    const bool local = reading.choose("transportPressure", Words{"uniform", "local"}, "uniform") == "local";
-    reading.belongs("shiftingAtSurface", "shifting");
-    reading.belongs("shiftingSpeed", "shifting");
-    reading.belongs("transportPressure", "transportVelocity");
-    if (transport > 0 && C > 0) dict.error("transportVelocity", "keeps particles evenly spaced, and so does shifting: take one of them");
+    const double C = entry::shifting(dict);
+    const bool largest = entry::shiftingSpeed(dict) == "largest";
+    const double transport = entry::transportVelocity(dict);
+    const bool tangential = reading.choose(entry::shiftingAtSurface) == "tangential";
+    const bool local = reading.choose(entry::transportPressure) == "local";
+    reading.belongs(entry::shiftingAtSurface, entry::shifting);
+    reading.belongs(entry::shiftingSpeed, entry::shifting);
+    reading.belongs(entry::transportPressure, entry::transportVelocity);
+    if (transport > 0 && C > 0) entry::transportVelocity.error(dict, "keeps particles evenly spaced, and so does shifting: take one of them");
     if (C > 0 && !settings.integration.moves)
-        dict.error("shifting", "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
+        entry::shifting.error(dict, "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
     if (transport > 0 && settings.integration.solves)
-        dict.error("transportVelocity", "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
+        entry::transportVelocity.error(dict, "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
     if (C > 0)
     {
         reading.select(tangential ? "surfaceShifting" : "particleShifting");
@@ -38,6 +45,7 @@ void read(const Reading& reading)
         reading.select(local ? "localTransportVelocity" : "transportVelocity");
         reading.select("transportStress");
         settings.state.push_back({stateField(TransportVelocity{})});
+        settings.state.push_back({stateField(TransportAcceleration{})}); // of the last evaluation
         settings.carriers.push_back(TransportVelocity::info.name);
         settings.parts.push_back(partOf<Transporter>());
     }
@@ -47,7 +55,8 @@ void read(const Reading& reading)
 const Model& shiftingModel()
 {
     static const Model model{"shifting", "particle shifting and transport velocity: what keeps particles evenly spaced", read, shiftingTerms<2>(),
-                             shiftingTerms<3>()};
+                             shiftingTerms<3>(), nullptr, {}, {},
+                             {{"system/sphSchemes", {entry::shifting, entry::shiftingSpeed, entry::shiftingAtSurface, entry::transportVelocity, entry::transportPressure}}}};
     return model;
 }
 

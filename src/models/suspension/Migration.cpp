@@ -20,6 +20,7 @@ Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const Migrat
     : steps_(steps), corrects_(corrects), limit_(std::numeric_limits<double>::infinity())
 {
     if (const auto found = restored.find("powderVolume"); found != restored.end()) startVolume_ = found->second;
+    if (const auto found = restored.find("migrationLimit"); found != restored.end()) limit_ = found->second;
 }
 
 template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
@@ -111,6 +112,7 @@ template<int dim> std::string Migration<dim>::report(const Particles<dim>& parti
 template<int dim> void Migration<dim>::save(Numbers& numbers) const
 {
     if (startVolume_) numbers["powderVolume"] = *startVolume_;
+    numbers["migrationLimit"] = limit_;
 }
 
 template class Migration<2>;

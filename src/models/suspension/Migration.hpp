@@ -29,6 +29,8 @@ public:
     /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
     void complete(Particles<dim>&) override;
     std::vector<std::string> completes() const override;
+    double memory() const override { return limit_; }
+    void recall(double limit) override { limit_ = limit; }
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;

@@ -12,10 +12,23 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice surfaceTension{"surfaceTension",
+                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of two phases"}, "none"},
+                            byScene("curvature; interfaceStress with scheme paper, more phases, or contactAngle wallStress; none without sigma"),
+                            "form of the surface tension"},
+    contactAngle{"contactAngle",
+                 {{"wallStress", "tension of the wall, with interfaceStress"},
+                  {"wallPotential", "energy of the wall, with curvature"},
+                  {"wallAdhesion", "direction of the interface, with curvature: lines of contact that move"},
+                  {"paper", "the solid as a phase, with interfaceStress"}},
+                 byScene("wallPotential with curvature; wallStress, or paper with scheme paper, with interfaceStress"),
+                 "how walls hold their contact angle"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 bool hasTension(const Coefficients& c)
 {
     return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
@@ -47,14 +60,13 @@ void prepare(const Reading& reading)
     const auto& dict = reading.schemes;
     setContactAngles(reading.geometry, c);
     const bool tension = hasTension(c);
-    const bool stress = reading.paper() || c.phases.size() > 2 || dict.isWord("contactAngle", "paper") || dict.isWord("contactAngle", "wallStress");
-    const auto& form = reading.choose("surfaceTension", Words{"interfaceStress", "curvature", "none"},
-                                      !tension ? "none" : stress ? "interfaceStress" : "curvature");
+    const bool stress = reading.paper() || c.phases.size() > 2 || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
+    const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
     settings.surfaceTension = form != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
     if (form == "curvature") reading.prefer("pressureGradient", "densityWeighted");
-    if (settings.surfaceTension && !tension) dict.error("surfaceTension", "constant/phaseProperties gives no sigma between any two phases");
-    if (form == "curvature" && c.phases.size() != 2) dict.error("surfaceTension", "curvature is between two phases; take interfaceStress");
+    if (settings.surfaceTension && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
+    if (form == "curvature" && c.phases.size() != 2) entry::surfaceTension.error(dict, "curvature is between two phases; take interfaceStress");
 }
 
 void readAngles(const Reading& reading)
@@ -62,15 +74,14 @@ void readAngles(const Reading& reading)
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
     const bool byCurvature = settings.has("surfaceTension", "curvature"), byStress = settings.has("surfaceTension", "interfaceStress");
-    const auto& form = reading.choose("contactAngle", Words{"wallStress", "wallPotential", "wallAdhesion", "paper"},
-                                      byCurvature ? "wallPotential" : reading.paper() && byStress ? "paper" : "wallStress");
+    const auto& form = reading.choose(entry::contactAngle, byCurvature ? "wallPotential" : reading.paper() && byStress ? "paper" : "wallStress");
     if (form == "paper" && !byStress)
-        dict.error("contactAngle", fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
+        entry::contactAngle.error(dict, fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", settings.chosen.at("surfaceTension")));
     if (form == "wallAdhesion" && byStress)
-        dict.error("contactAngle", "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
-    if (dict.found("contactAngle") && (!settings.surfaceTension || !reading.geometry.wets()))
-        dict.error("contactAngle", fmt::format("does nothing without {}; give that, or leave this out",
+        entry::contactAngle.error(dict, "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
+    if (entry::contactAngle.given(dict) && (!settings.surfaceTension || !reading.geometry.wets()))
+        entry::contactAngle.error(dict, fmt::format("does nothing without {}; give that, or leave this out",
                                                reading.geometry.wets() ? "surface tension between two phases"
                                                                        : "a wall that has a contactAngle in constant/geometry"));
     // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
@@ -158,7 +169,7 @@ template<int dim> Catalogue<dim> allTerms()
 const Model& tensionModel()
 {
     static const Model model{"surfaceTension", "surface tension between phases, and the contact angles of walls", read, allTerms<2>(), allTerms<3>(), prepare,
-                             {}, {capillaryLimit, slowForceLimit}};
+                             {}, {capillaryLimit, slowForceLimit}, {{"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}}};
     return model;
 }
 

@@ -6,14 +6,21 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice viscosity{"viscosity",
+                       {{"harmonic", "div(mu grad v), harmonic mean of a pair"}, {"cleary", "the whole stress, along the line of centres"}, "none"},
+                       byScene("harmonic where a phase has mu"),
+                       "form of the viscous acceleration"};
+const Scalar artificialViscosity{"artificialViscosity", units::none, 0, nonNegative, "alpha of Monaghan and Gingold, about 0.02 for free surfaces"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 /// Along the line of centres compression is resisted by 3 mu: nu (laplacian v + 2 grad div v).
 void prepare(const Reading& reading)
 {
-    if (reading.schemes.isWord("viscosity", "cleary")) reading.settings.integration.factors.viscous /= 3;
+    if (entry::viscosity.is(reading.schemes, "cleary")) reading.settings.integration.factors.viscous /= 3;
 }
 
 void read(const Reading& reading)
@@ -21,7 +28,7 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const auto& form = reading.choose("viscosity", Words{"harmonic", "cleary", "none"}, viscous ? "harmonic" : "none");
+    const auto& form = reading.choose(entry::viscosity, viscous ? "harmonic" : "none");
     const bool variable = settings.variableViscosity, central = form == "cleary";
     if (form == "harmonic") reading.select(variable ? "harmonicViscosity" : "singlePhaseViscosity");
     if (central) reading.select(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
@@ -33,7 +40,7 @@ void read(const Reading& reading)
         settings.integration.responseRate = name + "Rate";
     }
 
-    const double alpha = reading.schemes.getNonNegative("artificialViscosity", units::none, 0);
+    const double alpha = entry::artificialViscosity(reading.schemes);
     if (!(alpha > 0)) return;
     c.set(ArtificialNumber{alpha*(0.5*c.support)*(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()))*c.restDensity[0]});
     reading.select("artificialViscosity");
@@ -60,7 +67,7 @@ const Model& viscosityModel()
     static const Model model{"viscosity", "acceleration by viscosity, physical and artificial", read, viscosityTerms<2>(), viscosityTerms<3>(), prepare,
                              {{"integration", [](const Settings& s) { return s.has("viscosity", "none") && s.integration.solves; },
                                "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
-                             {viscousLimit}};
+                             {viscousLimit}, {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};
     return model;
 }
 

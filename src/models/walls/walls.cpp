@@ -8,10 +8,20 @@
 namespace sph
 {
 
+namespace entry
+{
+const Choice wallVelocity{"wallVelocity",
+                          {{"secondOrder", "no slip, from the momentum balance at the wall"}, {"reflected", "no slip, first order in the distance"}, "freeSlip"},
+                          byScene("secondOrder for one phase of uniform viscosity, else reflected"),
+                          "of what lies behind a wall"},
+    wallPressure{"wallPressure",
+                 {{"hydrostatic", "continues that of a fluid at rest"}, {"detaching", "the same without suction"}, {"mirrored", "that of the source"}},
+                 byScene("hydrostatic; mirrored with scheme paper"),
+                 "of what lies behind a wall"};
+}
+
 namespace
 {
-using Words = std::vector<std::string>;
-
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -25,7 +35,7 @@ void prepare(const Reading& reading)
         settings.reasons.push_back(fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
                                                geometry.layers.size()));
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous && !settings.variableViscosity;
-    const auto& rule = reading.choose("wallVelocity", Words{"secondOrder", "reflected", "freeSlip"}, second ? "secondOrder" : "reflected");
+    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : "reflected");
     if (rule != "secondOrder") return;
     settings.separate.insert(PressureAcceleration::info.name);
     settings.state.push_back({stateField(WallAcceleration{})});
@@ -37,9 +47,10 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     const auto& c = settings.coefficients;
     const auto& geometry = reading.geometry;
-    const auto& pressure = reading.choose("wallPressure", Words{"hydrostatic", "detaching", "mirrored"}, reading.paper() ? "mirrored" : "hydrostatic");
+    const auto& pressure = reading.choose(entry::wallPressure, reading.paper() ? "mirrored" : "hydrostatic");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Image::pressure] = {stateField(Density{})};
+    settings.leaked = readLeakGuard(reading.schemes);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored")));
@@ -62,7 +73,8 @@ const Model& wallsModel()
           { return s.has("wallVelocity", "secondOrder") && (s.variableViscosity || !viscous(s) || !s.has("pressureGradient", "huAdams")); },
           "secondOrder needs a single phase of uniform viscosity and pressureGradient huAdams; take reflected"},
          {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
-          "layers have no interface to continue: with surface tension take walls reflected"}}};
+          "layers have no interface to continue: with surface tension take walls reflected"}},
+        {}, {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure}}, {"system/sphSchemes", wallLayersEntries()}, {"system/sphSchemes", leakGuardEntries()}}};
     return model;
 }
 

@@ -47,6 +47,28 @@ std::set<std::array<long, 3>> places(const std::vector<LayerParticle>& particles
     return all;
 }
 
+// Under a block that stands on the floor, as beside it, the layers leave no hole: every place of the lattice that the fluid sees
+// and is not fluid itself is taken once.
+TEST(WallLayers, LeaveNoHoleWhereABlockStands)
+{
+    const double h = 0.05;
+    const auto [g, layers, errors] = layersOf("dimension 2; domain { min (0 0 0); max (2 1 0); }\n"
+                                              "walls { floor { type plane; point (0 0 0); normal (0 1 0); } block { type box; min (0.5 0 0); max (1.5 0.5 0); "
+                                              "fluid outside; } }",
+                                              h);
+    ASSERT_EQ(errors, "");
+    const auto taken = places(layers, h);
+    EXPECT_EQ(taken.size(), layers.size());
+    for (int i = 8; i < 15; ++i)
+        for (int k = -3; k < 8; ++k)
+        {
+            const bool solid = k < 0 || i >= 10, seen = i < 12 && k >= -2;
+            const long x = std::lround((i + 0.5)*1000), y = std::lround((k + 0.5)*1000);
+            if (!seen && solid) continue;
+            EXPECT_EQ(taken.contains({x, y, 0}), solid) << i << " " << k;
+        }
+}
+
 // The domain's lattice goes on behind planes, as far as the kernel reaches: three layers of support 2.6, of the fluid's volume each.
 TEST(WallLayers, GoOnWithTheLatticeBehindPlanes)
 {

@@ -140,6 +140,97 @@ TEST(Images, TakeTheStressOfTheSolidBehindWalls)
     EXPECT_EQ(values(false), (std::array<double, 3>{1, 2, 3}));
 }
 
+/// Ghosts of one particle by place, with their weights: those of no weight left out.
+std::vector<std::pair<Vector<2>, double>> weighedGhosts(Imaged<2>& scene)
+{
+    std::vector<std::pair<Vector<2>, double>> all;
+    const double* weight = scene.store.component(ImageWeight::info.name, 0);
+    for (std::size_t j = scene.images.owned(); j < scene.images.nullParticle(); ++j)
+        if (weight[j] > 0) all.emplace_back(positionOf(scene.store, j), weight[j]);
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::pair(a.first.x, a.first.y) < std::pair(b.first.x, b.first.y); });
+    return all;
+}
+
+// Beside a block that stands on the floor, is sunk into it, or juts out over a step, a particle has the three images of the corner of a box, at
+// the same places and whole; before, those of the block faded towards the floor and the corner had none.
+TEST(Images, BesideABlockOnAFloorAreThoseOfACorner)
+{
+    for (const Vector<2> x : {Vector<2>{0.02, 0.01}, {0.01, 0.02}, {0.002, 0.05}, {0.15, 0.001}})
+    {
+        Geometry corner = domain(2, {1, 1, 0});
+        addWall(corner, Plane({0, 0, 0}, {1, 0, 0}));
+        addWall(corner, Plane({0, 0, 0}, {0, 1, 0}));
+        Imaged<2> expected(corner, 0.3, {x});
+        const auto wanted = weighedGhosts(expected);
+        ASSERT_EQ(wanted.size(), 3u);
+        for (const int bottom : {0, 1, 2})
+        {
+            Geometry g = domain(2, {1, 1, 0});
+            if (bottom < 2) addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+            else addWall(g, SolidBox({-0.4, -0.9, -Box::infinity}, {0.8, 0, Box::infinity})); // the block juts out beyond it
+            addWall(g, SolidBox({-0.9, bottom == 1 ? -0.5 : 0, -Box::infinity}, {0, 0.9, Box::infinity}));
+            Imaged<2> scene(g, 0.3, {x});
+            const auto found = weighedGhosts(scene);
+            ASSERT_EQ(found.size(), 3u) << bottom << " " << x.x << " " << x.y;
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                EXPECT_NEAR(mag(found[k].first - wanted[k].first), 0, 1e-15);
+                EXPECT_DOUBLE_EQ(found[k].second, 1);
+            }
+        }
+    }
+}
+
+// What lies in another body neither mirrors nor counts as a wall: the particle is beside the outer of two boxes, the inner one's face is behind.
+TEST(Images, AreNotOfHiddenFaces)
+{
+    Geometry g = domain(2, {1, 1, 0});
+    addWall(g, SolidBox({0.5, 0.2, -Box::infinity}, {0.9, 0.8, Box::infinity}));
+    addWall(g, SolidBox({0.45, 0.1, -Box::infinity}, {0.95, 0.9, Box::infinity}));
+    Imaged<2> scene(g, 0.3, {{0.4, 0.5}});
+    const auto found = weighedGhosts(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_DOUBLE_EQ(found[0].first.x, 0.5);
+    int walls = 0, reflections = 0;
+    scene.images.forEachWallNear(scene.store, [&](std::size_t, const Foot&, const Patch& patch) { ++walls; EXPECT_EQ(patch.wall, 1); });
+    scene.images.forEachReflection([&](std::size_t, const Reflection<2>& r) { ++reflections; EXPECT_EQ(r.wall, 1); });
+    EXPECT_EQ(walls, 1);
+    EXPECT_EQ(reflections, 1);
+}
+
+// Inside a circle of radius R a particle's image moves (R + d)/(R - d) times as far along the wall as the particle; the images say so, and
+// nothing of the kind where walls are plane or convex.
+TEST(Images, TellHowFastTheyMove)
+{
+    const double R = 1, d = 0.3, skin = 0.1;
+    Geometry disc = domain(2, {1, 1, 0});
+    disc.low = {-1, -1, 0};
+    addWall(disc, Cylinder({0, 0, 0}, {0, 0, 1}, R, FluidSide::inside));
+    repeatPeriodically(disc, 0.5);
+    FieldStore<2> store;
+    Images<2> images(disc, 0.5, 0.1, skin);
+    images.setGhostVelocity(std::make_unique<Reversed<2>>());
+    setPositions<2>(store, {{R - d, 0}});
+    images.build(store, 1);
+    const auto before = positionOf(store, 1);
+    const double angle = 1e-3;
+    store.component(Position::info.name, 0)[0] = (R - d)*std::cos(angle);
+    store.component(Position::info.name, 1)[0] = (R - d)*std::sin(angle);
+    images.move(store);
+    const double factor = mag(positionOf(store, 1) - before)/(2*(R - d)*std::sin(0.5*angle));
+    EXPECT_NEAR(factor, (R + d)/(R - d), 1e-9);
+    EXPECT_GE(images.closingSpeed(), 0.5*(1 + factor));
+    EXPECT_NEAR(images.closingSpeed(), 0.5*(1 + (R + d + 0.5*skin)/(R - d - 0.5*skin)), 1e-12);
+
+    Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.15}});
+    EXPECT_EQ(plane.images.closingSpeed(), 1);
+    Geometry ball = domain(2, {1, 1, 0});
+    addWall(ball, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3, FluidSide::outside));
+    Imaged<2> convex(ball, 0.2, {{0.1, 0.5}});
+    EXPECT_EQ(convex.images.count(), 1u);
+    EXPECT_EQ(convex.images.closingSpeed(), 1);
+}
+
 // Nothing further than `reach` from the particles' side of a wall or face has images.
 TEST(Images, EndAtTheReach)
 {

@@ -1,4 +1,5 @@
-/// The loops with vector instructions keep what plain loops keep, in the same order, to the same bits.
+/// The loops over lanes do what plain loops do, in the same order, to the same bits, at every width that the build has: with AVX-512
+/// 8, 4 and 2 lanes, with AVX2 (preset avx2) 4 and 2. The code of a width is the same in either build.
 #include "NeighbourLists.hpp"
 #include "records.hpp"
 #include "scenes.hpp"
@@ -31,7 +32,41 @@ template<int dim> struct Scene
     }
 };
 
-template<int dim> void selectionEqualsAPlainLoop()
+template<class L> class AtEveryWidth : public testing::Test
+{
+};
+#if defined(__AVX512F__)
+using Widths = testing::Types<Lanes<8>, Lanes<4>, Lanes<2>>;
+#elif defined(__AVX2__)
+using Widths = testing::Types<Lanes<4>, Lanes<2>>;
+#else
+using Widths = testing::Types<Lanes<2>>;
+#endif
+TYPED_TEST_SUITE(AtEveryWidth, Widths);
+
+template<class L, class V, class T> void compressesEverySet()
+{
+    for (unsigned set = 0; set < 1u << L::count; ++set)
+    {
+        V v;
+        std::vector<T> expected;
+        for (int k = 0; k < L::count; ++k)
+        {
+            v[k] = T(10 + k);
+            if (set >> k & 1) expected.push_back(T(10 + k));
+        }
+        const V packed = L::compress(v, set);
+        for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_EQ(packed[k], expected[k]) << "set " << set << " of " << L::count;
+    }
+}
+TYPED_TEST(AtEveryWidth, CompressesEverySet)
+{
+    compressesEverySet<TypeParam, typename TypeParam::Doubles, double>();
+    compressesEverySet<TypeParam, typename TypeParam::Longs, long>();
+    compressesEverySet<TypeParam, typename TypeParam::Ints, int>();
+}
+
+template<int dim, class L> void selectionEqualsAPlainLoop()
 {
     const Scene<dim> scene(200);
     std::vector<int> order(200);
@@ -42,78 +77,74 @@ template<int dim> void selectionEqualsAPlainLoop()
         for (int length = 0; length < 40; ++length)
         {
             std::vector<int> found(64, -1), expected;
-            const int n = selectWithin<dim>(scene.position, order.data(), begin, begin + length, x, 0.2, found.data());
+            const int n = selectWithin<dim, L>(scene.position, order.data(), begin, begin + length, x, 0.2, found.data());
             for (int b = begin; b < begin + length; ++b)
                 if (const auto d = scene.points[b] - x; dot(d, d) < 0.2) expected.push_back(order[b]);
             found.resize(n);
             EXPECT_EQ(found, expected) << begin << ' ' << length;
         }
 }
-TEST(SelectWithin, EqualsAPlainLoopIn2D) { selectionEqualsAPlainLoop<2>(); }
-TEST(SelectWithin, EqualsAPlainLoopIn3D) { selectionEqualsAPlainLoop<3>(); }
+TYPED_TEST(AtEveryWidth, SelectsAsAPlainLoopIn2D) { selectionEqualsAPlainLoop<2, TypeParam>(); }
+TYPED_TEST(AtEveryWidth, SelectsAsAPlainLoopIn3D) { selectionEqualsAPlainLoop<3, TypeParam>(); }
 
-template<int dim> void gatheringEqualsAPlainLoop()
+/// What a stencil gathers into.
+template<int dim> struct Block
 {
-    using Column = double[256];
+    alignas(64) long j[256];
+    alignas(64) double x[dim][256], r[256], field[recordSize][256];
+};
+
+template<int dim, class L> void gatheringEqualsAPlainLoop()
+{
     const Scene<dim> scene(300);
     std::vector<int> list;
     for (int k = 0; k < 200; ++k) list.push_back(k * 37 % 300);
     const auto x = scene.points[11];
     const double radiusSqr = 0.15;
 
+    // The last record is a null particle far away.
     const int nFields = recordSize - dim;
-    std::vector<double> field[recordSize];
-    Array records(300 * recordSize);
-    for (int f = 0; f < nFields; ++f)
-        for (int i = 0; i < 300; ++i) field[f].push_back(100 * f + i);
-    for (int i = 0; i < 300; ++i)
+    Array columns[recordSize], records(301 * recordSize);
+    const double* from[recordSize];
+    for (int c = 0; c < recordSize; ++c)
     {
-        for (int c = 0; c < dim; ++c) records[i * recordSize + c] = scene.coordinate[c][i];
-        for (int f = 0; f < nFields; ++f) records[i * recordSize + dim + f] = field[f][i];
+        columns[c].resize(301);
+        for (int i = 0; i < 300; ++i) columns[c][i] = c < dim ? scene.coordinate[c][i] : 100 * c + i;
+        columns[c][300] = 1e3;
+        from[c] = columns[c].data();
+    }
+    packRecords<L>(from, 301, records.data());
+    for (int i = 0; i < 301; ++i)
+        for (int c = 0; c < recordSize; ++c) ASSERT_EQ(records[i * recordSize + c], columns[c][i]) << i << ' ' << c;
+
+    std::vector<int> within(256), expected;
+    const int n = selectRecords<dim, L>(records.data(), list.data(), int(list.size()), x, radiusSqr, within.data());
+    for (int p : list)
+        if (const auto d = x - scene.points[p]; dot(d, d) < radiusSqr) expected.push_back(p);
+    within.resize(n);
+    ASSERT_EQ(within, expected);
+
+    while (within.size() % 8) within.push_back(300);
+    ASSERT_GT(within.size(), expected.size()) << "no padding to look at";
+    static Block<dim> block;
+    gatherRecords<dim, nFields, L>(records.data(), within.data(), int(within.size()), x, radiusSqr, block);
+    for (int k = 0; k < int(within.size()); ++k)
+    {
+        EXPECT_EQ(block.j[k], within[k]);
+        for (int f = 0; f < nFields; ++f) EXPECT_EQ(block.field[f][k], columns[dim + f][within[k]]);
+        const auto d = k < n ? x - scene.points[within[k]] : Vector<dim>{};
+        store(d, [&](int c, double q) { EXPECT_EQ(block.x[c][k], q); });
+        // Fused multiply-add may round the square once less.
+        EXPECT_DOUBLE_EQ(block.r[k], k < n ? std::sqrt(dot(d, d)) : 2 * std::sqrt(radiusSqr));
     }
 
-    alignas(64) static Column xij[dim], rSqr, column[recordSize]; // as in a stencil: whole vectors are stored
-    alignas(64) long j[256];
-    const auto check = [&](int n, bool withFields)
-    {
-        int k = 0;
-        for (int p : list)
-        {
-            const auto d = x - scene.points[p];
-            // Fused multiply-add may round the sum once less: bits of distances are compared to 1 ulp or two.
-            if (!(dot(d, d) < radiusSqr)) continue;
-            ASSERT_LT(k, n);
-            EXPECT_EQ(j[k], p);
-            store(d, [&](int c, double q) { EXPECT_EQ(xij[c][k], q); });
-            EXPECT_NEAR(rSqr[k], dot(d, d), 4e-16);
-            for (int f = 0; withFields && f < nFields; ++f) EXPECT_EQ(column[f][k], field[f][p]);
-            ++k;
-        }
-        EXPECT_EQ(k, n);
-    };
-    check(gatherWithin<dim>(scene.position, list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr), false);
-    if constexpr (packsRecords)
-    {
-        const int n = gatherRecords<dim, nFields>(records.data(), list.data(), int(list.size()), x, radiusSqr, j, xij, rSqr, column);
-        check(n, true);
-        // What was found, padded with a point far away, needs no selection: all of it again, and the padding at twice the radius.
-        std::vector<int> within(j, j + n);
-        records.resize(301 * recordSize);
-        std::fill_n(records.end() - recordSize, recordSize, 1e3);
-        while (within.size() % 8) within.push_back(300);
-        const int all = gatherRecords<dim, nFields, false>(records.data(), within.data(), int(within.size()), x, radiusSqr, j, xij, rSqr, column);
-        ASSERT_EQ(std::size_t(all), within.size());
-        ASSERT_GT(all, n) << "no padding to look at";
-        check(n, true);
-        for (int k = n; k < all; ++k)
-        {
-            EXPECT_EQ(rSqr[k], 4 * radiusSqr);
-            for (int c = 0; c < dim; ++c) EXPECT_EQ(xij[c][k], 0);
-        }
-    }
+    static double further[recordSize][256];
+    gatherColumns<L>(records.data(), block.j, int(within.size()), further);
+    for (int k = 0; k < int(within.size()); ++k)
+        for (int c = 0; c < recordSize; ++c) EXPECT_EQ(further[c][k], columns[c][within[k]]);
 }
-TEST(GatherWithin, EqualsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2>(); }
-TEST(GatherWithin, EqualsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3>(); }
+TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2, TypeParam>(); }
+TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3, TypeParam>(); }
 
 }
 }

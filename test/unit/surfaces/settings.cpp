@@ -1,4 +1,6 @@
 #include "PhaseCloud.hpp"
+#include "declaredEntries.hpp"
+#include "surfaceEntries.hpp"
 #include "SurfaceSettings.hpp"
 #include "particles.hpp"
 #include <gtest/gtest.h>
@@ -26,6 +28,11 @@ std::string errorsOf(const std::string& text, int dimension = 3)
     return "";
 }
 
+}
+
+TEST(SurfaceSettings, WhatIsReadIsDeclared)
+{
+    EXPECT_EQ(difference("system/reconstructSurfaceDict", surfaceEntries(), [](const std::string& text) { errorsOf(text); }), "");
 }
 
 // Every entry has a default that follows from the case: half a spacing, a support of three, the first phase, the surface and

@@ -1,47 +1,82 @@
-/// Shows and edits entries of dictionaries from scripts, on machines without OpenFOAM's foamDictionary.
+/// Shows and edits entries of dictionaries from scripts, on machines without OpenFOAM's foamDictionary, and says which entries there are.
 #include "CommandLine.hpp"
 #include "DictionaryText.hpp"
+#include "ReferenceText.hpp"
+#include "reference.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+namespace
+{
+
+struct Options
+{
+    std::string file, entry, newValue, listed, asTemplate;
+    bool valueOnly = false, keywords = false, markdown = false;
+    CLI::Option *set = nullptr, *list = nullptr, *makeTemplate = nullptr;
+};
+
+void print(const std::vector<std::string>& lines)
+{
+    for (const auto& line : lines) fmt::print("{}\n", line);
+}
+
+void list(const Options& o)
+{
+    if (o.listed.empty())
+    {
+        for (const auto& file : sph::reference().files()) fmt::print("{:<32} {}\n", file.name, o.keywords ? "" : file.meaning);
+        return;
+    }
+    const auto part = sph::findPart(sph::reference(), o.listed);
+    if (o.keywords) print(sph::wordsBelow(part));
+    else fmt::print("{}", o.markdown ? sph::markdownText(part) : sph::listText(part));
+}
+
+void show(const Options& o, const std::filesystem::path& caseFolder)
+{
+    const auto diagnostics = std::make_shared<sph::Diagnostics>();
+    const auto dictionary = sph::Dictionary::read(caseFolder, o.file, diagnostics);
+    diagnostics->throwIfAny();
+    if (o.keywords) print(sph::keywords(dictionary, o.entry));
+    else if (o.valueOnly && !o.entry.empty()) fmt::print("{}\n", sph::valueText(dictionary, o.entry));
+    else fmt::print("{}", sph::entryText(dictionary, o.entry));
+}
+
+}
+
 int main(int argc, char** argv)
 {
-    std::string file, entry, newValue;
-    bool valueOnly = false, listKeywords = false;
-    CLI::Option* set = nullptr;
-
+    Options o;
     const auto options = [&](CLI::App& app)
     {
-        app.add_option("--entry", entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")
-            ->type_name("<a.b>");
-        auto* value = app.add_flag("--value", valueOnly, "Show the value alone, without keyword and ';'");
-        auto* keywords = app.add_flag("--keywords", listKeywords, "List the keywords of the file or of the entry");
-        set = app.add_option("--set", newValue, "Give the entry this value, leaving the rest of the file as it is")
-                  ->type_name("<value>");
-        set->excludes(value)->excludes(keywords);
-        app.add_option("file", file, "Dictionary, relative to the case folder")->required();
+        app.add_option("--entry", o.entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")->type_name("<a.b>");
+        auto* value = app.add_flag("--value", o.valueOnly, "Show the value alone, without keyword and ';'");
+        auto* keywords = app.add_flag("--keywords", o.keywords, "List the keywords of the file or of the entry");
+        o.set = app.add_option("--set", o.newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
+        o.list =
+            app.add_option("--list", o.listed, "Say which entries a file may have: system/controlDict.functions.errors; without a file: which files")
+                ->type_name("<file.a.b>")
+                ->expected(0, 1);
+        auto* markdown = app.add_flag("--markdown", o.markdown, "List as a page in Markdown")->needs(o.list);
+        o.makeTemplate =
+            app.add_option("--template", o.asTemplate, "Print a file to fill in, with every entry that it may have")->type_name("<dictionary>");
+        o.set->excludes(value)->excludes(keywords)->excludes(o.list)->excludes(o.makeTemplate);
+        o.makeTemplate->excludes(o.list)->excludes(markdown);
+        app.add_option("file", o.file, "Dictionary, relative to the case folder");
     };
     const auto body = [&](const std::filesystem::path& caseFolder)
     {
-        if (set->count() > 0)
-        {
-            if (entry.empty()) throw sph::CaseError("-set needs an -entry to set");
-            sph::setEntry(caseFolder, file, entry, newValue);
-            return 0;
-        }
-        const auto diagnostics = std::make_shared<sph::Diagnostics>();
-        const auto dictionary = sph::Dictionary::read(caseFolder, file, diagnostics);
-        diagnostics->throwIfAny();
-        if (listKeywords)
-            for (const auto& keyword : sph::keywords(dictionary, entry)) fmt::print("{}\n", keyword);
-        else if (valueOnly && !entry.empty())
-            fmt::print("{}\n", sph::valueText(dictionary, entry));
-        else
-            fmt::print("{}", sph::entryText(dictionary, entry));
+        if (o.list->count() > 0) list(o);
+        else if (o.makeTemplate->count() > 0) fmt::print("{}", sph::templateText(sph::findPart(sph::reference(), o.asTemplate)));
+        else if (o.file.empty()) throw sph::CaseError("file is required. See 'sphDictionary -help' for usage");
+        else if (o.set->count() == 0) show(o, caseFolder);
+        else if (o.entry.empty()) throw sph::CaseError("-set needs an -entry to set");
+        else sph::setEntry(caseFolder, o.file, o.entry, o.newValue);
         return 0;
     };
     return sph::runApplication("sphDictionary", argc, argv,
                                "Shows or sets entries of a dictionary, with macros and includes resolved. Setting an entry keeps "
-                               "comments, macros and includes of the file.",
+                               "comments, macros and includes of the file. With -list and -template it says which entries there are.",
                                options, body);
 }

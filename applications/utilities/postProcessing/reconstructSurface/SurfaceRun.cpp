@@ -3,6 +3,8 @@
 #include "EnclosedVolume.hpp"
 #include "PhaseCloud.hpp"
 #include "SurfaceWriter.hpp"
+#include "phaseEntries.hpp"
+#include "resolutionEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -18,8 +20,7 @@ namespace
 /// `phases (water air);`, or one phase where the case names none.
 std::vector<std::string> phasesOf(const Case& folder)
 {
-    const auto phases = folder.dictionaryIfPresent("constant/phaseProperties")
-                            .get<std::vector<std::string>>("phases", std::vector<std::string>{});
+    const auto phases = entry::phases(folder.dictionaryIfPresent("constant/phaseProperties"), {});
     return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
 }
 
@@ -28,7 +29,7 @@ SurfaceCase describe(const Case& folder, double spacing, int dimension)
     SurfaceCase scene;
     scene.spacing = spacing;
     scene.phases = phasesOf(folder);
-    const auto gravity = folder.dictionaryIfPresent("constant/g").get<Vector<3>>("value", Vector<3>{});
+    const auto gravity = entry::gravity(folder.dictionaryIfPresent("constant/g"), {});
     if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity / mag(gravity);
     return scene;
 }
@@ -39,7 +40,7 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
 {
     const auto geometryDict = folder.dictionary("constant/geometry");
     const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
-    const double spacing = folder.dictionary("system/sphSchemes").subDict("resolution").getPositive("spacing", units::m);
+    const double spacing = entry::resolution::spacing(entry::resolution::dictionary(folder.dictionary("system/sphSchemes")));
     folder.diagnostics().throwIfAny();
     geometry_ = readGeometry(geometryDict, 3 * spacing);
     scene_ = describe(folder, spacing, geometry_.dimension);

@@ -4,10 +4,10 @@
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
-#include "Kernel.hpp"
 #include "OutputFile.hpp"
 #include "Walls.hpp"
 #include "report.hpp"
+#include "resolutionEntries.hpp"
 #include "wallLayers.hpp"
 #include "wallSurfaces.hpp"
 #include <CLI/CLI.hpp>
@@ -26,9 +26,10 @@ struct Schemes
 Schemes readSchemes(const sph::Case& theCase)
 {
     const auto schemes = theCase.dictionary("system/sphSchemes");
-    const auto dict = schemes.subDict("resolution");
-    dict.choose("kernel", sph::kernelNames(), "wendlandC2");
-    return {dict.getPositive("spacing", sph::units::m), dict.getPositive("support", sph::units::none, 2.6), sph::wallsAreLayers(schemes)};
+    namespace entry = sph::entry::resolution;
+    const auto dict = entry::dictionary(schemes);
+    entry::kernel(dict);
+    return {entry::spacing(dict), entry::support(dict), sph::wallsAreLayers(schemes)};
 }
 
 int prepare(const std::filesystem::path& folder, bool full)

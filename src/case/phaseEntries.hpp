@@ -1,0 +1,14 @@
+/// Entries of constant/phaseProperties and constant/g that packParticles reads as well as the solver.
+#pragma once
+#include "EntryList.hpp"
+
+namespace sph::entry
+{
+
+const ListOf<std::string> phases{"phases", required, "names of the phases; each has a dictionary"};
+const FreeName phaseName{"<phase>", "dictionary", "a phase of that name"};
+const Scalar rho{"rho", units::density, required, positive, "density at rest"};
+const PairValues sigma{"sigma", units::surfaceTension, "surface tension of pairs of phases"};
+const VectorParameter gravity{"value", units::mPerS2, required, "gravity"};
+
+}

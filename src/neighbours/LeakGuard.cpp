@@ -1,0 +1,172 @@
+#include "LeakGuard.hpp"
+#include "CaseError.hpp"
+#include "components.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+constexpr double closestInSpacings = 0.02, deepestInSpacings = 0.5;
+
+std::string at(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
+}
+
+static const Choice leakedParticles{"leakedParticles", {{"putBack", "and counted"}, {"stop", "ends the run"}}, "putBack", "what becomes of particles in a solid"};
+
+EntryList leakGuardEntries() { return {leakedParticles}; }
+
+Leaked readLeakGuard(const Dictionary& sphSchemes)
+{
+    return leakedParticles(sphSchemes) == "stop" ? Leaked::stop : Leaked::putBack;
+}
+
+/// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.
+template<int dim> template<class Depth> std::optional<Vector<dim>> LeakGuard<dim>::nearestWayOut(const Vector<dim>& x, const Depth& depth) const
+{
+    const int rings = 20;
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int a = -1; a <= 1; ++a)
+            for (int b = -1; b <= 1; ++b)
+                for (int c = dim == 3 ? -1 : 0; c <= (dim == 3 ? 1 : 0); ++c)
+                {
+                    const Vector<3> direction{double(a), double(b), double(c)};
+                    if (a == 0 && b == 0 && c == 0) continue;
+                    const auto y = x + deepestInSpacings*spacing_*ring/rings/mag(direction)*in<dim>(direction);
+                    if (depth(y) <= -closestInSpacings*spacing_) return y;
+                }
+    return {};
+}
+
+template<int dim>
+typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i,
+                                                    const Images<dim>& images) const
+{
+    const double closest = closestInSpacings*spacing_;
+    Found found;
+    for (int c = 0; c < dim; ++c)
+    {
+        const double low = geometry_.low.*component(c), high = geometry_.high.*component(c);
+        if (geometry_.periodic[std::size_t(c)])
+        {
+            const double L = high - low;
+            if (x[c][i] < low && x[c][i] >= low - L) x[c][i] += L;
+            if (x[c][i] >= high && x[c][i] < high + L) x[c][i] -= L;
+        }
+        // One support beyond an open face is left to the walls to judge.
+        const double slack = geometry_.periodic[std::size_t(c)] ? 0 : support_;
+        found.lost = found.lost || !(x[c][i] >= low - slack && x[c][i] <= high + slack);
+    }
+    if (found.lost) return found;
+    Vector<dim> x_i;
+    fetch(x_i, [&](int c) { return x[c][i]; });
+    bool buried = false;
+    for (const int p : images.wallsNear(x_i))
+    {
+        const Foot f = geometry_.foot(p, in3D(x_i));
+        if (f.distance >= closest) continue;
+        if (-f.distance > std::max(closest, found.depth))
+        {
+            found.depth = -f.distance;
+            found.wall = geometry_.patches[std::size_t(p)].wall;
+        }
+        if (f.exposure <= 0)
+        {
+            buried = buried || f.distance < -closest;
+            continue;
+        }
+        if (f.distance < -deepestInSpacings*spacing_)
+        {
+            found.lost = true;
+            return found;
+        }
+        const auto n = in<dim>(f.normal);
+        x_i += (closest - f.distance)*n;
+        Vector<dim> v_i;
+        fetch(v_i, [&](int c) { return v[c][i]; });
+        const double inward = std::fmin(0.0, dot(v_i, n));
+        sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
+        sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
+    }
+    // Where solids overlap there may be no surface that leads out.
+    const auto depth = [&](const Vector<dim>& y)
+    {
+        double least = 1e300;
+        for (const int p : images.wallsNear(y)) least = std::min(least, geometry_.patches[std::size_t(p)].shape->foot(in3D(y)).distance);
+        return -least;
+    };
+    if (buried && depth(x_i) > closest)
+    {
+        const auto out = nearestWayOut(x_i, depth);
+        found.lost = !out;
+        if (out)
+        {
+            sph::store(*out, [&](int c, double q) { x[c][i] = q; });
+            for (int c = 0; c < dim; ++c) v[c][i] = 0;
+        }
+    }
+    return found;
+}
+
+template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x, const Found& found) const
+{
+    const double d = std::max(found.depth, -geometry_.distance(x));
+    const auto wall = found.wall >= 0 ? fmt::format(" \"{}\"", geometry_.walls[std::size_t(found.wall)].name) : "";
+    throw CaseError(fmt::format("particle {} at {} {}", i, at(x),
+                                d > 0 ? fmt::format("is {:.3g} m beyond a wall{}{}", d, wall,
+                                                    found.lost ? "" : ", and `leakedParticles stop;` of system/sphSchemes lets none be put back")
+                                      : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
+}
+
+template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
+{
+    const std::array<double*, dim> x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const auto place = [&](std::size_t i)
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x[std::size_t(c)][i]; });
+        return in3D(x_i);
+    };
+    std::size_t first = owned;
+    Found worst;
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const Vector<3> before = leaked_ == Leaked::stop ? place(i) : Vector<3>{};
+        const Found found = keep(x, v, i, images);
+        if (!found.lost && found.depth == 0) continue;
+        #pragma omp critical
+        {
+            if (found.lost || leaked_ == Leaked::stop)
+            {
+                if (i < first)
+                {
+                    first = i;
+                    worst = found;
+                    if (leaked_ == Leaked::stop && !found.lost) sph::store(in<dim>(before), [&](int c, double q) { x[std::size_t(c)][i] = q; });
+                }
+            }
+            else
+            {
+                ++leaks_.putBack;
+                const auto now = place(i);
+                const auto key = [](const Vector<3>& a) { return std::array{a.x, a.y, a.z}; };
+                // Of two as deep always the same, whichever thread comes first.
+                if (found.depth > leaks_.deepest || (found.depth == leaks_.deepest && key(now) < key(leaks_.at)))
+                {
+                    leaks_.deepest = found.depth;
+                    leaks_.at = now;
+                }
+            }
+        }
+    }
+    if (first < owned) refuse(first, place(first), worst);
+}
+
+template class LeakGuard<2>;
+template class LeakGuard<3>;
+
+}

@@ -1,0 +1,58 @@
+/// Keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
+///
+/// Wraps across periodic faces. A particle nearer to a wall than `closest`, 0.02 spacings, is put there, and loses what velocity it has into
+/// the wall. One deeper in a solid than that has leaked: it is counted, and put back or the end of the run, as the dictionary says. More than
+/// half a spacing deep is an error always: from there the way back may lead out on the other side.
+#pragma once
+#include "EntryList.hpp"
+#include "Images.hpp"
+#include <optional>
+
+namespace sph
+{
+
+enum class Leaked
+{
+    putBack,
+    stop
+};
+
+/// leakedParticles  putBack | stop;      default putBack
+Leaked readLeakGuard(const Dictionary& sphSchemes);
+EntryList leakGuardEntries();
+
+/// What has leaked since the start of the run.
+struct Leaks
+{
+    long putBack = 0;
+    double deepest = 0; ///< [m]
+    Vector<3> at;       ///< of the deepest
+};
+
+template<int dim> class LeakGuard
+{
+    const Geometry& geometry_;
+    double spacing_, support_; ///< [m]
+    Leaked leaked_;
+    Leaks leaks_;
+
+    struct Found
+    {
+        bool lost = false;
+        double depth = 0; ///< in a solid [m], before it was put back
+        int wall = -1;
+    };
+    Found keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i, const Images<dim>&) const;
+    template<class Depth> std::optional<Vector<dim>> nearestWayOut(const Vector<dim>& x, const Depth& depth) const;
+    [[noreturn]] void refuse(std::size_t i, const Vector<3>& x, const Found&) const;
+
+public:
+    LeakGuard(const Geometry& geometry, double spacing, double support, Leaked leaked)
+        : geometry_(geometry), spacing_(spacing), support_(support), leaked_(leaked)
+    {}
+    /// Of the first `owned` particles; throws CaseError where one is beyond help.
+    void operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
+    const Leaks& leaks() const { return leaks_; }
+};
+
+}

@@ -1,0 +1,159 @@
+/// Vectors of 8, 4 or 2 doubles with what the compiler does not find by itself: selection into the first lanes (compress) and
+/// transposes. Loops over them are written once, for any number of lanes.
+///
+/// Arithmetic is that of GCC's vector types; only what they lack is named by its instruction. 8 lanes need AVX-512, 4 lanes AVX2, 2 lanes no
+/// particular instruction set. A build has every width up to the widest of its instruction set, so that tests compare all of them.
+/// Highway 1.0.3 (Debian 12) was tried in place of this file: GCC 12 copies its table of permutations to the stack at every compress, which
+/// took the force pass from 0.65 to 0.16 of the pair limit with AVX-512; and plain x86-64 has one lane in it.
+#pragma once
+#include <array>
+#include <bit>
+#include <cstring>
+#include <utility>
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace sph
+{
+
+namespace detail
+{
+/// Of any width; what an instruction set does better hides it by the same name.
+template<int lanes> struct AnyLanes
+{
+    typedef double Doubles __attribute__((vector_size(8*lanes)));
+    typedef long Longs __attribute__((vector_size(8*lanes)));
+    typedef int Ints __attribute__((vector_size(4*lanes)));
+    using Mask = Longs;
+    static constexpr int count = lanes;
+
+    template<class V, class T> static V load(const T* from)
+    {
+        V v;
+        std::memcpy(&v, from, sizeof v);
+        return v;
+    }
+    template<class V, class T> static void store(T* to, V v) { std::memcpy(to, &v, sizeof v); }
+    static Doubles all(double q) { return q - Doubles{}; }
+
+    static Mask less(Doubles a, Doubles b) { return a < b; }
+    static Doubles choose(Mask mask, Doubles a, Doubles b) { return mask ? a : b; }
+
+    /// a_0 b_0 a_2 b_2 ... and a_1 b_1 a_3 b_3 ...
+    static Doubles evenOf(Doubles a, Doubles b) { return interleaved<0>(a, b, std::make_integer_sequence<int, lanes>{}); }
+    static Doubles oddOf(Doubles a, Doubles b) { return interleaved<1>(a, b, std::make_integer_sequence<int, lanes>{}); }
+
+private:
+    template<int odd, int... k> static Doubles interleaved(Doubles a, Doubles b, std::integer_sequence<int, k...>)
+    {
+        return __builtin_shufflevector(a, b, (k/2*2 + odd + k%2*lanes)...);
+    }
+};
+
+/// For each set of kept lanes the lanes in the order in which a compress leaves them; a lane has so many `parts`.
+template<int lanes, int parts> constexpr auto compressOrders()
+{
+    std::array<std::array<int, lanes*parts>, 1 << lanes> orders{};
+    for (int set = 0; set < 1 << lanes; ++set)
+        for (int lane = 0, to = 0; lane < lanes; ++lane)
+            if (set >> lane & 1)
+                for (int part = 0; part < parts; ++part) orders[set][to++] = lane*parts + part;
+    return orders;
+}
+}
+
+/// `bits` of a mask: one a lane, the first the lowest. `compress` moves the lanes of these bits to the front; what follows them is undefined.
+/// `loadFirst` reads 0 < n < lanes elements. `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse.
+template<int lanes> struct Lanes;
+
+template<> struct Lanes<2> : detail::AnyLanes<2>
+{
+    static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
+    static unsigned bits(Mask m) { return unsigned(m[0] & 1) | unsigned(m[1] & 2); }
+    static Doubles sqrt(Doubles v) { return Doubles{__builtin_sqrt(v[0]), __builtin_sqrt(v[1])}; }
+    template<class V> static V compress(V v, unsigned bits) { return V{bits & 1 ? v[0] : v[1], v[1]}; }
+    static Doubles loadFirst(const double* from, int) { return Doubles{*from, 0}; }
+    static Ints loadFirst(const int* from, int) { return Ints{*from, 0}; }
+    template<class At> static Doubles loadPairs(const At& at) { return load<Doubles>(at(0)); }
+    template<class At> static void storePairs(const At& at, Doubles v) { store(at(0), v); }
+};
+
+#if defined(__AVX2__)
+template<> struct Lanes<4> : detail::AnyLanes<4>
+{
+    static Longs widened(Ints v) { return Longs(_mm256_cvtepi32_epi64(__m128i(v))); }
+    static unsigned bits(Mask m) { return unsigned(_mm256_movemask_pd(__m256d(m))); }
+    static Doubles sqrt(Doubles v) { return _mm256_sqrt_pd(v); }
+    static Ints compress(Ints v, unsigned bits) { return Ints(_mm_permutevar_ps(__m128(v), load<__m128i>(&orders[bits]))); }
+    template<class V> static V compress(V v, unsigned bits)
+    {
+        return V(_mm256_permutevar8x32_epi32(__m256i(v), _mm256_load_si256(reinterpret_cast<const __m256i*>(&halfOrders[bits]))));
+    }
+    static Doubles loadFirst(const double* from, int n) { return _mm256_maskload_pd(from, __m256i(Longs{0, 1, 2, 3} < long(n))); }
+    static Ints loadFirst(const int* from, int n) { return Ints(_mm_maskload_epi32(from, __m128i(Ints{0, 1, 2, 3} < n))); }
+    template<class At> static Doubles loadPairs(const At& at)
+    {
+        return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(at(0))), _mm_loadu_pd(at(1)), 1);
+    }
+    template<class At> static void storePairs(const At& at, Doubles v)
+    {
+        _mm_storeu_pd(at(0), _mm256_castpd256_pd128(v));
+        _mm_storeu_pd(at(1), _mm256_extractf128_pd(v, 1));
+    }
+
+private:
+    alignas(16) static constexpr auto orders = detail::compressOrders<4, 1>();
+    alignas(32) static constexpr auto halfOrders = detail::compressOrders<4, 2>();
+};
+#endif
+
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+template<> struct Lanes<8> : detail::AnyLanes<8>
+{
+    using Mask = __mmask8;
+    static Mask less(Doubles a, Doubles b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+    static Doubles choose(Mask mask, Doubles a, Doubles b) { return _mm512_mask_mov_pd(b, mask, a); }
+    static Longs widened(Ints v) { return Longs(_mm512_cvtepi32_epi64(__m256i(v))); }
+    static unsigned bits(Mask m) { return m; }
+    static Doubles sqrt(Doubles v) { return _mm512_sqrt_pd(v); }
+    static Doubles compress(Doubles v, unsigned bits) { return _mm512_maskz_compress_pd(Mask(bits), v); }
+    static Longs compress(Longs v, unsigned bits) { return Longs(_mm512_maskz_compress_epi64(Mask(bits), __m512i(v))); }
+    static Ints compress(Ints v, unsigned bits) { return Ints(_mm256_maskz_compress_epi32(Mask(bits), __m256i(v))); }
+    static Doubles loadFirst(const double* from, int n) { return _mm512_maskz_loadu_pd(Mask((1 << n) - 1), from); }
+    static Ints loadFirst(const int* from, int n) { return Ints(_mm256_maskz_loadu_epi32(Mask((1 << n) - 1), from)); }
+    template<class At> static Doubles loadPairs(const At& at)
+    {
+        const auto four = [&](int k) { return Lanes<4>::loadPairs([&](int b) { return at(k + b); }); };
+        return _mm512_insertf64x4(_mm512_castpd256_pd512(four(0)), four(2), 1);
+    }
+    template<class At> static void storePairs(const At& at, Doubles v)
+    {
+        Lanes<4>::storePairs(at, _mm512_castpd512_pd256(v));
+        Lanes<4>::storePairs([&](int b) { return at(2 + b); }, _mm512_extractf64x4_pd(v, 1));
+    }
+};
+using WidestLanes = Lanes<8>;
+#elif defined(__AVX2__)
+using WidestLanes = Lanes<4>;
+#else
+using WidestLanes = Lanes<2>;
+#endif
+
+/// Two columns next to one another of as many rows as there are lanes, at(k) the address of row k in the first of them.
+template<class L> struct TwoColumns
+{
+    typename L::Doubles first, second;
+};
+template<class L, class At> TwoColumns<L> loadColumns(const At& at)
+{
+    const auto even = L::loadPairs([&](int k) { return at(2*k); }), odd = L::loadPairs([&](int k) { return at(2*k + 1); });
+    return {L::evenOf(even, odd), L::oddOf(even, odd)};
+}
+template<class L, class At> void storeColumns(const At& at, TwoColumns<L> columns)
+{
+    L::storePairs([&](int k) { return at(2*k); }, L::evenOf(columns.first, columns.second));
+    L::storePairs([&](int k) { return at(2*k + 1); }, L::oddOf(columns.first, columns.second));
+}
+
+}

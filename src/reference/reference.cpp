@@ -1,0 +1,44 @@
+#include "reference.hpp"
+#include "FunctionObject.hpp"
+#include "Packing.hpp"
+#include "RunTime.hpp"
+#include "SweepPlan.hpp"
+#include "models.hpp"
+#include "readPhases.hpp"
+#include "readSettings.hpp"
+#include "resolutionEntries.hpp"
+#include "surfaceEntries.hpp"
+
+namespace sph
+{
+
+namespace
+{
+
+EntryRegistry collect()
+{
+    EntryRegistry all;
+    all.add("constant/g", gravityEntries(), "gravity; without the file there is none");
+    all.add("constant/geometry", geometryEntries(), "space, its periodic directions, and the walls in it");
+    all.add("constant/phaseProperties", phaseEntries(), "the liquids and gases");
+    all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
+    all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
+    all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
+    all.add("system/reconstructSurfaceDict", surfaceEntries(), "the surfaces that reconstructSurface makes; the file may be missing");
+    all.add("system/sphSchemes", entry::resolution::entries(), "resolution, models and integration");
+    all.add("system/sphSchemes", schemeEntries());
+    for (const auto* model : models())
+        for (const auto& each : model->entries) all.add(each.file, each.entries, each.meaning);
+    all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
+    return all;
+}
+
+}
+
+const EntryRegistry& reference()
+{
+    static const auto all = collect();
+    return all;
+}
+
+}

@@ -1,0 +1,14 @@
+#include "surfaceEntries.hpp"
+
+namespace sph
+{
+
+EntryList surfaceEntries()
+{
+    using namespace entry;
+    const EntryList ofPicture{entry::size, {camera, {position, focalPoint, up, zoom}}, show, colourBy, range, {plane, {point, normal}},
+                              pictureSmoothing, title, showTime};
+    return {entry::cloud, phases, gridSpacing, entry::support, entry::kernel, iso, normalise, closed, smoothing, formats, {picture, ofPicture}};
+}
+
+}

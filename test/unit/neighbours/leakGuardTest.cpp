@@ -1,0 +1,99 @@
+/// What gets into a solid is put back into the fluid, counted, or ends the run.
+#include "LeakGuard.hpp"
+#include "CaseError.hpp"
+#include "scenes.hpp"
+#include <gtest/gtest.h>
+
+namespace sph
+{
+namespace
+{
+
+using namespace test;
+
+constexpr double spacing = 0.05;
+
+/// A tank whose floor bears a block.
+struct Guarded
+{
+    Geometry geometry = domain(2, {1, 1, 1});
+    FieldStore<2> store;
+    std::unique_ptr<Images<2>> images;
+    std::unique_ptr<LeakGuard<2>> guard;
+
+    Guarded(const std::vector<Vector<2>>& points, Leaked leaked = Leaked::putBack)
+    {
+        for (const auto& [at, n] : {std::pair{Vector<3>{0, 0, 0}, Vector<3>{1, 0, 0}}, {Vector<3>{1, 0, 0}, Vector<3>{-1, 0, 0}}, {Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}}})
+            addWall(geometry, Plane(at, n));
+        addWall(geometry, SolidBox({0.4, 0, -Box::infinity}, {0.6, 0.3, Box::infinity}));
+        repeatPeriodically(geometry, 0.2);
+        images = std::make_unique<Images<2>>(geometry, 0.2, spacing);
+        guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3*spacing, leaked);
+        store.allocateState(Velocity{});
+        setPositions(store, points);
+        for (double* v : store.pointers(Velocity{})) std::fill_n(v, points.size(), 1.0);
+    }
+    void keep(std::size_t n) { (*guard)(store, n, *images); }
+};
+
+// Out of the block's side, at 0.02 spacings, without the velocity into it; not through the face on the floor, which is nearer.
+TEST(LeakGuard, PutsBackThroughTheFaceThatBoundsTheFluid)
+{
+    Guarded scene({{0.41, 0.004}, {0.2, 0.5}});
+    scene.keep(2);
+    EXPECT_DOUBLE_EQ(positionOf(scene.store, 0).x, 0.4 - 0.02*spacing);
+    EXPECT_DOUBLE_EQ(positionOf(scene.store, 0).y, 0.004);
+    EXPECT_EQ(scene.store.component("U", 0)[0], 0);
+    EXPECT_EQ(scene.store.component("U", 1)[0], 1);
+    EXPECT_EQ(positionOf(scene.store, 1), (Vector<2>{0.2, 0.5}));
+    EXPECT_EQ(scene.guard->leaks().putBack, 1);
+    EXPECT_NEAR(scene.guard->leaks().deepest, 0.01, 1e-15);
+}
+
+// What only touches has not leaked, though it is put off the wall: 0.02 spacings either way.
+TEST(LeakGuard, CountsWhatIsDeeperThanATouch)
+{
+    Guarded scene({{0.3, -0.0009}, {0.3, -0.0011}});
+    scene.keep(2);
+    EXPECT_EQ(scene.guard->leaks().putBack, 1);
+    for (std::size_t i : {0u, 1u}) EXPECT_DOUBLE_EQ(positionOf(scene.store, i).y, 0.001);
+}
+
+// Along the floor inside the block, which is where particles once travelled without a message, and more than half a spacing deep anywhere.
+TEST(LeakGuard, EndsTheRunWhereNoWayLeadsBack)
+{
+    for (const auto& x : {Vector<2>{0.5, 0.002}, Vector<2>{0.5, -0.002}, Vector<2>{0.3, -0.03}, Vector<2>{0.43, 0.1}})
+    {
+        Guarded scene({x});
+        EXPECT_THROW(scene.keep(1), CaseError) << x.x << " " << x.y;
+    }
+}
+
+// Deep in the corner of the block and the floor, behind both.
+TEST(LeakGuard, PutsBackOutOfACorner)
+{
+    Guarded scene({{0.4006, -0.0019}});
+    scene.keep(1);
+    const auto x = positionOf(scene.store, 0);
+    EXPECT_NEAR(x.x, 0.399, 1e-12);
+    EXPECT_NEAR(x.y, 0.001, 1e-12);
+}
+
+TEST(LeakGuard, StopsAtTheFirstLeakWhereItIsToldTo)
+{
+    Guarded touching({{0.3, -0.0009}}, Leaked::stop), leaking({{0.3, 0.5}, {0.3, -0.002}}, Leaked::stop);
+    EXPECT_NO_THROW(touching.keep(1));
+    try
+    {
+        leaking.keep(2);
+        FAIL();
+    }
+    catch (const CaseError& e)
+    {
+        for (const char* word : {"particle 1", "(0.3 -0.002 0)", "0.002 m beyond a wall \"wall2\"", "leakedParticles stop"})
+            EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    }
+}
+
+}
+}

@@ -1,0 +1,123 @@
+/// Nothing is read that is not declared, and nothing is declared that is not read.
+#include "FunctionObject.hpp"
+#include "Opening.hpp"
+#include "Packing.hpp"
+#include "RunTime.hpp"
+#include "SweepPlan.hpp"
+#include "TestCase.hpp"
+#include "declaredEntries.hpp"
+#include "readPhases.hpp"
+#include "readTransport.hpp"
+#include "reference.hpp"
+#include <gtest/gtest.h>
+
+using namespace sph;
+using namespace sph::test;
+
+namespace
+{
+
+const Files small{{"constant/geometry", "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }"},
+                  {"constant/phaseProperties",
+                   "phases (someName other); someName { rho 1; mu 1; soundSpeed 1; } other { rho 1; mu 1; soundSpeed 1; }"},
+                  {"system/sphSchemes", "resolution { spacing 0.1; }"},
+                  {"0/mark", ""}};
+
+/// The formulas look whether they give the field that is asked for.
+std::vector<std::string> withEachField(const std::string& text)
+{
+    const std::string any = "field " + freeName;
+    std::vector<std::string> texts{text};
+    for (const auto* field : {"U", "p", "phi"})
+    {
+        texts.push_back(text);
+        for (auto at = text.find(any); at != std::string::npos; at = text.find(any, at + 1))
+            texts.back() = std::string(text).replace(at, any.size(), std::string("field ") + field);
+    }
+    return texts;
+}
+
+/// The differences that a reader of a case makes, with `file` written anew each time.
+std::string differenceOf(const std::string& file, const std::function<void(const Case&)>& read, const std::set<std::string>& apart = {})
+{
+    const TestCase folder(small);
+    return difference(
+        file, reference().find(file)->entries,
+        [&](const std::string& text)
+        {
+            for (const auto& each : withEachField(text))
+            {
+                folder.write(file, each);
+                try { read(Case(folder.folder())); } catch (const CaseError&) {}
+            }
+        },
+        apart);
+}
+
+}
+
+TEST(Declared, geometry)
+{
+    EXPECT_EQ(differenceOf("constant/geometry", [](const Case& c) { readGeometry(c.dictionary("constant/geometry"), 1); }), "");
+}
+
+TEST(Declared, phasesAndGravity)
+{
+    const auto read = [](const Case& c)
+    {
+        Settings settings;
+        readPhases(c, settings);
+    };
+    EXPECT_EQ(differenceOf("constant/phaseProperties", read), "");
+    EXPECT_EQ(differenceOf("constant/g", read, {"constant/g.dimensions"}), "");
+}
+
+TEST(Declared, transport)
+{
+    const auto read = [](const Case& c)
+    {
+        Settings settings;
+        readPhases(c, settings);
+        readTransport(c, settings);
+    };
+    EXPECT_EQ(differenceOf("constant/transportProperties", read), "");
+}
+
+TEST(Declared, openings)
+{
+    const auto read = [](const Case& c)
+    {
+        Coefficients coefficients;
+        coefficients.suspension.emplace();
+        readOpenings(c, readGeometry(c.dictionary("constant/geometry"), 1), coefficients);
+    };
+    EXPECT_EQ(differenceOf("constant/openings", read), "");
+}
+
+TEST(Declared, packing)
+{
+    EXPECT_EQ(differenceOf("system/packParticlesDict", [](const Case& c) { readPackingPlan(c); }), "");
+}
+
+TEST(Declared, sweep)
+{
+    EXPECT_EQ(differenceOf("system/workPrecisionDict", [](const Case& c) { readSweepPlan(c); },
+                           {"system/workPrecisionDict.setResolution.someName", "system/workPrecisionDict.variants.someName.someName"}),
+              "");
+}
+
+TEST(Declared, controlDict)
+{
+    const auto read = [](const Case& c)
+    {
+        const RunTime time(c);
+        const std::vector<std::string> phases{"someName", "other"};
+        const auto geometry = readGeometry(c.dictionary("constant/geometry"), 1);
+        const FunctionObjects functions(c.dictionary("system/controlDict").subDict("functions"), geometry, phases, time);
+    };
+    const std::string file = "system/controlDict.";
+    EXPECT_EQ(differenceOf("system/controlDict", read,
+                           {file + "application", file + "libs", file + "graphFormat", file + "DebugSwitches", file + "InfoSwitches",
+                            file + "OptimisationSwitches"}),
+              "");
+}
