@@ -189,7 +189,8 @@ TEST(State, IsWrittenAndRestarted)
         whole->settle();
         const auto cloud = writtenAndRead(*whole);
         for (const char* name : {"charge", "saltOnDisk", "spin", "number"}) EXPECT_TRUE(cloud.fields.contains(name)) << name;
-        for (const char* name : {"salt", "hidden", "charge_0", "dchargedt"}) EXPECT_FALSE(cloud.fields.contains(name)) << name;
+        for (const char* name : {"salt", "hidden", "charge_0"}) EXPECT_FALSE(cloud.fields.contains(name)) << name;
+        for (const char* rate : {"dchargedt", "dsaltdt", "dspindt"}) EXPECT_EQ(cloud.fields.contains(rate), settings.integration.keepsRates) << rate;
         const auto again = makeSimulation(settings, g, cloud, whole->state());
         for (auto* simulation : {whole.get(), again.get()})
         {
