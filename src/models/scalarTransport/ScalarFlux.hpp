@@ -12,7 +12,8 @@
 ///   c_g = 2 c_w - c_j      where w has a value c_w: of second order at a plane wall
 ///   c_g = c_j              where nothing passes w, and all walls are planes, parallel or at right angles: then ghosts exchange pairwise, too
 ///   no part in the sum     where nothing passes w otherwise: volume factors of curved walls are not the same from both sides. Along such a wall the
-///                          outermost particles lack neighbours to diffuse to: within H of it, D along the wall is too small, by half at the wall
+///                          outermost particles lack neighbours to diffuse to: of first order. A wave along a channel as wide as half its length is 1.8, 0.88
+///                          and 0.43 % off at 16, 32 and 64 spacings that way; 0.36, 0.090 and 0.023 % with ghosts that go on evenly
 #pragma once
 #include "Scalar.hpp"
 #include "Vector.hpp"

@@ -36,7 +36,7 @@ std::string readInitial(const Dictionary& d, const std::string& key)
     if (text.empty()) return "0"; // an error that the dictionary has reported
     try
     {
-        if (evaluateAt(text, {}).vector) d.error(key, "the expression gives a vector, not a number");
+        if (evaluateAt(text, anyPlace).vector) d.error(key, "the expression gives a vector, not a number");
     }
     catch (const ExpressionError& e)
     {
