@@ -39,7 +39,8 @@ Evolving evolving(const Scalar& scalar)
         for (std::size_t i = 0; i < loading.size(); ++i)
             try
             {
-                loading.values[0][i] = evaluateAt(initial[std::size_t(loading.phaseOf(i))], {loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]}).scalar;
+                const Vector<3> x{loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]};
+                loading.values[0][i] = evaluateAt(initial[std::size_t(loading.phaseOf(i))], x).scalar;
             }
             catch (const ExpressionError& e)
             {
