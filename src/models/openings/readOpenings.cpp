@@ -25,7 +25,8 @@ void readInlet(const Dictionary& d, const Coefficients& c, const State& state, O
     for (const auto& evolving : state)
         if (std::ranges::find(own, evolving.value.name) != own.end())
             d.error(evolving.value.name,
-                    fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another name than {}", list(own)));
+                    fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another name than {}",
+                                list(own)));
         else if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
 }
 
