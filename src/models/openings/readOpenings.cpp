@@ -40,8 +40,9 @@ void readInlet(const Dictionary& d, const Coefficients& c, const State& state, O
     static const std::vector<std::string> own{"type", "point", "normal", "min", "max", "velocity", "flowRate", "pressure", "profile"};
     for (const auto& evolving : state)
         if (std::ranges::find(own, evolving.value.name) != own.end())
-            d.error(evolving.value.name, fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another "
-                                                     "name than {}", list(own)));
+            d.error(evolving.value.name,
+                    fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another name than {}",
+                                list(own)));
         else if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
 }
 

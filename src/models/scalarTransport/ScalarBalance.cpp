@@ -43,7 +43,8 @@ template<int dim> typename ScalarBalance<dim>::Held ScalarBalance<dim>::held(con
     if (n == 0) return {};
     const double *c = particles.store().component(name, 0), *m = particles.store().component(Mass::info.name, 0);
     const auto value = [c](std::size_t i) { return c[i]; };
-    return {least(n, value), most(n, value), sum(n, [&](std::size_t i) { return m[i]*c[i]; }), sum(n, [&](std::size_t i) { return m[i]*std::abs(c[i]); })};
+    return {least(n, value), most(n, value), sum(n, [&](std::size_t i) { return m[i]*c[i]; }),
+            sum(n, [&](std::size_t i) { return m[i]*std::abs(c[i]); })};
 }
 
 /// Since the first start, relative to sum m |c|: there are scalars whose sum is 0.

@@ -46,7 +46,7 @@ std::string readInitial(const Dictionary& d, const std::string& key)
     if (text.empty()) return "0"; // an error that the dictionary has reported
     try
     {
-        if (evaluateAt(text, {}).vector) d.error(key, "the expression gives a vector, not a number");
+        if (evaluateAt(text, anyPlace).vector) d.error(key, "the expression gives a vector, not a number");
     }
     catch (const ExpressionError& e)
     {
@@ -70,7 +70,8 @@ std::vector<std::optional<double>> readWallValues(const Dictionary& d, const Geo
         else if (names.empty()) walls.error(key, "there are no walls in constant/geometry");
         else walls.error(key, fmt::format("wall \"{}\" is unknown. {}", key, suggestion(key, "walls", names)));
         if (!geometry.layers.empty())
-            walls.error(key, "a value at a wall needs ghosts that mirror the fluid: take `walls reflected` in system/sphSchemes, or leave this wall out");
+            walls.error(key, "a value at a wall needs ghosts that mirror the fluid: take `walls reflected` in system/sphSchemes, or leave this "
+                             "wall out");
     }
     return values;
 }
@@ -81,7 +82,8 @@ void checkName(const Dictionary& d, const Settings& settings, const std::vector<
     const auto name = d.keyword();
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
     if (!std::isalpha(static_cast<unsigned char>(name[0])) || !std::all_of(name.begin(), name.end(), plain))
-        d.diagnostics().error(d.location(), fmt::format("\"{}\" is no name of a scalar: it begins with a letter, and has letters, digits and _ alone", name));
+        d.diagnostics().error(d.location(),
+                              fmt::format("\"{}\" is no name of a scalar: it begins with a letter, and has letters, digits and _ alone", name));
     const TransportedScalar scalar{name, {}, {}, {}};
     bool taken = false;
     for (const auto& own : {name, scalar.rateName(), name + "_0"})
@@ -93,8 +95,10 @@ void checkName(const Dictionary& d, const Settings& settings, const std::vector<
         for (const auto& other : before) taken = taken || own == other.name || own == other.rateName() || own == other.name + "_0";
     }
     if (taken)
-        d.diagnostics().error(d.location(), fmt::format("\"{}\" is the name of a field already, or that of its rate is: give the scalar another one. Names of fields: {}",
-                                                        name, list(Words(settings.fieldNames.begin(), settings.fieldNames.end()))));
+        d.diagnostics().error(d.location(),
+                              fmt::format("\"{}\" is the name of a field already, or that of its rate is: give the scalar another one. Names of "
+                                          "fields: {}",
+                                          name, list(Words(settings.fieldNames.begin(), settings.fieldNames.end()))));
 }
 }
 

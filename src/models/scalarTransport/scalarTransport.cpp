@@ -34,10 +34,18 @@ Evolving evolving(const TransportedScalar& scalar)
 {
     Evolving c{stateField(ScalarValue{}, scalar.name), stateField(ScalarRate{}, scalar.rateName())};
     c.amount = scalar.name;
-    c.missing = [initial = scalar.initial](const Loading& loading)
+    c.missing = [initial = scalar.initial, name = scalar.name](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
-            loading.values[0][i] = evaluateAt(initial[std::size_t(loading.phaseOf(i))], {loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]}).scalar;
+            try
+            {
+                const Vector<3> x{loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]};
+                loading.values[0][i] = evaluateAt(initial[std::size_t(loading.phaseOf(i))], x).scalar;
+            }
+            catch (const ExpressionError& e)
+            {
+                throw CaseError({"constant/scalarTransport", 0}, fmt::format("`initial` of {}, {}: {}", name, loading.particle(i), e.what()));
+            }
     };
     c.check = [name = scalar.name](const Loading& loading)
     {

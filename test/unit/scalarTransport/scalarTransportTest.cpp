@@ -23,8 +23,8 @@ Files layers(const std::string& scalars)
     auto files = channelCase();
     files.erase("constant/g");
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n";
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (0.4 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal (0 1 "
-                                 "0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (0.4 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point "
+                                 "(0 0 0); normal (0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
     files["constant/phaseProperties"] = "phases (heavy light);\nheavy { rho 1000; mu 1; soundSpeed 15; }\nlight { rho 400; mu 1; soundSpeed 15; }\n";
     files["constant/scalarTransport"] = scalars;
     return files;
@@ -32,8 +32,8 @@ Files layers(const std::string& scalars)
 Files grain(const std::string& scalars)
 {
     auto files = layers(scalars);
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type sphere; centre (0.5 0.5 0); radius 0.25; "
-                                 "fluid outside; } }\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type sphere; centre (0.5 0.5 0); "
+                                 "radius 0.25; fluid outside; } }\n";
     return files;
 }
 
@@ -48,7 +48,8 @@ struct Scene
 
     /// `jitter` in spacings. Without mistakes there is a simulation.
     explicit Scene(const Files& files, double jitter = 0)
-        : folder(files), theCase(folder.folder()), geometry(readGeometry(theCase.dictionary("constant/geometry"), 0.4)), settings(readSettings(theCase, geometry))
+        : folder(files), theCase(folder.folder()), geometry(readGeometry(theCase.dictionary("constant/geometry"), 0.4)),
+          settings(readSettings(theCase, geometry))
     {
         omp_set_num_threads(1); // a few hundred particles are faster by one
         try
@@ -79,7 +80,8 @@ struct Scene
                 cloud.y.push_back(place.y);
                 cloud.z.push_back(0);
                 phase[0].push_back(settings.multiphase() && y > 0.5);
-                m[0].push_back(settings.coefficients.restDensity[std::size_t(phase[0].back())] * sqr(spacing) * (1 + (jitter > 0) * 0.05 * any(random)));
+                const double rho = settings.coefficients.restDensity[std::size_t(phase[0].back())];
+                m[0].push_back(rho * sqr(spacing) * (1 + (jitter > 0) * 0.05 * any(random)));
             }
         return cloud;
     }
@@ -134,7 +136,8 @@ TEST(ScalarFlux, IsThePlainSum)
 // sum m c, whatever the masses, the phases and the walls; with ghosts that weigh less than their sources too.
 TEST(ScalarFlux, ConservesTheAmount)
 {
-    for (const auto& files : {layers("dye { D { heavy 0.02; light 0.3; } initial " + wave + "; }"), grain("dye { D { heavy 0.02; light 0.3; } initial " + wave + "; }")})
+    const std::string dye = "dye { D { heavy 0.02; light 0.3; } initial " + wave + "; }";
+    for (const auto& files : {layers(dye), grain(dye)})
     {
         const Scene s(files, 0.2);
         ASSERT_EQ(s.errors, "");
@@ -150,7 +153,8 @@ TEST(ScalarFlux, ConservesTheAmount)
 TEST(ScalarFlux, ConservesTheAmountInABox)
 {
     auto files = layers("dye { D 0.1; initial " + wave + "; }");
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid inside; } }\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
+                                 "inside; } }\n";
     const Scene s(files, 0.2);
     ASSERT_EQ(s.errors, "");
     EXPECT_LT(std::abs(s.total("ddyedt")), 1e-14 * s.size("ddyedt"));
@@ -175,7 +179,8 @@ TEST(ScalarFlux, DoesNotFeelAPlaneWallThatNothingPasses)
     EXPECT_LT(spread, 1e-10 * most);
 }
 
-// c = 1 below, 0 above, 0.14 s from the exact profile, four times as long as its slowest mode lives: straight lines that meet where k_1 dc/dy = k_2 dc/dy, k = rho D; within what a kernel smears at the interface.
+// c = 1 below, 0 above, 0.14 s from the exact profile, four times as long as its slowest mode lives: straight lines that
+// meet where k_1 dc/dy = k_2 dc/dy, k = rho D; within what a kernel smears at the interface.
 TEST(ScalarFlux, PassesTwoLayersInSeries)
 {
     const Scene s(layers("dye { D { heavy 2; light 10; } initial { heavy \"1 - 4/3*$y\"; light \"2/3*(1 - $y)\"; } walls { bottom 1; top 0; } }"));
@@ -195,7 +200,8 @@ TEST(ScalarFlux, PassesTwoLayersInSeries)
 // Each as if it were alone, to the last bit; the log and the step know both.
 TEST(ScalarTransport, SeveralScalarsDoNotMeet)
 {
-    const std::string dye = "dye { D 0.1; initial " + wave + "; }\n", heat = "T { D { heavy 0.3; light 0; } initial { heavy 300; light \"300 + $x\"; } walls { bottom 320; } }\n";
+    const std::string dye = "dye { D 0.1; initial " + wave + "; }\n",
+                      heat = "T { D { heavy 0.3; light 0; } initial { heavy 300; light \"300 + $x\"; } walls { bottom 320; } }\n";
     const Scene both(layers(dye + heat), 0.2), first(layers(dye), 0.2), second(layers(heat), 0.2);
     ASSERT_EQ(both.errors, "");
     const double dt = 0.5 * both.simulation->stepLimit().deltaT;
@@ -235,7 +241,8 @@ TEST(ScalarTransport, RestartsToTheLastBit)
     files["constant/scalarTransport"] = "dye { D 0.01; initial " + wave + "; walls { top 0.5; } }\n";
     for (const char* scheme : {"predictorCorrector", "leapfrog", "semiImplicit"})
     {
-        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme ") + scheme + "; }\n";
+        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme ") + scheme +
+                                     "; }\n";
         const TestCase whole(files);
         for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) whole.runWell(program);
         const TestCase parts(files);
@@ -264,7 +271,8 @@ TEST(ScalarTransport, ComesInThroughOpenings)
     openings.replace(openings.find("phi "), 4, "dye 1; phi ");
     for (const char* scheme : {"semiImplicit", "leapfrog", "predictorCorrector", "symplecticEuler"})
     {
-        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme ") + scheme + "; }\n";
+        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme ") +
+                                     scheme + "; }\n";
         const TestCase open(files);
         for (const char* program : {"packParticles", "meshToGhost"}) open.runWell(program);
         const auto log = open.runWell("sphFoamLike");
@@ -272,7 +280,8 @@ TEST(ScalarTransport, ComesInThroughOpenings)
         auto from = log.cbegin();
         double worst = 0;
         int found = 0;
-        for (const std::regex line("balance: mass off by .*, dye by ([-+0-9.e]+)"); std::regex_search(from, log.cend(), off, line); from = off.suffix().first, ++found)
+        const std::regex line("balance: mass off by .*, dye by ([-+0-9.e]+)");
+        for (; std::regex_search(from, log.cend(), off, line); from = off.suffix().first, ++found)
             worst = std::max(worst, std::abs(std::stod(off[1])));
         EXPECT_GT(found, 2) << scheme;
         EXPECT_LT(worst, 1e-13) << scheme;
@@ -292,7 +301,8 @@ TEST(ScalarTransport, MistakesSayWhereAndWhatIsPossible)
     expectError(layers("dye\n{\n    D [0 1 0 0 0 0 0] 1;\n}\n"), file + "3: \"D\" has dimensions");
     expectError(layers("dye\n{\n    D { heavy 1; }\n}\n"), "entry \"light\" is missing");
     expectError(layers("dye\n{\n    D { heavy 1; light 2; lihgt 3; }\n}\n"), "\"lihgt\" is not used here");
-    expectError(layers("dye { D 1;\n walls { botom 1; } }\n"), file + "2: wall \"botom\" is unknown. Did you mean \"bottom\"? Known walls: bottom, top");
+    expectError(layers("dye { D 1;\n walls { botom 1; } }\n"),
+                file + "2: wall \"botom\" is unknown. Did you mean \"bottom\"? Known walls: bottom, top");
     expectError(layers("dye { D 1;\n initial \"sin($u)\"; }\n"), file + "2: ");
     expectError(layers("dye { D 1;\n inital 1; }\n"), "Did you mean \"initial\"?");
     expectError(layers("dye 3;\n"), "scalar \"dye\" must be a dictionary");
