@@ -15,7 +15,7 @@
 ///
 /// What j has follows from i alone: no flux of a scalar passes the wall, and the viscous sum over the wall is a multiple of v_i - v_w, so
 /// that an implicit solve stays symmetric. The pressure has to be one of j's own: with p_j = p_i a gradient along the wall loses the share
-/// of the neighbours that are wall. The sum is that of Adami, Hu & Adams (2012), eq. (27). Verified by test/unit/passes and
+/// of the neighbours that are wall. The sum is that of Adami, Hu & Adams (2012), eq. (27). Verified by test/unit/plan and
 /// tutorials/powderMoulding/channel9.
 #pragma once
 #include "FieldStore.hpp"

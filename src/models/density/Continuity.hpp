@@ -2,7 +2,7 @@
 ///
 ///   drho_i/dt = rho_i sum_j V_j (v_i - v_j) . gradW_ij
 ///
-/// rho [kg/m^3], V [m^3], v [m/s]. Exact for rigid translation. Verified by test/unit/passes (plain loop; uniform expansion).
+/// rho [kg/m^3], V [m^3], v [m/s]. Exact for rigid translation. Verified by test/unit/plan (plain loop; uniform expansion).
 #pragma once
 #include "fieldTags.hpp"
 

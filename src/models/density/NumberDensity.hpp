@@ -4,7 +4,7 @@
 ///
 /// sigma [1/m^d]; W [1/m^d] kernel; w_j volume factor of a ghost, 1 for fluid, already in W_ij; a makes the mean of sigma V_0 exact over the packing
 /// (without it V^2 is 2 % low). No density enters the sum, so that a density ratio of 1000 is as smooth as none.
-/// Verified by test/unit/passes (plain loop) and tutorials/verification/hydrostatic.
+/// Verified by test/unit/plan (plain loop) and tutorials/verification/hydrostatic.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

@@ -9,7 +9,7 @@ namespace sph
 ///
 ///   dv_i/dt = -1/m_i sum_j (p_i V_i^2 + p_j V_j^2) gradW_ij
 ///
-/// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/passes and
+/// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/plan and
 /// tutorials/verification/hydrostatic.
 struct HuAdamsPressureSum
 {
@@ -97,7 +97,7 @@ struct CorrectedDifferencePressure
 ///
 /// A pair under p_i + p_j < 0 attracts and clumps; p_j - p_i is the same gradient and has no such force. Within two rows of a free surface
 /// (lambda of FreeSurface.hpp) p_i + p_j stays: p = 0 at the surface is its natural boundary condition. Does not conserve momentum
-/// where it is at work. Verified by test/unit/passes (plain loop) and tutorials/verification/rotatingSquarePatch.
+/// where it is at work. Verified by test/unit/plan (plain loop) and tutorials/verification/rotatingSquarePatch.
 struct TensileControlledPressure
 {
     static constexpr auto name = "tensileControlledPressure";

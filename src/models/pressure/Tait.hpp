@@ -8,7 +8,7 @@
 /// is the tension at which a fluid parts: beyond it what holds it together fades and at twice that is gone. A particle at a free surface,
 /// whose volume by number density is too large by what is missing of its neighbours, so has no pressure, and the fluid behind it can be pulled:
 /// with p_min = 0 a stretched liquid falls apart into strings (tutorials/powderMoulding/mould).
-/// Verified by test/unit/passes (hand values) and tutorials/verification/hydrostatic.
+/// Verified by test/unit/plan (hand values) and tutorials/verification/hydrostatic.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

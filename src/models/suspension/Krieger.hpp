@@ -7,7 +7,7 @@
 /// mu_0 [Pa s] of the binder alone, phi [1] volume fraction of powder, phi_m [1] that of the densest packing, c [1]. The branch is the
 /// solution of dmu/dphi = c/(phi_m - phi_c) mu: mu and its slope are continuous, and finite beyond phi_m. phi_c = 0.99 phi_m unless given:
 /// from 0.97 on the plane channel does not feel it at 9 and 19 particles across, 0.95 costs 0.01 of phi in the middle at 39. Momentum and
-/// migration read the same mu and the same slope. Verified by test/unit/transport (hand values; continuity of both).
+/// migration read the same mu and the same slope. Verified by test/unit/suspension (hand values; continuity of both).
 #pragma once
 #include "Coefficients.hpp"
 #include "Suspension.hpp"

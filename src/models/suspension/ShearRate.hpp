@@ -22,7 +22,7 @@ struct OfTensor
 /// The stress is smooth where the shear rate is not: in the middle of a channel gammaDot goes as the third power of the distance, and a
 /// gradient of velocities smears it. With the stress four fifths of the error of phi in steady plane channel flow go
 /// (tutorials/powderMoulding/channel9). mu [Pa s], V [m^3], v [m/s], L [1] the gradient's correction (operators/GradientCorrection.hpp),
-/// tau [Pa]. Exact for linear velocities and one viscosity on disordered particles. Verified by test/unit/transport.
+/// tau [Pa]. Exact for linear velocities and one viscosity on disordered particles. Verified by test/unit/suspension.
 struct ViscousShearStress : OfTensor
 {
     static constexpr auto name = "viscousShearStress";

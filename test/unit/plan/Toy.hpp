@@ -68,7 +68,7 @@ struct Toy
     /// `state`: tags of what evolves, filled with numbers of which no two are alike.
     template<class... State>
     Toy(Geometry g, const Catalogue<dim>& terms, const std::vector<Group>& groups, Fields<State...>, const Coefficients& coefficients = {},
-        std::map<Image, std::vector<FieldUse<dim>>> rules = {})
+        std::map<std::string, std::vector<FieldUse<dim>>> rules = {})
         : geometry((repeatPeriodically(g, 0.3), std::move(g))), catalogue(terms), images(geometry, 0.28, 0.1),
           plan(catalogue, groups, {State::info.name...}, std::move(rules))
     {

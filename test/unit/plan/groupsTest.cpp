@@ -264,7 +264,7 @@ TEST(Groups, HaveATermForEachOfSeveralFields)
 }
 
 std::string errorOf(const std::vector<Group>& groups, const std::set<std::string>& state, const Catalogue<2>& terms = chain(),
-                    const std::map<Image, std::vector<FieldUse<2>>>& rules = {})
+                    const std::map<std::string, std::vector<FieldUse<2>>>& rules = {})
 {
     try
     {

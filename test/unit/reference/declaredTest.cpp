@@ -1,13 +1,12 @@
 /// Nothing is read that is not declared, and nothing is declared that is not read.
 #include "FunctionObject.hpp"
-#include "Opening.hpp"
 #include "Packing.hpp"
 #include "RunTime.hpp"
 #include "SweepPlan.hpp"
 #include "TestCase.hpp"
 #include "declaredEntries.hpp"
 #include "readPhases.hpp"
-#include "readTransport.hpp"
+#include "readSettings.hpp"
 #include "reference.hpp"
 #include <gtest/gtest.h>
 
@@ -72,26 +71,24 @@ TEST(Declared, phasesAndGravity)
     EXPECT_EQ(differenceOf("constant/g", read, {"constant/g.dimensions"}), "");
 }
 
-TEST(Declared, transport)
+/// What all models read of a case: of two phases, and of one that has powder in it.
+void readAsBoth(const Case& two)
 {
-    const auto read = [](const Case& c)
-    {
-        Settings settings;
-        readPhases(c, settings);
-        readTransport(c, settings);
-    };
-    EXPECT_EQ(differenceOf("constant/transportProperties", read), "");
+    readSettings(two, readGeometry(two.dictionary("constant/geometry"), 1));
+    auto files = small;
+    files["constant/phaseProperties"] = "phases (someName); someName { rho 1; mu 1; soundSpeed 1; }";
+    files["constant/transportProperties"] = "suspension { phi 0.4; phiMax 0.68; exponent 1.82; a radius; radius 0.05; Dc 0.4; Deta 1; }";
+    const TestCase folder(files);
+    for (const auto* each : {"system/sphSchemes", "constant/transportProperties", "constant/openings", "constant/scalarTransport"})
+        if (two.has(each)) std::filesystem::copy(two.folder() / each, folder.folder() / each, std::filesystem::copy_options::overwrite_existing);
+    const Case one(folder.folder());
+    readSettings(one, readGeometry(one.dictionary("constant/geometry"), 1));
 }
 
-TEST(Declared, openings)
+TEST(Declared, modelsFiles)
 {
-    const auto read = [](const Case& c)
-    {
-        Coefficients coefficients;
-        coefficients.suspension.emplace();
-        readOpenings(c, readGeometry(c.dictionary("constant/geometry"), 1), coefficients);
-    };
-    EXPECT_EQ(differenceOf("constant/openings", read), "");
+    for (const auto* file : {"constant/transportProperties", "constant/openings", "system/sphSchemes"})
+        EXPECT_EQ(differenceOf(file, readAsBoth), "") << file;
 }
 
 TEST(Declared, packing)
