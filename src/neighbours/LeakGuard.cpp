@@ -42,7 +42,7 @@ template<int dim> template<class Depth> std::optional<Vector<dim>> LeakGuard<dim
 }
 
 template<int dim>
-typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i,
+typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const Velocities& velocities, std::size_t i,
                                                     const Images<dim>& images) const
 {
     const double closest = closestInSpacings*spacing_;
@@ -85,10 +85,13 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         }
         const auto n = in<dim>(f.normal);
         x_i += (closest - f.distance)*n;
-        Vector<dim> v_i;
-        fetch(v_i, [&](int c) { return v[c][i]; });
-        const double inward = std::fmin(0.0, dot(v_i, n));
-        sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
+        for (const auto& v : velocities)
+        {
+            Vector<dim> v_i;
+            fetch(v_i, [&](int c) { return v[c][i]; });
+            const double inward = std::fmin(0.0, dot(v_i, n));
+            sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
+        }
         sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
     }
     // Where solids overlap there may be no surface that leads out.
@@ -105,7 +108,8 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         if (out)
         {
             sph::store(*out, [&](int c, double q) { x[c][i] = q; });
-            for (int c = 0; c < dim; ++c) v[c][i] = 0;
+            for (const auto& v : velocities)
+                for (int c = 0; c < dim; ++c) v[c][i] = 0;
         }
     }
     return found;
@@ -123,7 +127,10 @@ template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x,
 
 template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
 {
-    const std::array<double*, dim> x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const std::array<double*, dim> x = store.pointers(Position{});
+    // Between prediction and correction the velocity at the start of the step counts: the correction begins from it.
+    Velocities velocities{store.pointers(Velocity{})};
+    if (const std::string start = std::string(Velocity::info.name) + "_0"; store.has(start)) velocities.push_back(store.template pointers<Velocity>(start));
     const auto place = [&](std::size_t i)
     {
         Vector<dim> x_i;
@@ -136,7 +143,7 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
     for (std::size_t i = 0; i < owned; ++i)
     {
         const Vector<3> before = leaked_ == Leaked::stop ? place(i) : Vector<3>{};
-        const Found found = keep(x, v, i, images);
+        const Found found = keep(x, velocities, i, images);
         if (!found.lost && found.depth == 0) continue;
         #pragma omp critical
         {

@@ -6,7 +6,9 @@
 #pragma once
 #include "EntryList.hpp"
 #include "Images.hpp"
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace sph
 {
@@ -42,7 +44,8 @@ template<int dim> class LeakGuard
         double depth = 0; ///< in a solid [m], before it was put back
         int wall = -1;
     };
-    Found keep(const std::array<double*, dim>& x, const std::array<double*, dim>& v, std::size_t i, const Images<dim>&) const;
+    using Velocities = std::vector<std::array<double*, dim>>;
+    Found keep(const std::array<double*, dim>& x, const Velocities&, std::size_t i, const Images<dim>&) const;
     template<class Depth> std::optional<Vector<dim>> nearestWayOut(const Vector<dim>& x, const Depth& depth) const;
     [[noreturn]] void refuse(std::size_t i, const Vector<3>& x, const Found&) const;
 

@@ -1,5 +1,6 @@
 #include "Particles.hpp"
 #include "CaseError.hpp"
+#include "reduce.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -202,6 +203,19 @@ template<int dim> void Particles<dim>::observe()
     evaluateFirst();
     if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
     complete();
+    const auto largestOf = [&](const char* name)
+    {
+        std::vector<const double*> a;
+        if (store_.has(name))
+            for (int c = 0; c < dim; ++c) a.push_back(store_.component(name, c));
+        return std::sqrt(std::max(0.0, most(owned_, [&](std::size_t i)
+        {
+            double sum = 0;
+            for (const double* component : a) sum += sqr(component[i]);
+            return sum;
+        })));
+    };
+    observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
 
     for (const auto& [name, component] : kept)
         for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));

@@ -65,6 +65,8 @@ public:
     double maxSpeed() const { return maxSpeed_; }
     void setMaxSpeed(double speed) { maxSpeed_ = speed; }
 
+    /// Largest acceleration when last observed [m/s^2].
+    double observedAcceleration() const { return observedAcceleration_; }
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
     const Leaks& leaks() const { return leakGuard_.leaks(); }
@@ -85,7 +87,7 @@ private:
     std::vector<Stage<dim>> afterEvaluation_;
     std::vector<int> held_;
     std::size_t owned_ = 0;
-    double skin_, travelled_ = 0, maxSpeed_ = 0;
+    double skin_, travelled_ = 0, maxSpeed_ = 0, observedAcceleration_ = 0;
     long rebuilds_ = 0;
     bool predicted_ = false;
 

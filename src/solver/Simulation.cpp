@@ -40,7 +40,8 @@ template<int dim> class Simulation final : public AnySimulation
         terms.insert(terms.end(), own.begin(), own.end());
         return terms;
     }
-    /// At a restart that of the last step: what was measured at its middle cannot be seen at its end.
+    /// At a restart that of the last step: what was measured at its middle cannot be seen at its end. Not where the forces at its end have changed
+    /// since it was written: then some dictionary has, and what is seen now counts.
     Summary firstSummary(const Numbers& restored)
     {
         if (!settings_.integration.moves && restored.empty())
@@ -53,6 +54,14 @@ template<int dim> class Simulation final : public AnySimulation
         {
             if (const auto found = restored.find(lastName(name)); found != restored.end()) value = found->second;
         };
+        const double observed = particles_.observedAcceleration();
+        double written = observed;
+        restore("observedAcceleration", written);
+        if (written != observed)
+        {
+            summary.maxAcceleration = std::max(summary.maxAcceleration, observed);
+            return summary;
+        }
         restore("maxAcceleration", summary.maxAcceleration);
         restore("maxSlowAcceleration", summary.maxSlowAcceleration);
         restore("power", summary.power);
@@ -146,6 +155,7 @@ public:
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
         numbers[lastName("maxAcceleration")] = summary_.maxAcceleration;
+        numbers[lastName("observedAcceleration")] = particles_.observedAcceleration();
         if (summary_.maxSlowAcceleration > 0) numbers[lastName("maxSlowAcceleration")] = summary_.maxSlowAcceleration;
         numbers[lastName("power")] = summary_.power;
         for (const auto& [name, value] : summary_.columns) numbers[lastName(name)] = value;

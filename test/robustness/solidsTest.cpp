@@ -120,7 +120,9 @@ TEST(Solids, InThreeDimensionsAreAtRest)
     EXPECT_LT(scene.kineticEnergy, 1e-5);
 }
 
-// The front throws particles at walls at several m/s: some touch and are put back, none is in the obstacle at any time.
+// The front throws particles at walls at several m/s: some touch and are put back, none is in the obstacle at any time. A particle that is put back loses
+// its velocity into the wall, that of the start of the step included: without, leapfrog gives it back, and some 1000 touches in place of 12 end in an
+// error in two of seven runs.
 TEST(Solids, ObstacleInADamBreakKeepsTheWaterOut)
 {
     auto files = tankCase("    obstacle { type box; min (0.8 0 0); max (0.96 0.16 0); fluid outside; }\n");
@@ -136,6 +138,7 @@ TEST(Solids, ObstacleInADamBreakKeepsTheWaterOut)
     EXPECT_GE(scene.written, 41);
     EXPECT_EQ(scene.inSolid, 0);
     EXPECT_GE(scene.leaked, 0);
+    EXPECT_LT(scene.leaked, 100);
 }
 
 // What no fluid can reach is a mistake, and so are solids that leave no room for any.

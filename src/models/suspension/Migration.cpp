@@ -12,6 +12,7 @@ namespace sph
 
 namespace
 {
+constexpr double hopeless = 1e12;  ///< steps that are left: no limit grows as much
 constexpr int mostSteps = 1000000; ///< of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand
 }
 
@@ -69,7 +70,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
         #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i) phi[i] += part*rate[i];
         if (parts == 1) return;
-        if (taken_ == mostSteps)
+        if (taken_ == mostSteps || parts > hopeless)
             throw DivergedError(fmt::format("{} steps of the powder's migration, at most {:.3g} s each, have not made up one of the flow: phi is no longer "
                                             "physical. Choose a smaller `migrationFactor` in `integration`", taken_, limit_));
         deltaT -= part;
