@@ -26,22 +26,32 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 {
     const auto x = particles.store().pointers(Position{}), v = particles.store().pointers(Velocity{});
     const auto& c = particles.coefficients();
-    double through = 0, along = 1e-9*c.soundSpeed[0]; // round-off of a fluid at rest
-    for (std::size_t i = 0; i < particles.size(); ++i)
+    struct Speeds
+    {
+        double through = 0, along = 0;
+    };
+    const Larger larger;
+    const auto largest = reduce(particles.size(), Speeds{0, 1e-9*c.soundSpeed[0]}, [&](std::size_t i) // round-off of a fluid at rest
     {
         Vector<dim> x_i, v_i;
         fetch(x_i, [&](int k) { return x[k][i]; });
         fetch(v_i, [&](int k) { return v[k][i]; });
+        Speeds speeds;
         particles.images().forEachWallNear(x_i, [&](const Foot& foot, const Patch& patch)
         {
             if (foot.distance > c.spacing) return;
             const auto relative = in3D(v_i) - particles.geometry().wallVelocity(patch.wall, in3D(x_i) - foot.distance*foot.normal);
             const double normal = dot(relative, foot.normal);
-            through = std::max(through, std::fabs(normal));
-            along = std::max(along, mag(relative - normal*foot.normal));
+            larger(speeds.through, std::fabs(normal));
+            larger(speeds.along, mag(relative - normal*foot.normal));
         });
-    }
-    return through/along;
+        return speeds;
+    }, [&](Speeds& total, const Speeds& speeds)
+    {
+        larger(total.through, speeds.through);
+        larger(total.along, speeds.along);
+    });
+    return largest.through/largest.along;
 }
 }
 

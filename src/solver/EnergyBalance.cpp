@@ -91,20 +91,30 @@ template<int dim> double EnergyBalance<dim>::walls(const Particles<dim>& particl
     const double* V = componentOf(particles, Volume::info.name);
     const auto at = positionsOf(particles);
     const std::size_t n = c.phases.size();
-    double wetting = 0, fastest = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i)
+    struct AtWalls
     {
+        double wetting = 0, fastest = 0;
+    };
+    const Larger larger;
+    const auto total = reduce(particles.size(), AtWalls{}, [&](std::size_t i)
+    {
+        AtWalls here;
         particles.images().forEachWallNear(at(i), [&](const Foot& foot, const Patch& patch)
         {
             if (foot.distance > c.spacing) return; // the row at the wall
-            fastest = std::max(fastest, mag(geometry.wallVelocity(patch.wall, in3D(at(i)) - foot.distance*foot.normal)));
+            larger(here.fastest, mag(geometry.wallVelocity(patch.wall, in3D(at(i)) - foot.distance*foot.normal)));
             if (c.wallTension.empty()) return;
             const auto of = c.wallTension.begin() + long(std::size_t(patch.wall)*n);
             const auto [least, most] = std::minmax_element(of, of + long(n));
-            wetting += (*most - *least)*V[i]/c.spacing;
+            here.wetting += (*most - *least)*V[i]/c.spacing;
         });
-    }
-    return wetting + 0.5*std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0)*sqr(fastest);
+        return here;
+    }, [&](AtWalls& sum, const AtWalls& here)
+    {
+        sum.wetting += here.wetting;
+        larger(sum.fastest, here.fastest);
+    });
+    return total.wetting + 0.5*std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0)*sqr(total.fastest);
 }
 
 template class EnergyBalance<2>;
