@@ -1,6 +1,7 @@
 /// Sections of ducts: their lines, their area, and the profile of developed flow, against plane channels, squares and pipes.
 #include "Duct.hpp"
 #include "Section.hpp"
+#include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -45,7 +46,7 @@ TEST(Section, DevelopsAParabola)
         EXPECT_NEAR(meanOf(section), 1, 1e-12);
         error[k] = 0;
         for (const auto& line : section.lines())
-            error[k] = std::max(error[k], std::abs(line.profile - 6*line.foot.y*(1 - line.foot.y)));
+            Larger{}(error[k], std::abs(line.profile - 6*line.foot.y*(1 - line.foot.y)));
     }
     EXPECT_LT(error[0], 0.02);
     EXPECT_NEAR(error[0]/error[1], 4, 0.3);
@@ -59,7 +60,7 @@ TEST(Section, DevelopsTheFlowOfASquareDuctAndOfAPipe)
     const auto largest = [](const Section& section)
     {
         double u = 0;
-        for (const auto& line : section.lines()) u = std::max(u, line.profile);
+        for (const auto& line : section.lines()) Larger{}(u, line.profile);
         return u;
     };
     const Section square(opening, squareDuct(), 1/15.0), fine(opening, squareDuct(), 1/31.0);

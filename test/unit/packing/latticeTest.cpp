@@ -1,4 +1,5 @@
 #include "Lattice.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -87,7 +88,7 @@ TEST(Lattice, jitterIsBoundedAndRepeatable)
     double largest = 0, sum = 0;
     for (std::size_t i = 0; i < still.points.size(); ++i)
     {
-        largest = std::max(largest, std::fabs(one.points.y[i] - still.points.y[i]));
+        Larger{}(largest, std::fabs(one.points.y[i] - still.points.y[i]));
         sum += one.points.y[i] - still.points.y[i];
     }
     EXPECT_LE(largest, 0.1);

@@ -1,4 +1,5 @@
 #include "Packing.hpp"
+#include "reduce.hpp"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -158,7 +159,7 @@ TEST(Packing, putsWaterWhereGrainsMeet)
         }
         if (p.phase[i] == 0)
         {
-            widestInWater = std::max(widestInWater, own + next);
+            Larger{}(widestInWater, own + next);
             ++perContact[contact];
         }
         else

@@ -4,6 +4,7 @@
 /// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
 #include "Scene.hpp"
+#include "reduce.hpp"
 #include <array>
 #include <functional>
 #include <numbers>
@@ -42,7 +43,7 @@ void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F,
         store(expected(i), [&](int c, double q) { wanted[c] = q; });
         for (int c = 0; c < 9; ++c)
         {
-            largest = std::max(largest, std::abs(wanted[c]));
+            Larger{}(largest, std::abs(wanted[c]));
             if (!(std::abs(found[c] - wanted[c]) <= worst))
             {
                 worst = std::abs(found[c] - wanted[c]);
@@ -579,7 +580,7 @@ TEST(RenormalisedDiffusion, leavesALinearDensityAlone)
         for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1000 - 30 * positionOf(s.store, i).y;
         s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
         double most = 0;
-        for (std::size_t i = 0; i < s.n; ++i) most = std::max(most, std::abs(s.at(DensityRate{}, i)));
+        for (std::size_t i = 0; i < s.n; ++i) Larger{}(most, std::abs(s.at(DensityRate{}, i)));
         return most;
     };
     EXPECT_LT(largestRate("renormalisedDiffusion"), 1e-11 * largestRate("densityDiffusion"));
@@ -627,7 +628,7 @@ TEST(GradientCorrection, MakesALinearPressureExact)
         s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
         double most = 0;
         for (std::size_t i = 0; i < s.n; ++i)
-            most = std::max(most, mag(s.at(Density{}, i) * s.at(Acceleration{}, i) + sqr(c.soundSpeed[0]) * Vector<2>{0, slope}));
+            Larger{}(most, mag(s.at(Density{}, i) * s.at(Acceleration{}, i) + sqr(c.soundSpeed[0]) * Vector<2>{0, slope}));
         return most / std::abs(sqr(c.soundSpeed[0]) * slope);
     };
     EXPECT_LT(off("correctedDifferencePressure"), 1e-11);
@@ -739,8 +740,8 @@ template<int dim> void ghostsOwnSums(Scene<dim>& s, const std::vector<int>& wall
             own += tension(gradient(j, [&](std::size_t i) { return wall[i] == 0 && int(s.at(Phase{}, i)) == k; }),
                            s.coefficients.wallTension[std::size_t((wall[j] - 1) * phases + k)]);
         const auto off = s.at(Stress{}, j) - own;
-        largest = std::max(largest, std::sqrt(doubleDot(own, own)));
-        worst = std::max(worst, std::sqrt(doubleDot(off, off)));
+        Larger{}(largest, std::sqrt(doubleDot(own, own)));
+        Larger{}(worst, std::sqrt(doubleDot(off, off)));
     }
     EXPECT_GT(largest, 0);
     EXPECT_LE(worst, 1e-11 * largest);

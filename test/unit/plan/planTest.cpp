@@ -1,6 +1,7 @@
 /// What the planner takes in, what it leaves out, and what it refuses; and the laws that evaluations keep.
 #include "CaseError.hpp"
 #include "Scene.hpp"
+#include "reduce.hpp"
 #include <omp.h>
 #include <sstream>
 
@@ -140,7 +141,7 @@ template<int dim> void conserveMomentum(const std::vector<std::string>& forces)
     {
         const auto force = s.at(Mass{}, i) * s.at(Acceleration{}, i);
         sum += force;
-        largest = std::max(largest, mag(force));
+        Larger{}(largest, mag(force));
     }
     EXPECT_GT(largest, 0);
     EXPECT_LT(mag(sum), 1e-12 * largest) << forces[0];

@@ -3,6 +3,7 @@
 #include "Scene.hpp"
 #include "ShearRate.hpp"
 #include "ghostRules.hpp"
+#include "reduce.hpp"
 #include "wallLayers.hpp"
 
 namespace sph::test
@@ -87,7 +88,7 @@ TEST(WallLayers, LetAFluidTurnWithTheWall)
         stick(s);
         double most = 0;
         for (std::size_t i = 0; i < s.n; ++i)
-            if (mag(positionOf(s.store, i) - Vector<2>{1, 1}) < 0.7) most = std::max(most, s.store.component("gammaDot", 0)[i]);
+            if (mag(positionOf(s.store, i) - Vector<2>{1, 1}) < 0.7) Larger{}(most, s.store.component("gammaDot", 0)[i]);
         return most;
     };
     EXPECT_LT(shear(2), 0.2 * shear(0));

@@ -2,6 +2,7 @@
 #include "Case.hpp"
 #include "Kernel.hpp"
 #include "Simulation.hpp"
+#include "reduce.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>
@@ -126,8 +127,8 @@ TEST(ScalarFlux, IsThePlainSum)
                     const double c_j = image == 1 ? 4 - c[j] : c[j];
                     sum += k[int(phase[i])][int(phase[j])] * (sqr(V[i]) + sqr(V[j])) * kernel.dWdrOverR(r) * 2 / (N[i] + N[j]) * (c[i] - c_j);
                 }
-        largest = std::max(largest, std::abs(sum / m[i]));
-        worst = std::max(worst, std::abs(sum / m[i] - rate[i]));
+        Larger{}(largest, std::abs(sum / m[i]));
+        Larger{}(worst, std::abs(sum / m[i] - rate[i]));
     }
     EXPECT_GT(largest, 0);
     EXPECT_LT(worst, 1e-11 * largest);
@@ -172,8 +173,8 @@ TEST(ScalarFlux, DoesNotFeelAPlaneWallThatNothingPasses)
             if (std::abs(x.component[0][i] - x.component[0][j]) < 1e-9 && s["phase"][i] == s["phase"][j] && std::abs(x.component[1][i] - 0.5) > 0.2 &&
                 std::abs(x.component[1][j] - 0.5) > 0.2)
             {
-                most = std::max(most, std::abs(s["ddyedt"][i]));
-                spread = std::max(spread, std::abs(s["ddyedt"][i] - s["ddyedt"][j]));
+                Larger{}(most, std::abs(s["ddyedt"][i]));
+                Larger{}(spread, std::abs(s["ddyedt"][i] - s["ddyedt"][j]));
             }
     EXPECT_GT(most, 0.1);
     EXPECT_LT(spread, 1e-10 * most);
@@ -192,7 +193,7 @@ TEST(ScalarFlux, PassesTwoLayersInSeries)
     for (std::size_t i = 0; i < s.simulation->size(); ++i)
     {
         const double y = x.component[1][i];
-        worst = std::max(worst, std::abs(s["dye"][i] - (y < 0.5 ? 1 - 2 * (1 - between) * y : 2 * between * (1 - y))));
+        Larger{}(worst, std::abs(s["dye"][i] - (y < 0.5 ? 1 - 2 * (1 - between) * y : 2 * between * (1 - y))));
     }
     EXPECT_LT(worst, 0.005);
 }
@@ -282,7 +283,7 @@ TEST(ScalarTransport, ComesInThroughOpenings)
         int found = 0;
         const std::regex line("balance: mass off by .*, dye by ([-+0-9.e]+)");
         for (; std::regex_search(from, log.cend(), off, line); from = off.suffix().first, ++found)
-            worst = std::max(worst, std::abs(std::stod(off[1])));
+            Larger{}(worst, std::abs(std::stod(off[1])));
         EXPECT_GT(found, 2) << scheme;
         EXPECT_LT(worst, 1e-13) << scheme;
     }

@@ -4,6 +4,7 @@
 #include "Plane.hpp"
 #include "Simulation.hpp"
 #include "periodicSquare.hpp"
+#include "reduce.hpp"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -443,7 +444,7 @@ TEST(Suspension, KeepsItsPowder)
         for (int k = 0; k < 20; ++k)
         {
             simulation->step(0, std::min(simulation->stepLimit().deltaT, 0.1));
-            most = std::max(most, simulation->summary().columns.at("migrationSteps"));
+            Larger{}(most, simulation->summary().columns.at("migrationSteps"));
             if (k % 7 == 0) simulation->settle();
         }
         EXPECT_LT(std::abs(simulation->summary().columns.at("powderDrift")), 1e-14) << integrator;

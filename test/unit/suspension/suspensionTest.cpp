@@ -3,6 +3,7 @@
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
+#include "reduce.hpp"
 #include <functional>
 #include <numbers>
 
@@ -54,8 +55,8 @@ template<int dim> void sumIsPlain(Geometry g)
                     (k.Dc_a2 * (phi[i] + phi[j]) * (phi[i] * gammaDot[i] - phi[j] * gammaDot[j]) + k.Deta_a2 * (B(i) + B(j)) * (phi[i] - phi[j]));
         }
         const double expected = flux * c.restDensity[0] / m[i];
-        largest = std::max(largest, std::abs(expected));
-        worst = std::max(worst, std::abs(expected - rate[i]));
+        Larger{}(largest, std::abs(expected));
+        Larger{}(worst, std::abs(expected - rate[i]));
         sum += m[i] * rate[i];
         size += std::abs(m[i] * rate[i]);
     }
@@ -105,8 +106,8 @@ double imbalance(int rows)
                 both += flux(ij, row[std::size_t(i)], j);
                 one += alone(ij, row[std::size_t(i)], j);
             }
-        most = std::max(most, std::abs(both));
-        mostAlone = std::max(mostAlone, std::abs(one));
+        Larger{}(most, std::abs(both));
+        Larger{}(mostAlone, std::abs(one));
     }
     return most / mostAlone;
 }
@@ -154,7 +155,7 @@ template<int dim> double shearError(std::vector<std::string> terms)
     }
     evaluate(s);
     double worst = 0;
-    for (std::size_t i = 0; i < s.n; ++i) worst = std::max(worst, std::abs(s.store.component("gammaDot", 0)[i] / std::sqrt(2 * DD) - 1));
+    for (std::size_t i = 0; i < s.n; ++i) Larger{}(worst, std::abs(s.store.component("gammaDot", 0)[i] / std::sqrt(2 * DD) - 1));
     return worst;
 }
 // Exact with the correction, up to the free ends of jittered particles: round-off of a hundred neighbours; the plain gradient of eq. (3.5) is not.

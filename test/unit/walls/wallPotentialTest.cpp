@@ -2,6 +2,7 @@
 #include "WallPotential.hpp"
 #include "Channel.hpp"
 #include "SolidBox.hpp"
+#include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -119,7 +120,7 @@ TEST(WallPotential, DoesNoWorkOnAWayRoundACorner)
         const int next = (k + 1) % n;
         const Vector<2> mean{(after[0][k] + after[0][next]) / 2, (after[1][k] + after[1][next]) / 2};
         work += dot(mean, way[std::size_t(next)] - way[std::size_t(k)]);
-        largest = std::max(largest, mag(mean));
+        Larger{}(largest, mag(mean));
     }
     EXPECT_GT(largest, 1);
     EXPECT_LT(std::abs(work), 1e-4 * largest);
