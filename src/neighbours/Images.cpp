@@ -182,7 +182,6 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     entries_.clear();
     const auto x = store.pointers(Position{});
     reflect(entries_, x);
-    inDomain_ = entries_.size();
     shift(entries_, x);
     // Vectors that grow by themselves double: of many images that is more than a field.
     if (entries_.capacity() > entries_.size() + entries_.size()/10) entries_.shrink_to_fit();
@@ -199,7 +198,6 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         for (int p : e.patch) feet += p >= 0;
     }
     resize(feet_, feet);
-    hidden_.assign(geometry_->coverers.empty() ? 0 : entries_.size(), 0);
     store.resize(nullParticle() + 1, owned_);
     if (layers_) layers_->place(store, owned_ + entries_.size());
     move(store);
@@ -220,7 +218,6 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         fetch(x_i, [&](int c) { return x[c][e.source]; });
         double w = 1;
         sph::store(place(e, x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][owned_ + k] = q; });
-        if (!hidden_.empty()) hidden_[k] = e.ghost() && geometry_->foot(e.patch[0], in3D(x_i)).exposure <= 0;
         if (weight)
         {
             for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
@@ -250,7 +247,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 template<int dim> std::size_t Images<dim>::bytes() const
 {
     return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) +
-           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned) + hidden_.capacity();
+           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
 }
 
 template class Images<2>;

@@ -81,43 +81,8 @@ public:
     std::size_t nullParticle() const { return owned_ + entries_.size() + (layers_ ? layers_->count() : 0); }
     std::size_t bytes() const;
 
-    /// Calls f(source, reflection) for each owned particle and each wall that mirrors it directly, as last moved; all walls of one
-    /// particle in a row and on one thread.
-    template<class F> void forEachReflection(const F& f) const
-    {
-        const auto fromNextSource = [&](std::size_t k)
-        {
-            while (k > 0 && k < inDomain_ && entries_[k].source == entries_[k - 1].source) ++k;
-            return k;
-        };
-        const std::size_t block = 4096;
-        #pragma omp parallel for schedule(static)
-        for (std::size_t begin = 0; begin < inDomain_; begin += block)
-            for (std::size_t k = fromNextSource(begin), end = fromNextSource(std::min(begin + block, inDomain_)); k < end; ++k)
-            {
-                const Entry& e = entries_[k];
-                if (e.patch[1] >= 0 || (!hidden_.empty() && hidden_[k])) continue;
-                const Feet& foot = feet_[firstFoot_[k]];
-                f(std::size_t(e.source), Reflection<dim>{foot.distance, foot.weight, foot.normal, geometry_->patches[e.patch[0]].wall, {}});
-            }
-    }
-
-    /// Calls f(i, foot, patch) for each owned particle and each patch that may be within reach of it, also where an edge or a vertex is the
-    /// nearest place of the patch and there is no image, but not where that place lies in another solid; all patches of one particle in a row
-    /// and on one thread.
-    template<class F> void forEachWallNear(FieldStore<dim>& store, const F& f) const
-    {
-        const auto position = store.pointers(Position{});
-        #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < owned_; ++i)
-        {
-            Vector<dim> x;
-            fetch(x, [&](int c) { return position[c][i]; });
-            forEachWallNear(x, [&](const Foot& foot, const Patch& patch) { f(i, foot, patch); });
-        }
-    }
-
-    /// The same for one place: f(foot, patch).
+    /// Calls f(foot, patch) for each patch that may be within reach of a place, also where an edge or a vertex is the nearest place of the
+    /// patch and there is no image, but not where that place lies in another solid.
     template<class F> void forEachWallNear(Vector<dim> x, const F& f) const
     {
         forEachFoot(*geometry_, wallsNear(x), in3D(x), Box::infinity, [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
@@ -151,11 +116,10 @@ private:
     std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_;   ///< by field
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
-    std::size_t owned_ = 0, inDomain_ = 0;        ///< entries 0 .. inDomain_ - 1 are ghosts that no period has shifted
+    std::size_t owned_ = 0;
     std::vector<Entry> entries_;
     std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
     std::vector<unsigned> firstFoot_;
-    std::vector<unsigned char> hidden_;           ///< of the entries, where solids overlap: mirrored in what lies in another solid
 
     /// Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet, double* share = nullptr) const;

@@ -191,11 +191,9 @@ TEST(Images, AreNotOfHiddenFaces)
     const auto found = weighedGhosts(scene);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_DOUBLE_EQ(found[0].first.x, 0.5);
-    int walls = 0, reflections = 0;
-    scene.images.forEachWallNear(scene.store, [&](std::size_t, const Foot&, const Patch& patch) { ++walls; EXPECT_EQ(patch.wall, 1); });
-    scene.images.forEachReflection([&](std::size_t, const Reflection<2>& r) { ++reflections; EXPECT_EQ(r.wall, 1); });
+    int walls = 0;
+    scene.images.forEachWallNear({0.4, 0.5}, [&](const Foot&, const Patch& patch) { ++walls; EXPECT_EQ(patch.wall, 1); });
     EXPECT_EQ(walls, 1);
-    EXPECT_EQ(reflections, 1);
 }
 
 // Inside a circle of radius R a particle's image moves (R + d)/(R - d) times as far along the wall as the particle; the images say so, and
@@ -504,45 +502,40 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     EXPECT_EQ(told({-0.1, 0, 0}), 1);
 }
 
-// The direct mirrors of a particle in a corner are two, although it has a third image; each once, with foot, normal and wall,
-// and never again for its periodic copies. All reflections of one particle in a row.
-TEST(Images, TellEachDirectReflectionOnce)
+// The walls near a particle in a corner are two, although it has a third image; each once, with foot, normal and wall, and never again for its
+// periodic copies.
+TEST(Images, TellEachWallNearOnce)
 {
     Geometry g = domain(2, {1, 1, 0}, {true, false, false});
     addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
     addWall(g, Plane({0, 1, 0}, {0, -1, 0}));
     const auto points = randomPoints<2>(300, {1, 1});
     Imaged<2> channel(g, 0.6, points, 0.05);
-    std::vector<std::vector<int>> walls(points.size());
-    std::size_t last = 0;
-    channel.images.forEachReflection(
-        [&](std::size_t i, const Reflection<2>& r)
-        {
-            ASSERT_LT(i, points.size());
-            EXPECT_GE(i, last); // chunks are put together in order
-            last = i;
-            walls[i].push_back(r.wall);
-            EXPECT_NEAR(r.distance, r.wall == 0 ? points[i].y : 1 - points[i].y, 1e-15);
-            EXPECT_EQ(r.normal.y, r.wall == 0 ? 1 : -1);
-            EXPECT_EQ(r.weight, 1);
-        });
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (const auto& x : points)
     {
-        std::sort(walls[i].begin(), walls[i].end());
+        std::vector<int> walls;
+        channel.images.forEachWallNear(x, [&](const Foot& foot, const Patch& patch)
+        {
+            if (foot.distance > 0.6) return; // within reach of some particles of its cell, not of this
+            walls.push_back(patch.wall);
+            EXPECT_NEAR(foot.distance, patch.wall == 0 ? x.y : 1 - x.y, 1e-15);
+            EXPECT_EQ(foot.normal.y, patch.wall == 0 ? 1 : -1);
+            EXPECT_EQ(foot.exposure, 1);
+        });
+        std::sort(walls.begin(), walls.end());
         std::vector<int> expected;
-        if (points[i].y <= 0.6) expected.push_back(0);
-        if (points[i].y >= 0.4) expected.push_back(1);
-        EXPECT_EQ(walls[i], expected) << points[i].x << ' ' << points[i].y;
+        if (x.y <= 0.6) expected.push_back(0);
+        if (x.y >= 0.4) expected.push_back(1);
+        EXPECT_EQ(walls, expected) << x.x << ' ' << x.y;
     }
 
     Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     int told = 0;
-    corner.images.forEachReflection(
-        [&](std::size_t, const Reflection<2>& r)
-        {
-            ++told;
-            EXPECT_NEAR(r.distance, r.wall == 0 ? 0.1 : 0.15, 1e-15);
-        });
+    corner.images.forEachWallNear({0.1, 0.15}, [&](const Foot& foot, const Patch& patch)
+    {
+        ++told;
+        EXPECT_NEAR(foot.distance, patch.wall == 0 ? 0.1 : 0.15, 1e-15);
+    });
     EXPECT_EQ(told, 2);
 }
 
