@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <stdexcept>
 
 namespace sph
@@ -38,8 +39,12 @@ static ChoiceWords integratorWords()
 namespace entry
 {
 const SubDictionary integration{"integration", notGiven, "how time passes"}; // of system/sphSchemes
-const Choice scheme{"scheme", integratorWords(), "predictorCorrector", "the integrator"};
-const Count maxSubSteps{"maxSubSteps", 1, anyNumber, "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
+const Choice scheme{"scheme", integratorWords(),
+                    byScene("predictorCorrector; with surface tension symplecticEuler where it would allow steps 3 times as long as sound or the stiffness "
+                            "between phases do, semiImplicit where viscosity asks for steps 6 times shorter still"),
+                    "the integrator"};
+const Count maxSubSteps{"maxSubSteps", byScene("81 where surface tension allows the longer steps; else 1"), anyNumber,
+                        "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
 const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
     tolerance{"tolerance", units::none, 1e-6, positive, "residual of a solve over the velocity"},
@@ -55,12 +60,42 @@ const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Cra
 
 namespace
 {
+/// Between phases with surface tension sound and stiffness bind long before surface tension does. Parts of a step cost two sums over pairs
+/// each, an implicit step with its own surface tension and iterations about six times that (tutorials/stiff/dropOffLattice).
+struct Chosen
+{
+    std::string scheme = "predictorCorrector";
+    int maxSubSteps = 1;
+};
+Chosen chooseForTension(const Reading& reading)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity(), worthParts = 3, worthSolving = 6;
+    constexpr int mostParts = 81; // surface tension is then a thirtieth of the work
+    double once = infinity, ofPart = infinity, solvable = infinity;
+    for (const auto& limit : reading.limits(reading.settings))
+    {
+        auto& least = limit.solvable ? solvable : limit.ofPart ? ofPart : once;
+        least = std::min(least, limit.deltaT);
+    }
+    auto& reasons = reading.settings.reasons;
+    if (worthSolving*solvable < std::min(once, ofPart))
+    {
+        reasons.push_back(fmt::format("integration semiImplicit: viscosity would limit the step to {:.3g} s, all else to {:.3g} s", solvable, std::min(once, ofPart)));
+        return {"semiImplicit", 1};
+    }
+    ofPart = std::min(ofPart, solvable);
+    if (worthParts*ofPart > once) return {};
+    reasons.push_back(fmt::format("integration symplecticEuler with maxSubSteps {}: surface tension allows steps of {:.3g} s, all else {:.3g} s", mostParts, once, ofPart));
+    return {"symplecticEuler", mostParts};
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
     const auto dict = entry::integration(reading.schemes);
-    integration.scheme = entry::scheme(dict);
+    const auto chosen = settings.surfaceTension && !reading.paper() && !entry::scheme.given(dict) && !entry::maxSubSteps.given(dict) ? chooseForTension(reading) : Chosen();
+    integration.scheme = entry::scheme(dict, chosen.scheme);
     const auto& needs = integratorOf(integration.scheme).needs;
     integration.predicts = needs.predicts;
     integration.keepsRates = needs.keepsRates;
@@ -68,7 +103,7 @@ void prepare(const Reading& reading)
     integration.moves = needs.moves;
     integration.factors.viscous *= needs.viscousFactor;
     integration.factors.diffusive *= needs.viscousFactor;
-    integration.maxSubSteps = entry::maxSubSteps(dict);
+    integration.maxSubSteps = entry::maxSubSteps(dict, chosen.maxSubSteps);
     if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
         entry::maxSubSteps.error(dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).

@@ -6,8 +6,7 @@ namespace sph
 
 const std::string& Reading::choose(const Choice& entry, const std::string& fallback) const
 {
-    const auto preferred = settings.preferred.find(entry.keyword());
-    return settings.chosen[entry.keyword()] = entry(schemes, preferred == settings.preferred.end() ? fallback : preferred->second);
+    return settings.chosen[entry.keyword()] = entry(schemes, fallback);
 }
 
 void Reading::belongs(const Parameter& entry, const Parameter& to) const

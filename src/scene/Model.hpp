@@ -16,12 +16,12 @@ struct Reading
     const Geometry& geometry;
     const Dictionary& schemes;                 ///< system/sphSchemes
     Settings& settings;
+    std::vector<StepLimit> (*limits)(const Settings&);   ///< of the step, as far as the settings have been read: what a default may hang on
 
     bool paper() const { return settings.has("scheme", "paper"); }
-    /// The word of an entry of system/sphSchemes, and keeps it. `fallback` holds where no other model prefers another word.
+    /// The word of an entry of system/sphSchemes, and keeps it.
     const std::string& choose(const Choice& entry, const std::string& fallback) const;
     const std::string& choose(const Choice& entry) const { return choose(entry, entry.info().fallback); }
-    void prefer(const std::string& entry, const std::string& word) const { settings.preferred[entry] = word; }
     void select(const std::string& term) const { settings.terms.push_back(term); }
     /// An entry that does nothing without another one.
     void belongs(const Parameter& entry, const Parameter& to) const;

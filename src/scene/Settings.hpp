@@ -69,7 +69,6 @@ struct Settings
     std::string energyAdvice = "a smaller factor in `integration`";   ///< where a run gains energy
 
     std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
-    std::map<std::string, std::string> preferred;  ///< entries whose default another model sets
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
     std::set<std::string> fieldNames;          ///< of all fields that the models know, in this scene or not
     std::set<std::string> separate;                ///< results that somebody wants by themselves

@@ -1,4 +1,5 @@
 #include "readSettings.hpp"
+#include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
 #include "resolutionEntries.hpp"
@@ -73,7 +74,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.variableViscosity = settings.multiphase();
     checkPeriods(dict, geometry, c);
 
-    const Reading reading{theCase, geometry, dict, settings};
+    const Reading reading{theCase, geometry, dict, settings, [](const Settings& s) { return stepLimits(s, {}); }};
     reading.choose(entry::scheme);
     for (const auto* model : models())
         if (model->prepare) model->prepare(reading);

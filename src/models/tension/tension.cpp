@@ -52,7 +52,7 @@ void setContactAngles(const Geometry& geometry, Coefficients& c)
 }
 
 /// Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
-/// the density-weighted pressure and the wall potential. More phases have the stress form alone, and so have the walls' stresses.
+/// the wall potential. More phases have the stress form alone, and so have the walls' stresses.
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -64,7 +64,6 @@ void prepare(const Reading& reading)
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
     settings.surfaceTension = form != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
-    if (form == "curvature") reading.prefer("pressureGradient", "densityWeighted");
     if (settings.surfaceTension && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
     if (form == "curvature" && c.phases.size() != 2) entry::surfaceTension.error(dict, "curvature is between two phases; take interfaceStress");
 }
