@@ -59,6 +59,11 @@ struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration"
 struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
 struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::ruledChange, nullptr, "U"};       template<int dim> struct At { Vector<dim> dv; }; };
 struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
+struct StiffResponse       { static constexpr FieldInfo info{"d2Udt2OfChange", "m/s^3", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
+struct StiffRate           { static constexpr FieldInfo info{"stiffRate", "1/s^2"};                     template<int dim> struct At { double kappa; }; };
+struct VolumeStiffness     { static constexpr FieldInfo info{"volumeStiffness", "J m^6"};               template<int dim> struct At { double a; }; };
+struct Displacement        { static constexpr FieldInfo info{"displacement", "m/s", Image::mirrored};   template<int dim> struct At { Vector<dim> u; }; };
+struct CompressionChange   { static constexpr FieldInfo info{"compressionOfChange", "N m^4"};         template<int dim> struct At { double q; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
 struct PowderFraction      { static constexpr FieldInfo info{"phi", "1"};                               template<int dim> struct At { double phi; }; };
 struct PowderRate          { static constexpr FieldInfo info{"dphidt", "1/s"};                          template<int dim> struct At { double dphidt; }; };

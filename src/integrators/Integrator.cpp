@@ -1,5 +1,5 @@
 #include "Integrator.hpp"
-#include "ImplicitViscosity.hpp"
+#include "ImplicitSolve.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,12 +13,13 @@ const Integrator& predictorCorrectorIntegrator();
 const Integrator& leapfrogIntegrator();
 const Integrator& symplecticEulerIntegrator();
 const Integrator& semiImplicitIntegrator();
+const Integrator& implicitIntegrator();
 const Integrator& quasiSteadyIntegrator();
 
 const std::vector<const Integrator*>& integrators()
 {
     static const std::vector<const Integrator*> all{&predictorCorrectorIntegrator(), &leapfrogIntegrator(), &symplecticEulerIntegrator(),
-                                                    &semiImplicitIntegrator(), &quasiSteadyIntegrator()};
+                                                    &semiImplicitIntegrator(), &implicitIntegrator(), &quasiSteadyIntegrator()};
     return all;
 }
 
@@ -40,14 +41,13 @@ namespace entry
 {
 const SubDictionary integration{"integration", notGiven, "how time passes"}; // of system/sphSchemes
 const Choice scheme{"scheme", integratorWords(),
-                    byScene("predictorCorrector; with surface tension symplecticEuler where it would allow steps 3 times as long as sound or the stiffness "
-                            "between phases do, semiImplicit where viscosity asks for steps 6 times shorter still"),
+                    byScene("predictorCorrector; implicit where surface tension allows steps 3 times as long as all else does"),
                     "the integrator"};
-const Count maxSubSteps{"maxSubSteps", byScene("81 where surface tension allows the longer steps; else 1"), anyNumber,
-                        "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
+const Count maxSubSteps{"maxSubSteps", 1, anyNumber, "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
 const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
-    tolerance{"tolerance", units::none, 1e-6, positive, "residual of a solve over the velocity"},
+    tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive, "residual of a solve over the velocity; with implicit over that at its start"},
+    flowFactor{"flowFactor", units::none, 0.2, positive, "of the limit by flow, h/|v|, with implicit"},
     soundFactor{"soundFactor", units::none, 0.4, positive, "of the limit by sound, h/(c + |v|)"},
     dampedSoundFactor{"dampedSoundFactor", units::none, 0.25, positive, "of nu/c^2, where semiImplicit may step over sound"},
     stiffnessFactor{"stiffnessFactor", units::none, 1.2, positive, "of the limit by the stiffness between phases"},
@@ -60,33 +60,23 @@ const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Cra
 
 namespace
 {
-/// Between phases with surface tension sound and stiffness bind long before surface tension does. Parts of a step cost two sums over pairs
-/// each, an implicit step with its own surface tension and iterations about six times that (tutorials/stiff/dropOffLattice).
-struct Chosen
+/// Surface tension allows steps of h^3/2, sound of h, and the stiffness of a liquid beside a light gas of a thirtieth of that: where it would allow 3
+/// times as long a step as all else, an implicit one pays, of some 25 sums over pairs beside the 14 of an explicit one
+/// (tutorials/stiff/dropOffLattice).
+std::string chosenScheme(const Reading& reading)
 {
-    std::string scheme = "predictorCorrector";
-    int maxSubSteps = 1;
-};
-Chosen chooseForTension(const Reading& reading)
-{
-    constexpr double infinity = std::numeric_limits<double>::infinity(), worthParts = 3, worthSolving = 6;
-    constexpr int mostParts = 81; // surface tension is then a thirtieth of the work
-    double once = infinity, ofPart = infinity, solvable = infinity;
-    for (const auto& limit : reading.limits(reading.settings))
-    {
-        auto& least = limit.solvable ? solvable : limit.ofPart ? ofPart : once;
-        least = std::min(least, limit.deltaT);
-    }
-    auto& reasons = reading.settings.reasons;
-    if (worthSolving*solvable < std::min(once, ofPart))
-    {
-        reasons.push_back(fmt::format("integration semiImplicit: viscosity would limit the step to {:.3g} s, all else to {:.3g} s", solvable, std::min(once, ofPart)));
-        return {"semiImplicit", 1};
-    }
-    ofPart = std::min(ofPart, solvable);
-    if (worthParts*ofPart > once) return {};
-    reasons.push_back(fmt::format("integration symplecticEuler with maxSubSteps {}: surface tension allows steps of {:.3g} s, all else {:.3g} s", mostParts, once, ofPart));
-    return {"symplecticEuler", mostParts};
+    auto& settings = reading.settings;
+    const std::string explicitScheme = "predictorCorrector";
+    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams")) return explicitScheme;
+    constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 3;
+    double tension = infinity;
+    StepLimit least{infinity, "none"};
+    for (const auto& limit : reading.limits(settings))
+        if (!limit.ofPart) tension = std::min(tension, limit.deltaT);
+        else if (limit.deltaT < least.deltaT) least = limit;
+    if (tension < worthSolving*least.deltaT) return explicitScheme;
+    settings.reasons.push_back(fmt::format("integration implicit: surface tension allows steps of {:.3g} s, {} explicit ones of {:.3g} s", tension, least.by, least.deltaT));
+    return "implicit";
 }
 
 void prepare(const Reading& reading)
@@ -94,16 +84,16 @@ void prepare(const Reading& reading)
     auto& settings = reading.settings;
     auto& integration = settings.integration;
     const auto dict = entry::integration(reading.schemes);
-    const auto chosen = settings.surfaceTension && !reading.paper() && !entry::scheme.given(dict) && !entry::maxSubSteps.given(dict) ? chooseForTension(reading) : Chosen();
-    integration.scheme = entry::scheme(dict, chosen.scheme);
+    integration.scheme = entry::scheme.given(dict) ? entry::scheme.needed(dict) : chosenScheme(reading);
     const auto& needs = integratorOf(integration.scheme).needs;
     integration.predicts = needs.predicts;
     integration.keepsRates = needs.keepsRates;
     integration.solves = needs.solves;
+    integration.solvesPressure = needs.solvesPressure;
     integration.moves = needs.moves;
     integration.factors.viscous *= needs.viscousFactor;
     integration.factors.diffusive *= needs.viscousFactor;
-    integration.maxSubSteps = entry::maxSubSteps(dict, chosen.maxSubSteps);
+    integration.maxSubSteps = entry::maxSubSteps(dict);
     if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
         entry::maxSubSteps.error(dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
@@ -116,9 +106,11 @@ void readSolve(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
-    integration.tolerance = entry::tolerance(dict);
+    integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.1 : 1e-6);
     integration.maxIter = entry::maxIter(dict);
-    if (integration.moves)
+    if (integration.solvesPressure)
+        settings.reasons.push_back(fmt::format("pressure and viscosity at the end of the step, by conjugate gradients to {:.3g} of the forces", integration.tolerance));
+    else if (integration.moves)
     {
         integration.theta = entry::theta(dict);
         if (integration.theta < 0.5 || integration.theta > 1)
@@ -135,10 +127,9 @@ void readSolve(const Reading& reading, const Dictionary& dict)
         settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
                                                "powder's migration", integration.tolerance));
     }
-    if (integration.response.empty()) return; // an error that viscosity reports
-    reading.select(integration.responseRate);
-    settings.groups.push_back({ofSolver, {integration.response}, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
-    settings.parts.push_back(partOf<ImplicitViscosity>());
+    if (integration.responses.empty()) return; // an error that viscosity reports
+    settings.groups.push_back({ofSolver, integration.responses, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
+    settings.parts.push_back(partOf<ImplicitSolve>());
 }
 
 void read(const Reading& reading)
@@ -147,14 +138,15 @@ void read(const Reading& reading)
     const auto dict = entry::integration(reading.schemes);
     auto& f = integration.factors;
     f.sound = entry::soundFactor(dict, f.sound);
-    if (integration.solves && integration.moves) f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
+    if (integration.solvesPressure) f.flow = entry::flowFactor(dict, f.flow);
+    if (integration.solves && integration.moves && !integration.solvesPressure) f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
     f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
     f.viscous = entry::viscousFactor(dict, f.viscous);
     f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
     f.capillary = entry::capillaryFactor(dict, f.capillary);
     f.force = entry::forceFactor(dict, f.force);
     const double all = entry::stepFactor(dict);
-    for (double* factor : {&f.sound, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force}) *factor *= all;
+    for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force}) *factor *= all;
     if (integration.solves) readSolve(reading, dict);
 }
 
@@ -173,7 +165,7 @@ const Model& integrationModel()
                              {}, {forceLimit},
                              {{"system/sphSchemes",
                                {{entry::integration,
-                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor, entry::soundFactor,
+                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor, entry::soundFactor, entry::flowFactor,
                                   entry::dampedSoundFactor, entry::stiffnessFactor, entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
     return model;
 }

@@ -11,7 +11,7 @@ struct Integrator
     const char *word, *meaning;
     struct
     {
-        bool predicts = false, keepsRates = false, solves = false, moves = true;   ///< as in Integration
+        bool predicts = false, keepsRates = false, solves = false, solvesPressure = false, moves = true;   ///< as in Integration
         double viscousFactor = 1;                                                   ///< of the limits by viscosity and diffusion
     } needs;
     void (*stages2)(Schedule<2>&);

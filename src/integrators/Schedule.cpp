@@ -1,10 +1,25 @@
 #include "Schedule.hpp"
 #include "moves.hpp"
+#include "reduce.hpp"
 #include <fmt/format.h>
 #include <ostream>
 
 namespace sph
 {
+
+namespace
+{
+template<int dim> double largestAcceleration(Particles<dim>& p)
+{
+    const auto a = p.store().pointers(Acceleration{});
+    return std::sqrt(std::max(0.0, most(p.size(), [&](std::size_t i)
+    {
+        double a2 = 0;
+        for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
+        return a2;
+    })));
+}
+}
 
 template<int dim> Schedule<dim>& Schedule<dim>::join(Place place)
 {
@@ -34,6 +49,16 @@ template<int dim> Schedule<dim>& Schedule<dim>::drift()
 template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
 {
     return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5*s.deltaT); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::driftWhole()
+{
+    return then({"drift", "x += dt v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, s.deltaT); p.moved(s.deltaT*p.maxSpeed()); }});
+}
+
+template<int dim> Schedule<dim>& Schedule<dim>::driftByKick()
+{
+    return then({"drift by kick", "x += dt (v_1 - v_0)", [](Particles<dim>& p, const Substep& s) { sph::driftByKick(p, s.deltaT); p.moved(s.deltaT*s.deltaT*largestAcceleration(p)); }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::predict()

@@ -25,6 +25,9 @@ public:
     /// dt/2; the second one ends the step, and `measure` says how far it may have gone.
     Schedule& drift();
     Schedule& driftOn();
+    /// The whole of a step with the velocity at its start, and on to where the velocity at its end leads.
+    Schedule& driftWhole();
+    Schedule& driftByKick();
     Schedule& predict();
     Schedule& correct();
     Schedule& kick();

@@ -33,6 +33,12 @@ template<int dim> void drift(Particles<dim>& p, double deltaT)
     for (const auto& carrier : p.settings().carriers) advance(p, stateField(Position{}), x, x, carrier, deltaT);
 }
 
+template<int dim> void driftByKick(Particles<dim>& p, double deltaT)
+{
+    const std::string x = Position::info.name;
+    advance(p, stateField(Position{}), x, x, Acceleration::info.name, deltaT*deltaT);
+}
+
 template<int dim> void kick(Particles<dim>& p, double deltaT)
 {
     forEachKicked(p, [&](const Evolving& q) { advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT); });
@@ -70,6 +76,8 @@ template<int dim> void correct(Particles<dim>& p, double deltaT)
 
 template void drift(Particles<2>&, double);
 template void drift(Particles<3>&, double);
+template void driftByKick(Particles<2>&, double);
+template void driftByKick(Particles<3>&, double);
 template void kick(Particles<2>&, double);
 template void kick(Particles<3>&, double);
 template void kickCarried(Particles<2>&, double);

@@ -7,6 +7,8 @@ namespace sph
 
 /// x += dt v by all that carries particles
 template<int dim> void drift(Particles<dim>&, double deltaT);
+/// x += dt (v_1 - v_0) for v_1 - v_0 = dt dv/dt
+template<int dim> void driftByKick(Particles<dim>&, double deltaT);
 /// q += dt dq/dt
 template<int dim> void kick(Particles<dim>&, double deltaT);
 /// q += dt dq/dt of what particles carry, but not of their velocities

@@ -56,7 +56,6 @@ struct StepLimit
     double deltaT;
     std::string by;
     bool ofPart = false;   ///< of what acts in each part of a step, with the most parts; else of what acts once
-    bool solvable = false; ///< an implicit solve lifts it
 };
 
 template<int dim> class Part

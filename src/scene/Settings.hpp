@@ -28,7 +28,7 @@ Resolution readResolution(const Dictionary& sphSchemes);
 /// Fractions of the stability limits (how far from where steps fail: test/stability/README.md).
 struct StepFactors
 {
-    double sound = 0.4, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, diffusive = 0.125, capillary = 0.5, force = 0.25;
+    double sound = 0.4, flow = 0.2, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, diffusive = 0.125, capillary = 0.5, force = 0.25;
 };
 
 /// How time passes: the words of `integration`.
@@ -37,13 +37,14 @@ struct Integration
     std::string scheme = "predictorCorrector";
     bool predicts = true;                      ///< values half a step on are predicted, for the rates there
     bool keepsRates = false;                   ///< the rates of a step predict those of the next
-    bool solves = false;                       ///< for velocities (ImplicitViscosity.hpp)
+    bool solves = false;                       ///< for velocities, of which viscosity is a linear force (ImplicitSolve.hpp)
+    bool solvesPressure = false;               ///< and pressure too
     bool moves = true;                         ///< particles; else time is that of what they carry
     int maxSubSteps = 1;                       ///< parts of a step at most, an odd number
     double theta = 1, tolerance = 1e-6;        ///< of the solve
     int maxIter = 1000;
     StepFactors factors;
-    std::string response, responseRate;        ///< terms: what a force makes of a change in velocity, and the rate of a particle alone
+    std::vector<std::string> responses;        ///< terms: what forces make of a change in velocity; selected with the rates of a particle alone
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
 };
 

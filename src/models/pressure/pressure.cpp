@@ -80,18 +80,23 @@ void read(const Reading& reading)
     }
     else reading.select(gradient + "Pressure");
     if (gradient == "densityWeighted") warnOfWeighing(reading);
+    if (!settings.integration.solvesPressure) return;
+    reading.select(settings.multiphase() ? "volumeStiffness" : "uniformVolumeStiffness");
+    reading.select("pressureRate");
+    settings.integration.responses.push_back("pressureResponse");
 }
 }
 
 namespace
 {
-/// s h/(c + |v|), s = 0.4; or s nu/c^2, at most 0.2 h/|v|, s = 0.25, where that is longer: an Euler step of implicit viscosity damps the waves
+/// s h/|v|, s = 0.2, where pressure is solved for. Else s h/(c + |v|), s = 0.4; or s nu/c^2, at most 0.2 h/|v|, s = 0.25, where that is longer: an Euler step of implicit viscosity damps the waves
 /// that it does not resolve; stable to 2, within 1 % to 0.5; nu the least.
 std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& measured)
 {
     const auto& c = settings.coefficients;
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
+    if (integration.solvesPressure) return StepLimit{s.flow*0.5*c.support/measured.maxSpeed, "flow"};
     const double h = 0.5*c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const double soundStep = s.sound*h/(sound + measured.maxSpeed);
     double least = std::numeric_limits<double>::infinity();
@@ -106,7 +111,7 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
 /// side's stiffness.
 std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured&)
 {
-    if (!settings.stiffnessLimit) return {};
+    if (!settings.stiffnessLimit || settings.integration.solvesPressure) return {};
     const auto& c = settings.coefficients;
     double stiffest = 0;
     for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
@@ -119,7 +124,10 @@ std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured
 const Model& pressureModel()
 {
     static const Model model{"pressureGradient", "state equation, and the acceleration by pressure", read, pressureTerms<2>(), pressureTerms<3>(), prepare,
-                             {}, {soundLimit, stiffnessLimit},
+                             {{"integration",
+                               [](const Settings& s) { return s.integration.solvesPressure && (s.integratedDensity || !s.has("pressureGradient", "huAdams")); },
+                               "implicit solves for the pressure of an energy: it needs `density numberDensity` and `pressureGradient huAdams`"}},
+                             {soundLimit, stiffnessLimit},
                              {{"system/sphSchemes", {entry::pressureGradient, entry::backgroundPressure, entry::pMin}}}};
     return model;
 }

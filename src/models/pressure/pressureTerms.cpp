@@ -1,5 +1,6 @@
 #include "pressureTerms.hpp"
 #include "Pressure.hpp"
+#include "PressureResponse.hpp"
 #include "Tait.hpp"
 
 namespace sph
@@ -8,7 +9,8 @@ namespace sph
 template<int dim> Catalogue<dim> pressureTerms()
 {
     return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
-                     DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure>();
+                     DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure,
+                     StiffnessOfPhase, UniformStiffness, ChangeAsDisplacement, CompressionOfChange, PressureResponse, PressureRate>();
 }
 
 template Catalogue<2> pressureTerms<2>();

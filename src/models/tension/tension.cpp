@@ -116,7 +116,7 @@ void read(const Reading& reading)
         select(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence");
     if (settings.has("surfaceTension", "curvature"))
     {
-        select("curvatureForce");
+        select(!apart && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce");
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
     if (by("wallAdhesion"))

@@ -9,7 +9,7 @@ namespace sph
 template<int dim> Catalogue<dim> tensionTerms()
 {
     return catalogue<dim, InterfaceStress, SolidPhaseStress, StressOfSolid, ColourSmoothing, SmoothedColourGradient, AdheringColourGradient,
-                     InterfaceCurvature, CurvatureSmoothing, CurvatureForce>();
+                     InterfaceCurvature, CurvatureSmoothing, CurvatureForce, EvenCurvatureForce>();
 }
 
 template Catalogue<2> tensionTerms<2>();

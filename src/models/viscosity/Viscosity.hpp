@@ -109,7 +109,7 @@ using HarmonicViscosity = Named<"harmonicViscosity", MorrisViscosity<HarmonicMea
 using SinglePhaseClearyViscosity = Named<"singlePhaseClearyViscosity", CentralViscosity<UniformViscosity>>;
 using ClearyViscosity = Named<"clearyViscosity", CentralViscosity<HarmonicMean>>;
 
-/// What an implicit step asks of viscosity (integrators/ImplicitViscosity): the same sum over a change of the velocity,
+/// What an implicit step asks of viscosity (integrators/ImplicitSolve): the same sum over a change of the velocity,
 template<class MeanViscosity> struct MorrisResponse : MorrisSum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;

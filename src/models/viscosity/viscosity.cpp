@@ -34,10 +34,10 @@ void read(const Reading& reading)
     if (central) reading.select(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (settings.multiphase() && form != "none") reading.select("viscosityOfPhase");
     const std::string name = central ? variable ? "cleary" : "singlePhaseCleary" : variable ? "harmonicViscous" : "singlePhaseViscous";
-    if (settings.integration.solves)
+    if (settings.integration.solves && form != "none")
     {
-        settings.integration.response = name + "Response";
-        settings.integration.responseRate = name + "Rate";
+        settings.integration.responses.push_back(name + "Response");
+        reading.select(name + "Rate");
     }
 
     const double alpha = entry::artificialViscosity(reading.schemes);
@@ -58,14 +58,14 @@ std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& 
                 nu = std::max(nu, 2*c.viscosity[k]*c.viscosity[l]/sum/std::min(c.restDensity[k], c.restDensity[l]));
     if (measured.largestViscosity) nu = *measured.largestViscosity/c.restDensity[0];
     if (!(nu > 0) || settings.integration.solves) return {};
-    return StepLimit{settings.integration.maxSubSteps*(settings.integration.factors.viscous*h*h/nu), "viscosity", true, true};
+    return StepLimit{settings.integration.maxSubSteps*(settings.integration.factors.viscous*h*h/nu), "viscosity", true};
 }
 }
 
 const Model& viscosityModel()
 {
     static const Model model{"viscosity", "acceleration by viscosity, physical and artificial", read, viscosityTerms<2>(), viscosityTerms<3>(), prepare,
-                             {{"integration", [](const Settings& s) { return s.has("viscosity", "none") && s.integration.solves; },
+                             {{"integration", [](const Settings& s) { return s.has("viscosity", "none") && s.integration.solves && !s.integration.solvesPressure; },
                                "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
                              {viscousLimit}, {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};
     return model;

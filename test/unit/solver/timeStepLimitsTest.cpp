@@ -60,7 +60,7 @@ TEST(StepLimit, ByTheViscosityOfAPairOverTheLighterDensity)
     s.coefficients.viscosity = {30, 10}; // pair: 2 x 30 x 10/40 = 15, over 1; air alone: 10 over 1; water alone: 0.03
     expectLimit(s, 0.125 * 0.25 / 15, "viscosity");
 }
-TEST(StepLimit, IsNotByImplicitViscosity)
+TEST(StepLimit, IsNotByImplicitSolve)
 {
     auto s = twoPhases();
     s.integration.solves = true;
@@ -68,7 +68,7 @@ TEST(StepLimit, IsNotByImplicitViscosity)
     s.integration.theta = 0.5;
     expectLimit(s, 0.4 * 0.5 / 20, "sound");
 }
-TEST(StepLimit, BySoundThatImplicitViscosityDamps)
+TEST(StepLimit, BySoundThatImplicitSolveDamps)
 {
     auto s = quiet();
     s.integration.solves = true;

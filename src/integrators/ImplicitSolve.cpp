@@ -1,4 +1,4 @@
-#include "ImplicitViscosity.hpp"
+#include "ImplicitSolve.hpp"
 #include "DivergedError.hpp"
 #include "reduce.hpp"
 #include <algorithm>
@@ -55,28 +55,51 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 }
 }
 
-template<int dim> std::vector<Stage<dim>> ImplicitViscosity<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(Place place)
 {
     if (place != Place::solve) return {};
-    return {{"solve", "(1 - theta dt L) dv = dt a, conjugate gradients", [this](Particles<dim>& p, const Substep& s)
+    const std::string equation = withPressure_ ? "(1 - dt L - dt^2 K) dv = dt a" : "(1 - theta dt L) dv = dt a";
+    return {{"solve", equation + ", conjugate gradients", [this](Particles<dim>& p, const Substep& s)
              {
                  if (p.settings().integration.moves) solve(p, s.deltaT);
                  else solveSteady(p);
              }, {ofSolver}}};
 }
 
-template<int dim> std::string ImplicitViscosity<dim>::note() const { return iterations_ > 0 ? fmt::format("  viscosity {} iterations", iterations_) : ""; }
+template<int dim> std::string ImplicitSolve<dim>::note() const { return iterations_ > 0 ? fmt::format("  {} {} iterations", withPressure_ ? "pressure" : "viscosity", iterations_) : ""; }
 
-template<int dim> void ImplicitViscosity<dim>::solve(Particles<dim>& particles, double deltaT)
+template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, double deltaT)
 {
     conjugateGradients(particles, 1, deltaT);
+    if (!withPressure_) addResidual(particles);
+    else if (particles.geometry().patches.empty()) addMeanResidual(particles);
     const auto a = particles.store().pointers(Acceleration{});
     #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
-        for (int c = 0; c < dim; ++c) a[c][i] = (change_[c][i] + residual_[c][i])/deltaT;
+        for (int c = 0; c < dim; ++c) a[c][i] = change_[c][i]/deltaT;
 }
 
-template<int dim> void ImplicitViscosity<dim>::solveSteady(Particles<dim>& particles)
+template<int dim> void ImplicitSolve<dim>::addResidual(const Particles<dim>& particles)
+{
+    #pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        for (int c = 0; c < dim; ++c) change_[c][i] += residual_[c][i];
+}
+
+template<int dim> void ImplicitSolve<dim>::addMeanResidual(const Particles<dim>& particles)
+{
+    const double* const m = particles.store().fields().at(Mass::info.name).component[0].data();
+    const std::size_t n = particles.size();
+    const double mass = sum(n, [&](std::size_t i) { return m[i]; });
+    for (int c = 0; c < dim; ++c)
+    {
+        const double mean = sum(n, [&](std::size_t i) { return m[i]*residual_[c][i]; })/mass;
+        #pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) change_[c][i] += mean;
+    }
+}
+
+template<int dim> void ImplicitSolve<dim>::solveSteady(Particles<dim>& particles)
 {
     conjugateGradients(particles, 0, 1/particles.settings().integration.theta);
     const auto v = particles.store().pointers(Velocity{});
@@ -91,16 +114,18 @@ template<int dim> void ImplicitViscosity<dim>::solveSteady(Particles<dim>& parti
                                     "semiImplicit", share));
 }
 
-/// (inertia - theta dt L) dv = dt a
-template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>& particles, double inertia, double deltaT)
+/// (inertia - theta dt L - dt^2 K) dv = dt a
+template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& particles, double inertia, double deltaT)
 {
     auto& store = particles.store();
     const auto& settings = particles.settings().integration;
     const std::size_t n = particles.size();
-    const double *m = store.component("m", 0), *lambda = store.component(ViscousRate::info.name, 0);
-    const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{}),
-               Lp = store.pointers(ViscousResponse{});
-    const double implicit = settings.theta*deltaT;
+    const double* const m = store.component("m", 0);
+    const double* const lambda = viscous_ ? store.component(ViscousRate::info.name, 0) : nullptr;
+    const double* const kappa = withPressure_ ? store.component(StiffRate::info.name, 0) : nullptr;
+    const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{});
+    const auto Lp = viscous_ ? store.pointers(ViscousResponse{}) : decltype(v){}, Kp = withPressure_ ? store.pointers(StiffResponse{}) : decltype(v){};
+    const double implicit = settings.theta*deltaT, stiff = sqr(deltaT);
     std::array<double*, dim> dv, r;
     for (int c = 0; c < dim; ++c)
     {
@@ -109,6 +134,8 @@ template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>
         dv[c] = change_[c].data();
         r[c] = residual_[c].data();
     }
+    const auto diagonal = [=](std::size_t i) { return inertia + (lambda ? implicit*lambda[i] : 0) + (kappa ? stiff*kappa[i] : 0); };
+    const auto applied = [=](int c, std::size_t i) { return inertia*p[c][i] - (lambda ? implicit*Lp[c][i] : 0) - (kappa ? stiff*Kp[c][i] : 0); };
     const auto sums = [&](std::size_t i)
     {
         double r2 = 0, v2 = 0;
@@ -117,8 +144,7 @@ template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>
             r2 += sqr(r[c][i]);
             v2 += sqr(v[c][i] + dv[c][i]);
         }
-        const double diagonal = inertia + implicit*lambda[i];
-        return Sums{m[i]*r2/diagonal, m[i]*r2/(inertia > 0 ? 1 : sqr(diagonal)), m[i]*v2};
+        return Sums{m[i]*r2/diagonal(i), m[i]*r2/(inertia > 0 ? 1 : sqr(diagonal(i))), m[i]*v2};
     };
     Sums now = sum(n, [&](std::size_t i)
     {
@@ -126,24 +152,31 @@ template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>
         {
             dv[c][i] = 0;
             r[c][i] = deltaT*a[c][i];
-            p[c][i] = r[c][i]/(inertia + implicit*lambda[i]);
+            p[c][i] = r[c][i]/diagonal(i);
         }
         return sums(i);
     });
-    for (iterations_ = 0; now.rr > sqr(settings.tolerance)*now.vv; ++iterations_)
+    const double start = now.rz;
+    // Share of the residual: of the velocity, or with pressure, whose forces balance one another, of what they were before.
+    const auto residual = [&] { return withPressure_ ? std::sqrt(now.rz/start) : std::sqrt(now.rr/now.vv); };
+    const auto converged = [&] { return withPressure_ ? now.rz <= sqr(settings.tolerance)*start : now.rr <= sqr(settings.tolerance)*now.vv; };
+    for (iterations_ = 0; !converged(); ++iterations_)
     {
-        if (iterations_ == settings.maxIter)
-            throw DivergedError(fmt::format("the implicit viscosity has not converged in {} iterations: the residual is {:.3g} of the velocity, the "
-                                            "tolerance {:.3g}. Choose a smaller step, or a larger `maxIter` or `tolerance` in `integration`",
-                                            iterations_, std::sqrt(now.rr/now.vv), settings.tolerance));
+        if (iterations_ == settings.maxIter || !std::isfinite(now.rz))
+            throw DivergedError(fmt::format("the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}. Choose a "
+                                            "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
+                                            withPressure_ ? "pressure" : "viscosity", iterations_, residual(),
+                                            withPressure_ ? "forces" : "velocity", settings.tolerance));
         particles.evaluate(ofSolver);
         // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
-        for (double* component : Lp)
-            for (const int i : particles.held()) component[i] = 0;
+        for (const auto& response : {Lp, Kp})
+            for (double* component : response)
+                if (component)
+                    for (const int i : particles.held()) component[i] = 0;
         const double pAp = sum(n, [&](std::size_t i)
         {
             double sum = 0;
-            for (int c = 0; c < dim; ++c) sum += p[c][i]*(inertia*p[c][i] - implicit*Lp[c][i]);
+            for (int c = 0; c < dim; ++c) sum += p[c][i]*applied(c, i);
             return Sums{m[i]*sum};
         }).rz;
         const double alpha = now.rz/pAp;
@@ -152,7 +185,7 @@ template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>
             for (int c = 0; c < dim; ++c)
             {
                 dv[c][i] += alpha*p[c][i];
-                r[c][i] -= alpha*(inertia*p[c][i] - implicit*Lp[c][i]);
+                r[c][i] -= alpha*applied(c, i);
             }
             return sums(i);
         });
@@ -160,11 +193,11 @@ template<int dim> void ImplicitViscosity<dim>::conjugateGradients(Particles<dim>
         now = next;
         #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n; ++i)
-            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i]/(inertia + implicit*lambda[i]) + beta*p[c][i];
+            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i]/diagonal(i) + beta*p[c][i];
     }
 }
 
-template<int dim> std::size_t ImplicitViscosity<dim>::bytes() const
+template<int dim> std::size_t ImplicitSolve<dim>::bytes() const
 {
     std::size_t n = 0;
     for (const auto* arrays : {&change_, &residual_})
@@ -172,7 +205,7 @@ template<int dim> std::size_t ImplicitViscosity<dim>::bytes() const
     return n;
 }
 
-template class ImplicitViscosity<2>;
-template class ImplicitViscosity<3>;
+template class ImplicitSolve<2>;
+template class ImplicitSolve<3>;
 
 }

@@ -19,10 +19,12 @@
 namespace sph
 {
 
-template<int dim> class ImplicitViscosity final : public Part<dim>
+template<int dim> class ImplicitSolve final : public Part<dim>
 {
 public:
-    ImplicitViscosity(Particles<dim>&, const Numbers&) {}
+    ImplicitSolve(Particles<dim>& particles, const Numbers&)
+        : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
+    {}
 
     std::vector<Stage<dim>> stages(Place) override;
     std::string note() const override;
@@ -31,6 +33,7 @@ public:
 
 private:
     std::array<Array, dim> change_, residual_;   ///< dv and r of the owned particles
+    const bool withPressure_, viscous_;
     int iterations_ = 0;
 
     /// Replaces dU/dt = a(v_0) by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
@@ -39,6 +42,9 @@ private:
     void solve(Particles<dim>&, double deltaT);
     /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.
     void solveSteady(Particles<dim>&);
+    /// What remains of the residual: a step by it makes all forces what they are at dv, in pairs that cancel.
+    void addResidual(const Particles<dim>&);
+    void addMeanResidual(const Particles<dim>&);
     void conjugateGradients(Particles<dim>&, double inertia, double deltaT);
 };
 

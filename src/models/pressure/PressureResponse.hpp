@@ -1,0 +1,106 @@
+/// What an implicit step asks of the pressure (integrators/ImplicitSolve): how its force changes when particles move by dt u.
+///
+///   dF_i = -dt sum_j [ (q_i + q_j) gradW_ij - g_ij (u_i - u_j) ],    q_k = a_k sum_j gradW_kj.(u_k - u_j),    a_k = V_k^2 dp/dsigma
+///   g_ij = max(0, p_i V_i^2 + p_j V_j^2) (dW_ij/dr)/r_ij
+///
+/// The first part is how pressures change with the number density sigma = 1/V, in the force of Hu & Adams (2006): dF.u = -dt sum_k a_k s_k^2 <= 0 of
+/// the sum s_k in q_k, the Hessian of their energy but for what the pair distances change at given pressures. That remainder has
+/// both signs; g bounds it from above. Without it a background pressure p_b above rho c^2 of the gas makes steps unstable that are longer
+/// than its own waves of speed sqrt(p_b/rho) allow.
+///
+/// u [m/s] with the mirror images of a displacement, whatever the wall does to velocities. V [m^3], p [Pa], m [kg].
+#pragma once
+#include "Coefficients.hpp"
+#include "Tait.hpp"
+#include "fieldTags.hpp"
+#include <cmath>
+
+namespace sph
+{
+
+/// a = V^2 dp/dsigma = V^2 m c^2, c^2 = c_0^2 (rho/rho_0)^(n-1) of Tait's equation
+struct StiffnessOfPhase
+{
+    static constexpr auto name = "volumeStiffness";
+    using Provides = VolumeStiffness;
+    using ReadsOwn = Fields<Mass, Volume, Density, Phase>;
+    const double *restDensity, *B, *n;
+
+    explicit StiffnessOfPhase(const Coefficients& c) : restDensity(c.restDensity.data()), B(c.stiffness.data()), n(c.exponent.data()) {}
+    auto operator()(const auto& i) const
+    {
+        const int k = int(i.phase);
+        return sqr(i.V)*i.m*B[k]*n[k]/restDensity[k]*std::pow(i.rho/restDensity[k], n[k] - 1);
+    }
+};
+struct UniformStiffness
+{
+    static constexpr auto name = "uniformVolumeStiffness";
+    using Provides = VolumeStiffness;
+    using ReadsOwn = Fields<Mass, Volume, Density>;
+    double restDensity, B, n;
+
+    explicit UniformStiffness(const Coefficients& c) : restDensity(c.restDensity[0]), B(c.stiffness[0]), n(c.exponent[0]) {}
+    auto operator()(const auto& i) const { return sqr(i.V)*i.m*B*n/restDensity*std::pow(i.rho/restDensity, n - 1); }
+};
+
+struct ChangeAsDisplacement
+{
+    static constexpr auto name = "changeAsDisplacement";
+    using Provides = Displacement;
+    using ReadsOwn = Fields<VelocityChange>;
+    auto operator()(const auto& i) const { return i.dv; }
+};
+
+/// q_i
+struct CompressionOfChange
+{
+    static constexpr auto name = "compressionOfChange";
+    using Provides = CompressionChange;
+    using Reads = Fields<Displacement>;
+    using ReadsOwn = Fields<VolumeStiffness>;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return dot(ij.gradW, i.u - j.u); }
+    auto finish(const auto& i, double sum) const { return i.a*sum; }
+};
+
+/// Of pairs that repel: their force over their distance, per dW/dr/r.
+inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.p*sqr(i.V) + j.p*sqr(j.V)); }
+
+/// dF_i/(m_i dt)
+struct PressureResponse
+{
+    static constexpr auto name = "pressureResponse";
+    using Provides = StiffResponse;
+    using Reads = Fields<Displacement, CompressionChange, Pressure, Volume>;
+    using ReadsOwn = Fields<Mass>;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        return -1/i.m*((i.q + j.q)*ij.gradW - repulsion(i, j)*ij.dWdrOverR*(i.u - j.u));
+    }
+};
+
+/// The diagonal of that, mean over directions: kappa_i = 1/(d m_i) [a_i |sum_j gradW_ij|^2 + sum_j a_j |gradW_ij|^2] - 1/m_i sum_j g_ij   [1/s^2]
+template<int dim> struct DiagonalSums
+{
+    Vector<dim> slope;
+    double ofOthers;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.slope, q.ofOthers); }
+};
+struct PressureRate
+{
+    static constexpr auto name = "pressureRate";
+    using Provides = StiffRate;
+    using Reads = Fields<VolumeStiffness, Pressure, Volume>;
+    using ReadsOwn = Fields<Mass>;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        constexpr int dim = dimensions(decltype(ij.x){});
+        return DiagonalSums<dim>{ij.gradW, j.a*dot(ij.gradW, ij.gradW) - dim*repulsion(i, j)*ij.dWdrOverR*(ij.r > 0)};
+    }
+    auto finish(const auto& i, const auto& sum) const
+    {
+        return (i.a*dot(sum.slope, sum.slope) + sum.ofOthers)/(dimensions(decltype(sum.slope){})*i.m);
+    }
+};
+
+}
