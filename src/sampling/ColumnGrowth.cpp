@@ -43,7 +43,7 @@ Measurement ColumnGrowth::operator()(const ParticleView& view)
     const auto fluid = [&](std::size_t phase) { return ModeFluid{view.restDensity[phase], view.viscosity[phase]}; };
     result.reference = columnMode(k, R, view.surfaceTension, fluid(phase_), fluid(1 - phase_)).real();
 
-    if (std::abs(amplitude) <= largest_) history_.add(view.time, amplitude);
+    if (!(std::abs(amplitude) > largest_)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));
     result.value = found.value_or(std::numeric_limits<double>::quiet_NaN());
     if (!found) result.note = "a time of one over the rate is needed for a fit";

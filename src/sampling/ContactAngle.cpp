@@ -60,9 +60,9 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     const auto [foot, patch] = nearestFoot(*view.geometry, drop.centre);
     if (patch < 0 || drop.particles == 0)
     {
-        result.note = patches.empty()         ? "there is no wall"
+        result.note = patches.empty()       ? "there is no wall"
                       : drop.particles == 0 ? "the drop has no particles"
-                                              : "a particle of the drop has no position";
+                                            : "a particle of the drop has no position";
         return result;
     }
     const double ofWall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall)).contactAngle;

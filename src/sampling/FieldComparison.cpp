@@ -161,7 +161,8 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     }
     const auto normsOf = [&](const auto& part)
     { return sum(samples.size(), [&](std::size_t i) { return NormSum(samples[i].volume, mag(part(samples[i]))); }).norms(); };
-    const auto errors = normsOf([](const Sample& s) { return s.value - s.exact; }), values = normsOf([](const Sample& s) { return s.value; });
+    const auto errors = normsOf([](const Sample& s) { return s.value - s.exact; }),
+               values = normsOf([](const Sample& s) { return s.value; });
     const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : normsOf([](const Sample& s) { return s.exact; });
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
                     relative_ ? relativeTo(scale, errors) : errors,

@@ -34,6 +34,7 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     const double k = 2 * std::numbers::pi * double(waves_) / size.x, area = size.x * (view.dimension == 3 ? size.z : 1);
     Measurement result;
     const auto phase = [&](std::size_t i) { return phaseOf(view, i); };
+    // Of the first phase alone.
     const auto wave = groupSums(view.n, 1, phase, [&](std::size_t i)
                                 { return VolumeMean<>::of(view.mass[i] / view.restDensity[0], std::cos(k * view.x[i])); })[0];
     const double amplitude = 2 / area * wave.amount;
@@ -43,7 +44,7 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     const auto fluid = [&](std::size_t of) { return ModeFluid{view.restDensity[of], view.viscosity[of]}; };
     result.reference = planeMode(k, depth_, -view.g.y, view.surfaceTension, fluid(lower), fluid(1 - lower)).real();
 
-    if (std::abs(amplitude) * k <= largest_ * 2 * std::numbers::pi) history_.add(view.time, amplitude);
+    if (!(std::abs(amplitude) * k > largest_ * 2 * std::numbers::pi)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));
     result.value = found.value_or(std::numeric_limits<double>::quiet_NaN());
     if (!found) result.note = "a time of one over the rate is needed for a fit";

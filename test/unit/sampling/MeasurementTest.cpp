@@ -2,6 +2,7 @@
 #include "Particles.hpp"
 #include "Plane.hpp"
 #include "SphereFit.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <utility>
@@ -328,6 +329,8 @@ TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
         m = growth(particles.view());
     }
     EXPECT_NEAR(m.value, 1.2, 1e-3);
+    particles.x.back() = std::nan("");
+    EXPECT_TRUE(std::isnan(growth(particles.view()).value));
     // 1000 above 1, k = 2 pi, g = 1, nu of 1e-6 and 2e-5: near sqrt(A g k tanh(pi)).
     EXPECT_NEAR(m.reference, std::sqrt(999.0 / 1001 * 2 * pi * std::tanh(pi)), 2e-2);
 }
@@ -357,6 +360,8 @@ TEST(ColumnGrowth, isFittedToTheVolumeAlongTheColumn)
     const double R = std::sqrt(12 * 0.0025 / pi), kR = 2 * pi * R;
     const double rayleigh = std::sqrt(1 / (R * R * R) * kR * (1 - kR * kR) * std::cyl_bessel_i(1, kR) / std::cyl_bessel_i(0, kR));
     EXPECT_NEAR(m.reference, rayleigh, 5e-3 * rayleigh);
+    particles.z[std::size_t(std::find(particles.phase.begin(), particles.phase.end(), 0) - particles.phase.begin())] = std::nan("");
+    EXPECT_TRUE(std::isnan(growth(particles.view()).value));
 }
 
 TEST(InterfaceGrowth, mistakesNameFileAndLine)
