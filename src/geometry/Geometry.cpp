@@ -2,6 +2,7 @@
 #include "PatchGrid.hpp"
 #include "PatchTree.hpp"
 #include "components.hpp"
+#include "forEachFoot.hpp"
 #include "periodicShifts.hpp"
 #include <algorithm>
 
@@ -11,9 +12,11 @@ namespace sph
 namespace
 {
 
-double nearest(const std::vector<Patch>& patches, const Vector<3>& x, double best = Box::infinity)
+NearestPatch nearest(const Geometry& g, const Vector<3>& x, NearestPatch best = {})
 {
-    for (const auto& p : patches) best = std::min(best, p.shape->foot(x).distance);
+    if (g.tree) return g.tree->nearest(x, best);
+    for (int p = 0; p < int(g.patches.size()); ++p)
+        if (const double d = g.patches[std::size_t(p)].shape->foot(x).distance; d < best.distance) best = {d, p};
     return best;
 }
 
@@ -21,19 +24,17 @@ double nearest(const std::vector<Patch>& patches, const Vector<3>& x, double bes
 
 double Geometry::distance(const Vector<3>& x) const
 {
-    const auto smaller = [&](const Vector<3>& y, double best)
-    { return tree ? tree->distance(y, best) : nearest(patches, y, best); };
-    double d = smaller(x, Box::infinity);
-    if (d <= reach) return d;
+    auto best = nearest(*this, x);
+    if (best.distance <= reach) return best.distance;
 
     // No surface within reach: the copies that were made may not hold the nearest one. Those one period further do.
-    forEachPeriodicShift(*this, [&](const Vector<3>& by) { d = smaller(x + by, d); });
-    return d;
+    forEachPeriodicShift(*this, [&](const Vector<3>& by) { best = nearest(*this, x + by, best); });
+    return best.distance;
 }
 
 bool Geometry::inFluid(const Vector<3>& x) const
 {
-    if (!grid) return nearest(patches, x) > 0;
+    if (!grid) return nearest(*this, x).distance > 0;
     const auto near = grid->near(x);
     return std::all_of(near.begin(), near.end(), [&](int p) { return patches[p].shape->foot(x).distance > 0; });
 }
@@ -42,6 +43,15 @@ Vector<3> Geometry::wallVelocity(int wall, const Vector<3>& x) const
 {
     const auto& w = walls[wall];
     return w.velocity + cross(w.omega, x - w.origin);
+}
+
+NearestFoot nearestFoot(const Geometry& g, const Vector<3>& x)
+{
+    NearestFoot found;
+    found.patch = nearest(g, x).patch;
+    if (found.patch < 0) found.foot.distance = Box::infinity;
+    else found.foot = g.patches[std::size_t(found.patch)].shape->foot(x);
+    return found;
 }
 
 double Geometry::length(int direction) const { return high.*component(direction) - low.*component(direction); }

@@ -86,10 +86,12 @@ struct Geometry
     /// Lengths below which surfaces touch [m].
     double tolerance() const { return 1e-6*std::max(length(0), length(1)); }
 
+    /// Whether x lies in or on one of the patch's `coverers`.
+    bool isCovered(int patch, const Vector<3>& x) const;
+
 private:
     Foot footInUnion(int patch, const Vector<3>& x) const;
     Foot footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>& source) const;
-    bool isCovered(int patch, const Vector<3>& x) const;
     double exposure(int patch, const Vector<3>& x, const Foot&) const;
 };
 

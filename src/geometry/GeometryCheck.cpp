@@ -70,12 +70,7 @@ class Check
     bool isInOthers(int patch)
     {
         const auto& points = samples(patch).points;
-        return std::all_of(points.begin(), points.end(),
-                           [&](const auto& x)
-                           {
-                               const auto& others = g_.coverers[patch];
-                               return std::any_of(others.begin(), others.end(), [&](int q) { return g_.patches[q].shape->foot(x).distance <= tolerance_; });
-                           });
+        return std::all_of(points.begin(), points.end(), [&](const auto& x) { return g_.isCovered(patch, x); });
     }
 
     void describe()

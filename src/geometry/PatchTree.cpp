@@ -27,15 +27,11 @@ double middle(const Box& b, double Vector<3>::*c)
 PatchTree::PatchTree(const std::vector<Patch>& patches)
 {
     std::vector<Box> bounds;
-    for (const auto& p : patches)
+    for (int p = 0; p < int(patches.size()); ++p)
     {
-        if (p.shape->enclosesFluid())
-            others_.push_back(p.shape);
-        else
-        {
-            bodies_.push_back(p.shape);
-            bounds.push_back(p.shape->bounds());
-        }
+        const auto& shape = patches[std::size_t(p)].shape;
+        (shape->enclosesFluid() ? others_ : bodies_).push_back({shape, p});
+        if (!shape->enclosesFluid()) bounds.push_back(shape->bounds());
     }
     order_.resize(bodies_.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -69,26 +65,32 @@ int PatchTree::build(const std::vector<Box>& bounds, int first, int last)
     return index;
 }
 
-void PatchTree::visit(int index, const Vector<3>& x, double& best) const
+void PatchTree::consider(const Numbered& body, const Vector<3>& x, NearestPatch& best)
+{
+    const double d = body.shape->foot(x).distance;
+    if (d < best.distance || (d == best.distance && body.patch < best.patch)) best = {d, body.patch};
+}
+
+void PatchTree::visit(int index, const Vector<3>& x, NearestPatch& best) const
 {
     const auto& node = nodes_[index];
     if (node.left < 0)
     {
-        for (int i = node.first; i < node.last; ++i) best = std::min(best, bodies_[order_[i]]->foot(x).distance);
+        for (int i = node.first; i < node.last; ++i) consider(bodies_[order_[i]], x, best);
         return;
     }
     // A body is at least as far as its bounds; within them it may be at any depth.
     const double toLeft = distanceTo(nodes_[node.left].bounds, x), toRight = distanceTo(nodes_[node.right].bounds, x);
     const bool leftFirst = toLeft <= toRight;
     for (const bool left : {leftFirst, !leftFirst})
-        if (const double d = left ? toLeft : toRight; d < best || d == 0) visit(left ? node.left : node.right, x, best);
+        if (const double d = left ? toLeft : toRight; d <= best.distance || d == 0) visit(left ? node.left : node.right, x, best);
 }
 
-double PatchTree::distance(const Vector<3>& x, double best) const
+NearestPatch PatchTree::nearest(const Vector<3>& x, NearestPatch best) const
 {
-    for (const auto& shape : others_) best = std::min(best, shape->foot(x).distance);
+    for (const auto& other : others_) consider(other, x, best);
     if (!nodes_.empty())
-        if (const double d = distanceTo(nodes_.front().bounds, x); d < best || d == 0) visit(0, x, best);
+        if (const double d = distanceTo(nodes_.front().bounds, x); d <= best.distance || d == 0) visit(0, x, best);
     return best;
 }
 

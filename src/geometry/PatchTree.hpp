@@ -1,5 +1,5 @@
-/// The signed distance to the nearest of many patches, by a tree over their bounds: for sampling a scene at points that may be
-/// far from every wall, where PatchGrid lists nothing.
+/// The nearest of many patches and the signed distance to it, by a tree over their bounds: for sampling a scene at points that may
+/// be far from every wall, where PatchGrid lists nothing.
 #pragma once
 #include "Shape.hpp"
 #include <vector>
@@ -9,6 +9,12 @@ namespace sph
 
 struct Patch;
 
+struct NearestPatch
+{
+    double distance = Box::infinity; ///< signed [m]
+    int patch = -1;
+};
+
 class PatchTree
 {
     struct Node
@@ -17,19 +23,25 @@ class PatchTree
         int first, last; ///< of order_, for a leaf
         int left = -1, right = -1;
     };
-    std::vector<std::shared_ptr<const Shape>> bodies_; ///< whose solid lies within their bounds
-    std::vector<std::shared_ptr<const Shape>> others_;
+    struct Numbered
+    {
+        std::shared_ptr<const Shape> shape;
+        int patch;
+    };
+    std::vector<Numbered> bodies_; ///< whose solid lies within their bounds
+    std::vector<Numbered> others_;
     std::vector<int> order_;
     std::vector<Node> nodes_;
 
     int build(const std::vector<Box>&, int first, int last);
-    void visit(int node, const Vector<3>& x, double& best) const;
+    static void consider(const Numbered&, const Vector<3>& x, NearestPatch& best);
+    void visit(int node, const Vector<3>& x, NearestPatch& best) const;
 
 public:
     explicit PatchTree(const std::vector<Patch>&);
 
-    /// The smaller of `best` and the smallest signed distance of x to a patch.
-    double distance(const Vector<3>& x, double best = Box::infinity) const;
+    /// The nearer of `best` and the patch of the smallest signed distance from x: of several as near the first.
+    NearestPatch nearest(const Vector<3>& x, NearestPatch best = {}) const;
 };
 
 }

@@ -1,4 +1,4 @@
-/// The one way to the surfaces around a point.
+/// The one way to the surfaces around a point: all that are near, or the nearest.
 #pragma once
 #include "Geometry.hpp"
 #include "PatchGrid.hpp"
@@ -20,5 +20,28 @@ template<class F> void forEachFoot(const Geometry& g, const Vector<3>& x, double
 {
     forEachFoot(g, g.grid->near(x), x, reach, f);
 }
+
+/// The same of each shape by itself, whatever other solids cover of it, and for any reach: the smallest of these distances is that to the union
+/// of all solids, also for an x in several of them, whose feet may all be covered.
+template<class F> void forEachFootAlone(const Geometry& g, const Vector<3>& x, double reach, const F& f)
+{
+    const auto look = [&](int p)
+    {
+        if (const Foot foot = g.patches[std::size_t(p)].shape->foot(x); foot.distance <= reach) f(foot, p);
+    };
+    if (g.grid && reach <= g.reach)
+        for (const int p : g.grid->near(x)) look(p);
+    else
+        for (int p = 0; p < int(g.patches.size()); ++p) look(p);
+}
+
+struct NearestFoot
+{
+    Foot foot;      ///< infinitely far where there is none
+    int patch = -1; ///< where there are no walls, or x is NaN
+};
+
+/// The nearest foot of x on the shapes by themselves, at any distance; of patches that are as near the first.
+NearestFoot nearestFoot(const Geometry&, const Vector<3>& x);
 
 }

@@ -1,6 +1,6 @@
 #include "wallLayers.hpp"
-#include "PatchGrid.hpp"
 #include "components.hpp"
+#include "forEachFoot.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -79,18 +79,13 @@ class Layering
             else if (x.*k < g_.low.*k - margin_ || x.*k > g_.high.*k + margin_) return;
         }
         int asDeep = 0; // the patch itself, or its periodic copy, and those that the place lies on the bisector with
-        const auto deeper = [&](const Patch& other)
+        bool liesDeeper = false;
+        forEachFootAlone(g_, x, slack, [&](const Foot& foot, int)
         {
-            const double d = -other.shape->foot(x).distance;
-            asDeep += std::abs(d - depth) <= slack;
-            return d > depth + slack;
-        };
-        if (g_.grid)
-        {
-            for (const int p : g_.grid->near(x))
-                if (deeper(g_.patches[std::size_t(p)])) return;
-        }
-        else if (std::any_of(g_.patches.begin(), g_.patches.end(), deeper)) return;
+            asDeep += std::abs(-foot.distance - depth) <= slack;
+            liesDeeper = liesDeeper || -foot.distance > depth + slack;
+        });
+        if (liesDeeper) return;
         if (asDeep > 1)
         {
             for (const auto k : bisectors_)

@@ -141,9 +141,7 @@ template<int dim> bool Images<dim>::fillsCorner(const Entry& e, int last, const 
     const auto& near = geometry_->coverers[std::size_t(p)];
     if (std::find(near.begin(), near.end(), q) == near.end()) return true;
     if (dot(geometry_->foot(p, source).normal, geometry_->foot(q, source).normal) > mostAlignedNormals) return false;
-    return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() ||
-           std::any_of(near.begin(), near.end(),
-                       [&](int other) { return geometry_->patches[std::size_t(other)].shape->foot(x).distance <= geometry_->tolerance(); });
+    return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 
 template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const

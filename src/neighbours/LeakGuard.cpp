@@ -95,12 +95,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
     }
     // Where solids overlap there may be no surface that leads out.
-    const auto depth = [&](const Vector<dim>& y)
-    {
-        double least = 1e300;
-        for (const int p : images.wallsNear(y)) least = std::min(least, geometry_.patches[std::size_t(p)].shape->foot(in3D(y)).distance);
-        return -least;
-    };
+    const auto depth = [&](const Vector<dim>& y) { return -geometry_.distance(in3D(y)); };
     if (buried && depth(x_i) > closest)
     {
         const auto out = nearestWayOut(x_i, depth);

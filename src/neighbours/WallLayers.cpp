@@ -1,7 +1,7 @@
 #include "WallLayers.hpp"
 #include "CaseError.hpp"
-#include "PatchGrid.hpp"
 #include "components.hpp"
+#include "forEachFoot.hpp"
 #include "periodicShifts.hpp"
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@ template<int dim>
 WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel, double reach, double spacing)
     : geometry_(geometry), kernel_(kernel), closest_(0.25*spacing)
 {
-    const PatchGrid grid(geometry, reach);
     const auto within = [&](Vector<3> x)
     {
         for (int c = 0; c < dim; ++c)
@@ -23,14 +22,12 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
     const auto add = [&](const LayerParticle& particle, Vector<3> x, int original)
     {
         Particle p{in<dim>(x), particle.volumeFactor, original, unsigned(walls_.size()), 0};
-        for (const int k : grid.near(x))
+        forEachFootAlone(geometry, x, 0, [&](const Foot& foot, int k)
         {
-            const Patch& patch = geometry.patches[std::size_t(k)];
-            const Foot foot = patch.shape->foot(x);
-            if (foot.distance >= 0 || p.walls == dim) continue;
-            walls_.push_back({k, patch.wall, foot, x - foot.distance*foot.normal});
+            if (foot.distance == 0 || p.walls == dim) return;
+            walls_.push_back({k, geometry.patches[std::size_t(k)].wall, foot, x - foot.distance*foot.normal});
             ++p.walls;
-        }
+        });
         if (p.walls == 0)
             throw CaseError({"constant/lagrangian/wallLayers/positions", 0},
                             fmt::format("the particle at ({:.6g} {:.6g} {:.6g}) does not lie in a wall: run meshToGhost again", x.x, x.y, x.z));

@@ -1,6 +1,7 @@
 #include "FluidSpace.hpp"
-#include "PatchGrid.hpp"
 #include "components.hpp"
+#include "forEachFoot.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -69,18 +70,13 @@ double fluidIn(const Geometry& g, const Vector<3>& centre, const Vector<3>& edge
     if (halvings == 0)
     {
         double fraction = 1;
-        const auto cut = [&](const Patch& patch)
+        forEachFootAlone(g, centre, halfDiagonal, [&](const Foot& f, int)
         {
-            const Foot f = patch.shape->foot(centre);
-            if (std::fabs(f.distance) > halfDiagonal) return;
+            if (f.distance < -halfDiagonal) return;
             // On average over the cell the surface bends away from its tangent plane by (k1 + k2)/2 h^2/12.
             const double h2 = dot(edge, edge)/g.dimension;
             fraction *= fractionAbove(f.distance - (f.k1 + f.k2)*h2/24, f.normal, edge, g.dimension);
-        };
-        if (g.grid && halfDiagonal <= g.reach)
-            for (const int p : g.grid->near(centre)) cut(g.patches[p]);
-        else
-            for (const auto& patch : g.patches) cut(patch);
+        });
         return fraction*whole;
     }
     double sum = 0;
@@ -114,9 +110,7 @@ double quadrature(const Geometry& g, const Box& box, double coarsest, int halvin
         if (g.dimension == 2) centre.z = 0;
         part[c] = fluidIn(g, centre, edge, halvings);
     }
-    double sum = 0;
-    for (const double p : part) sum += p;
-    return sum;
+    return sum(part.size(), [&](std::size_t c) { return part[c]; });
 }
 
 /// Nothing but balls and the faces of the box bounds the fluid, and no two of these overlap.

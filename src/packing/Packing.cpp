@@ -1,5 +1,6 @@
 #include "Packing.hpp"
 #include "components.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -148,15 +149,10 @@ Packing pack(const PackingPlan& plan)
 
     const Points places = std::move(packing.points);
     packing.points = {};
-    packing.phases.resize(plan.phases.size());
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         const int phase = occupation.phase[i];
-        if (phase == FillRule::noPhase)
-        {
-            ++packing.leftEmpty;
-            continue;
-        }
+        if (phase == FillRule::noPhase) continue;
         const double rho = plan.phases[phase].rho, mass = rho*packing.particleVolume;
         packing.points.add(places[i]);
         packing.phase.push_back(phase);
@@ -165,9 +161,10 @@ Packing pack(const PackingPlan& plan)
         Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
         if (g.dimension == 2) U.z = 0;
         packing.velocity.add(U);
-        ++packing.phases[phase].particles;
-        packing.phases[phase].mass += mass;
     }
+    packing.leftEmpty = places.size() - packing.points.size();
+    packing.phases = groupSums(packing.points.size(), plan.phases.size(), [&](std::size_t i) { return std::size_t(packing.phase[i]); },
+                               [&](std::size_t i) { return PackedPhase{1, packing.mass[i]}; });
     checkPhases(plan, packing);
     if (plan.saturation)
         packing.saturation = double(packing.phases[plan.saturation->phase].particles)/double(packing.points.size());

@@ -60,6 +60,12 @@ struct PackedPhase
 {
     std::size_t particles = 0;
     double mass = 0; ///< [kg]; [kg/m] in 2-D
+    PackedPhase& operator+=(const PackedPhase& other)
+    {
+        particles += other.particles;
+        mass += other.mass;
+        return *this;
+    }
 };
 
 struct Packing

@@ -52,14 +52,15 @@ struct Sums
         particles += s.particles;
         residual += s.residual;
         squares += s.squares;
-        max = std::max(max, s.max);
+        Larger{}(max, s.max);
         return *this;
     }
     KernelResidual::Moments moments() const
     {
         if (particles == 0) return {};
         const double mean = residual/double(particles), square = squares/double(particles);
-        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(0.0, square - mean*mean))};
+        // In this order the larger of a NaN and 0 is the NaN.
+        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(square - mean*mean, 0.0))};
     }
 };
 
@@ -215,7 +216,7 @@ private:
         Vector<dim> sum{};
         Shifts& operator+=(const Shifts& s)
         {
-            largest = std::max(largest, s.largest);
+            Larger{}(largest, s.largest);
             held += s.held;
             sum += s.sum;
             return *this;

@@ -1,6 +1,6 @@
 #include "Saturation.hpp"
-#include "PatchGrid.hpp"
 #include "components.hpp"
+#include "forEachFoot.hpp"
 #include "noise.hpp"
 #include <algorithm>
 #include <cmath>
@@ -37,21 +37,18 @@ namespace
 std::pair<double, double> twoNearest(const Geometry& g, const Vector<3>& x)
 {
     double first = Box::infinity, second = Box::infinity;
-    const auto look = [&](const Patch& patch)
+    const auto look = [&](const Foot& foot, int)
     {
-        const double d = patch.shape->foot(x).distance;
-        if (d < first)
-            second = std::exchange(first, d);
+        if (foot.distance < first)
+            second = std::exchange(first, foot.distance);
         else
-            second = std::min(second, d);
+            second = std::min(second, foot.distance);
     };
-    if (g.grid)
-        for (const int p : g.grid->near(x)) look(g.patches[p]);
-    if (second <= g.reach && g.grid) return {first, second};
+    forEachFootAlone(g, x, g.reach, look);
+    if (second <= g.reach) return {first, second};
 
-    // The grid answers for patches within its reach alone.
     first = second = Box::infinity;
-    for (const auto& patch : g.patches) look(patch);
+    forEachFootAlone(g, x, Box::infinity, look);
     return {first, second};
 }
 

@@ -46,9 +46,30 @@ struct Larger
 
 /// sum_i value(i)
 template<class Value> auto sum(std::size_t n, const Value& value) { return reduce(n, decltype(value(n)){}, value, Add{}); }
+/// The number of particles of which `condition(i)` holds.
+template<class Condition> std::size_t count(std::size_t n, const Condition& condition)
+{
+    return sum(n, [&](std::size_t i) { return std::size_t(condition(i)); });
+}
 /// Infinite without particles.
 template<class Value> double least(std::size_t n, const Value& value) { return reduce(n, std::numeric_limits<double>::infinity(), value, Smaller{}); }
 /// Minus infinite without particles.
 template<class Value> double most(std::size_t n, const Value& value) { return reduce(n, -std::numeric_limits<double>::infinity(), value, Larger{}); }
+
+/// sum_i value(i) of each of so many groups, phases or slabs; what is in a group(i) beyond the last adds to none.
+template<class Group, class Value> auto groupSums(std::size_t n, std::size_t groups, const Group& group, const Value& value)
+{
+    using Sums = std::vector<decltype(value(n))>;
+    return reduceBlocks(n, Sums(groups), [&](std::size_t begin, std::size_t end)
+    {
+        Sums part(groups);
+        for (std::size_t i = begin; i < end; ++i)
+            if (const std::size_t g = group(i); g < groups) part[g] += value(i);
+        return part;
+    }, [](Sums& total, const Sums& part)
+    {
+        for (std::size_t g = 0; g < total.size(); ++g) total[g] += part[g];
+    });
+}
 
 }

@@ -1,7 +1,10 @@
 #include "BedHydrodynamics.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "forEachFoot.hpp"
 #include "readBox.hpp"
+#include "reduce.hpp"
 #include <fmt/format.h>
 #include <limits>
 
@@ -22,15 +25,30 @@ const SubDictionary region{"region", byScene("the domain"), "the bed"};
 namespace
 {
 
-/// The wall nearest to a point.
-Foot nearestFoot(const Geometry& geometry, const Vector<3>& x)
+/// Of the points that the bed is sampled at.
+struct Sample
 {
-    Foot nearest;
-    nearest.distance = std::numeric_limits<double>::infinity();
-    for (const auto& patch : geometry.patches)
-        if (const auto foot = patch.shape->foot(x); foot.distance < nearest.distance) nearest = foot;
-    return nearest;
-}
+    double inPore = 0, wallArea = 0;
+    Sample& operator+=(const Sample& other)
+    {
+        inPore += other.inPore;
+        wallArea += other.wallArea;
+        return *this;
+    }
+};
+
+/// Of a phase in the bed.
+struct Content
+{
+    VolumeMean<Vector<3>> velocity;
+    double wallArea = 0;
+    Content& operator+=(const Content& other)
+    {
+        velocity += other.velocity;
+        wallArea += other.wallArea;
+        return *this;
+    }
+};
 
 /// Area of the wall below a volume V in a layer of that thickness at the foot's distance; 0 outside the layer.
 double wallAreaBelow(const Foot& f, double V, double layer)
@@ -86,21 +104,18 @@ void BedHydrodynamics::sampleBed(double layer)
     const bool flat = context_.geometry.dimension == 2;
     const double cellVolume = size.x / samples_ * size.y / samples_ * (flat ? 1 : size.z / samples_);
     const double thickness = std::max(layer, 1.5 * std::max({size.x, size.y, flat ? 0 : size.z}) / samples_);
-    long pores = 0, all = 0;
-    double area = 0;
-    for (int k = 0; k < (flat ? 1 : samples_); ++k)
-        for (int j = 0; j < samples_; ++j)
-            for (int i = 0; i < samples_; ++i)
-            {
-                const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
-                                  flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
-                const auto foot = nearestFoot(context_.geometry, x);
-                ++all;
-                pores += foot.distance > 0;
-                area += wallAreaBelow(foot, cellVolume, thickness);
-            }
-    if (!porosity_) porosity_ = double(pores) / double(all);
-    wallArea_ = area;
+    const auto n = std::size_t(samples_), all = n * n * (flat ? 1 : n);
+    const auto pores = sum(all,
+                           [&](std::size_t at)
+                           {
+                               const double i = double(at % n), j = double(at / n % n), k = double(at / (n * n));
+                               const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
+                                                 flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
+                               const auto foot = nearestFoot(context_.geometry, x).foot;
+                               return Sample{foot.distance > 0 ? 1.0 : 0.0, wallAreaBelow(foot, cellVolume, thickness)};
+                           });
+    if (!porosity_) porosity_ = pores.inPore / double(all);
+    wallArea_ = pores.wallArea;
 }
 
 void BedHydrodynamics::execute(const ParticleView& view)
@@ -111,41 +126,39 @@ void BedHydrodynamics::execute(const ParticleView& view)
     const SampledField U(view, "U", where_);
     const auto size = high_ - low_;
     const double bed = size.x * size.y * (flat ? 1 : size.z);
-    std::vector<double> volume(std::max<std::size_t>(1, view.phases.size()), 0.0);
-    std::vector<Vector<3>> flux(volume.size());
-    double wetted = 0, area = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        const auto x = position(view, i);
-        if (!inBed(x)) continue;
-        const auto k = phaseOf(view, i);
-        volume.at(k) += view.volume[i];
-        flux[k] += view.volume[i] * Vector<3>{U(0, i), U(1, i), U(2, i)};
-        if (view.geometry->patches.empty()) continue;
-        const double a = wallAreaBelow(nearestFoot(*view.geometry, x), view.volume[i], view.spacing);
-        area += a;
-        if (k == liquid_) wetted += a;
-    }
-    if (view.phases.size() < 2) area = *wallArea_;
+    const auto phases = std::max<std::size_t>(1, view.phases.size());
+    const auto content = groupSums(view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
+                                   [&](std::size_t i)
+                                   {
+                                       const double V = view.volume[i];
+                                       const auto foot = nearestFoot(*view.geometry, position(view, i)).foot;
+                                       return Content{VolumeMean<Vector<3>>::of(V, {U(0, i), U(1, i), U(2, i)}),
+                                                      wallAreaBelow(foot, V, view.spacing)};
+                                   });
+    double area = 0;
+    for (const auto& of : content) area += of.wallArea;
+    if (phases < 2) area = *wallArea_;
 
+    const auto& liquid = content.at(liquid_);
     const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = view.surfaceTension;
-    const auto superficial = flux.at(liquid_) / bed;
+    const auto superficial = liquid.velocity.amount / bed;
     std::vector<std::string> columns{"porosity", "saturation", "holdUp"};
-    std::vector<double> scalars{*porosity_, volume.at(liquid_) / (*porosity_ * bed), volume.at(liquid_) / bed};
+    std::vector<double> scalars{*porosity_, liquid.velocity.volume / (*porosity_ * bed), liquid.velocity.volume / bed};
     std::vector<std::string> cells;
     for (const double s : scalars) cells.push_back(cell(s));
-    for (std::size_t k = 0; k < flux.size(); ++k)
+    for (std::size_t k = 0; k < phases; ++k)
     {
+        const auto& u = content[k].velocity;
         const auto phase = k < phases_.size() ? "_" + phases_[k] : std::string();
         columns.insert(columns.end(), {"superficial" + phase, "interstitial" + phase});
-        cells.insert(cells.end(), {cell(flux[k] / bed), cell(volume[k] > 0 ? flux[k] / volume[k] : Vector<3>{})});
+        cells.insert(cells.end(), {cell(u.amount / bed), cell(u.particles > 0 ? u.value() : Vector<3>{})});
     }
     const auto add = [&](const char* name, double value)
     {
         columns.push_back(name);
         cells.push_back(cell(value));
     };
-    if (!view.geometry->patches.empty()) add("wettedFraction", area > 0 ? wetted / area : 0);
+    if (!view.geometry->patches.empty()) add("wettedFraction", area == 0 ? 0 : liquid.wallArea / area);
     if (gamma > 0)
     {
         add("Bo", rho * mag(view.g) * length_ * length_ / gamma);

@@ -1,6 +1,7 @@
 #include "CapillaryRise.hpp"
 #include "BosanquetRise.hpp"
 #include "SampledField.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <cmath>
 #include <numbers>
@@ -59,15 +60,14 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
     if (rho_0 < view.restDensity[1 - phase_]) throw CaseError(where_, "the phase that rises in the slit must be the denser one");
     const auto level = [&](const Box& box)
     {
-        double volume = 0;
-        for (std::size_t i = 0; i < view.n; ++i)
-            if (phaseOf(view, i) == phase_ && view.x[i] >= box.low.x && view.x[i] < box.high.x && view.y[i] >= box.low.y &&
-                view.y[i] < box.high.y)
-            {
-                volume += view.mass[i] / rho_0;
-                ++result.particles;
-            }
-        return box.low.y + volume / (box.high.x - box.low.x);
+        const auto isIn = [&](std::size_t i)
+        {
+            return phaseOf(view, i) == phase_ && view.x[i] >= box.low.x && view.x[i] < box.high.x && view.y[i] >= box.low.y &&
+                   view.y[i] < box.high.y;
+        };
+        result.particles += count(view.n, isIn);
+        const double mass = sum(view.n, [&](std::size_t i) { return isIn(i) ? view.mass[i] : 0; });
+        return box.low.y + mass / rho_0 / (box.high.x - box.low.x);
     };
     const double w = slit_.high.x - slit_.low.x, W = reservoir_.high.x - reservoir_.low.x;
     const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = view.surfaceTension;

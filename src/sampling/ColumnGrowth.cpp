@@ -2,6 +2,8 @@
 #include "ColumnMode.hpp"
 #include "ModeFit.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <cmath>
 #include <limits>
@@ -30,20 +32,18 @@ Measurement ColumnGrowth::operator()(const ParticleView& view)
     constexpr double pi = std::numbers::pi;
     const double L = view.geometry->high.z - view.geometry->low.z, k = 2 * pi / L;
     Measurement result;
-    double volume = 0, wave = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (phaseOf(view, i) != phase_) continue;
-        const double V = view.mass[i] / view.restDensity[phase_];
-        volume += V;
-        wave += V * std::cos(k * view.z[i]);
-        ++result.particles;
-    }
-    const double R = std::sqrt(volume / (pi * L)), amplitude = wave / volume;
+    const auto wave = sum(view.n,
+                          [&](std::size_t i)
+                          {
+                              if (phaseOf(view, i) != phase_) return VolumeMean<>{};
+                              return VolumeMean<>::of(view.mass[i] / view.restDensity[phase_], std::cos(k * view.z[i]));
+                          });
+    result.particles = wave.particles;
+    const double R = std::sqrt(wave.volume / (pi * L)), amplitude = wave.value();
     const auto fluid = [&](std::size_t phase) { return ModeFluid{view.restDensity[phase], view.viscosity[phase]}; };
     result.reference = columnMode(k, R, view.surfaceTension, fluid(phase_), fluid(1 - phase_)).real();
 
-    if (std::abs(amplitude) <= largest_) history_.add(view.time, amplitude);
+    if (!(std::abs(amplitude) > largest_)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));
     result.value = found.value_or(std::numeric_limits<double>::quiet_NaN());
     if (!found) result.note = "a time of one over the rate is needed for a fit";

@@ -1,6 +1,7 @@
 #include "Conservation.hpp"
 #include "Norms.hpp"
 #include "SampledField.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -34,20 +35,25 @@ Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>&
         const auto& periodic = view.geometry->periodic;
         g = {periodic[0] ? 0 : g.x, periodic[1] ? 0 : g.y, periodic[2] ? 0 : g.z};
     }
-    Sums s;
-    s.mass.assign(std::max<std::size_t>(1, view.phases.size()), 0.0);
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        const double m = view.mass[i];
-        const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
-        s.mass.at(phaseOf(view, i)) += m;
-        s.momentum += m * u;
-        s.angularMomentum += m * cross(x - origin, u);
-        s.kineticEnergy += 0.5 * m * dot(u, u);
-        s.potentialEnergy -= m * dot(g, x);
-        s.momentumScale += m * mag(u);
-    }
-    return s;
+    const auto motion = sum(view.n,
+                            [&](std::size_t i)
+                            {
+                                const double m = view.mass[i];
+                                const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
+                                return Motion{m * u, m * cross(x - origin, u), 0.5 * m * dot(u, u), -m * dot(g, x), m * mag(u)};
+                            });
+    return {motion, groupSums(view.n, std::max<std::size_t>(1, view.phases.size()), [&](std::size_t i) { return phaseOf(view, i); },
+                              [&](std::size_t i) { return view.mass[i]; })};
+}
+
+Conservation::Motion& Conservation::Motion::operator+=(const Motion& other)
+{
+    momentum += other.momentum;
+    angularMomentum += other.angularMomentum;
+    kineticEnergy += other.kineticEnergy;
+    potentialEnergy += other.potentialEnergy;
+    momentumScale += other.momentumScale;
+    return *this;
 }
 
 void Conservation::execute(const ParticleView& view)

@@ -24,12 +24,17 @@ class Conservation : public FunctionObject
     std::optional<OutputTable> table_;
 
 public:
-    struct Sums
+    /// Of all phases together.
+    struct Motion
     {
-        std::vector<double> mass;
         Vector<3> momentum, angularMomentum;
         double kineticEnergy = 0, potentialEnergy = 0;
         double momentumScale = 0; ///< sum m|u| [kg m/s]
+        Motion& operator+=(const Motion&);
+    };
+    struct Sums : Motion
+    {
+        std::vector<double> mass; ///< of each phase
     };
     static Sums sums(const ParticleView&, const Vector<3>& origin, const Location& where);
 

@@ -3,6 +3,8 @@
 #include "SampledField.hpp"
 #include "SphereFit.hpp"
 #include "VolumeFraction.hpp"
+#include "forEachFoot.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <algorithm>
 #include <limits>
@@ -54,26 +56,20 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     const Drop drop(view, phase_);
     result.particles = drop.particles;
 
-    const Patch* wall = nullptr;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& patch : view.geometry->patches)
-        if (const double d = patch.shape->foot(drop.centre).distance; d < nearest)
-        {
-            nearest = d;
-            wall = &patch;
-        }
-    if (!wall || drop.particles == 0)
+    const auto& patches = view.geometry->patches;
+    const auto [foot, patch] = nearestFoot(*view.geometry, drop.centre);
+    if (patch < 0 || drop.particles == 0)
     {
-        result.note = wall ? "the drop has no particles" : "there is no wall";
+        result.note = patches.empty()       ? "there is no wall"
+                      : drop.particles == 0 ? "the drop has no particles"
+                                            : "a particle of the drop has no position";
         return result;
     }
-    const auto foot = wall->shape->foot(drop.centre);
-    const double ofWall = view.geometry->walls.at(std::size_t(wall->wall)).contactAngle;
+    const double ofWall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall)).contactAngle;
     result.reference = angle_ >= 0 ? angle_ : phase_ == 0 ? ofWall : 180 - ofWall;
 
-    double farthest = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (phaseOf(view, i) == phase_) farthest = std::max(farthest, mag(displacement(view, drop.centre, position(view, i))));
+    const double farthest = most(view.n, [&](std::size_t i)
+                                 { return phaseOf(view, i) == phase_ ? mag(displacement(view, drop.centre, position(view, i))) : 0; });
 
     // A cap is convex: each ray from its centre of volume leaves it once. The last point inside the fluid of a ray towards the
     // wall is no point of the surface.
@@ -81,8 +77,8 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     const VolumeFraction fraction(view, phase_);
     for (const auto& direction : directions(view.dimension))
     {
-        const double sinks = -dot(direction, foot.normal), most = farthest + view.support;
-        const double reach = sinks*most > foot.distance ? foot.distance/sinks : most;
+        const double sinks = -dot(direction, foot.normal), beyond = farthest + view.support;
+        const double reach = sinks*beyond > foot.distance ? foot.distance/sinks : beyond;
         const auto r = fraction.surface(drop.centre, direction, reach);
         if (r && foot.distance - sinks**r > above_*view.spacing) surface.push_back(drop.centre + *r*direction);
     }

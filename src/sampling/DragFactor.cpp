@@ -1,6 +1,7 @@
 #include "DragFactor.hpp"
 #include "Drop.hpp"
 #include "SampledField.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include "words.hpp"
 #include <fmt/format.h>
@@ -121,9 +122,8 @@ Measurement DragFactor::operator()(const ParticleView& view) const
     result.reference = reference_;
     result.particles = view.n;
     const auto down = g > 0 ? view.g / g : Vector<3>{};
-    double superficial = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-        superficial += view.volume[i] * (U(0, i) * down.x + U(1, i) * down.y + U(2, i) * down.z) / Vcell;
+    const auto alongG = [&](std::size_t i) { return dot(Vector<3>{U(0, i), U(1, i), U(2, i)}, down); };
+    const double superficial = sum(view.n, [&](std::size_t i) { return view.volume[i] * alongG(i); }) / Vcell;
     const double rho = view.restDensity.at(phase_), mu = view.viscosity.at(phase_);
     const double a = radius_, phi = solidFraction_;
     result.value = view.dimension == 2 ? rho * g * pi * a * a / (phi * mu * superficial)

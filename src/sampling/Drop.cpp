@@ -1,5 +1,7 @@
 #include "Drop.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include <numbers>
 
 namespace sph
@@ -8,44 +10,59 @@ namespace sph
 namespace
 {
 constexpr double Vector<3>::*axes[]{&Vector<3>::x, &Vector<3>::y, &Vector<3>::z};
+
+struct Positions
+{
+    VolumeMean<Vector<3>> x;
+    Vector<3> sine, cosine; ///< sum V sin, sum V cos of the angles round the periods
+    Positions& operator+=(const Positions& other)
+    {
+        x += other.x;
+        sine += other.sine;
+        cosine += other.cosine;
+        return *this;
+    }
+};
 }
 
 Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
 {
     // In a periodic direction the mean of positions depends on where the domain begins; the mean of angles on a circle does not.
     // It only serves to unfold the drop: the mean of displacements from it is the centre of volume.
-    Vector<3> sine, cosine, first;
     const auto* geometry = view.geometry;
-    const auto angle = [&](int k, double x)
-    { return 2 * std::numbers::pi * (x - geometry->low.*axes[k]) / (geometry->high.*axes[k] - geometry->low.*axes[k]); };
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (phaseOf(view, i) != phase) continue;
-        const auto x = position(view, i);
-        if (particles++ == 0) first = x;
-        volume += view.volume[i];
-        if (geometry)
-            for (int k = 0; k < view.dimension; ++k)
-                if (geometry->periodic[k])
-                {
-                    sine.*axes[k] += view.volume[i] * std::sin(angle(k, x.*axes[k]));
-                    cosine.*axes[k] += view.volume[i] * std::cos(angle(k, x.*axes[k]));
-                }
-    }
+    const auto isPeriodic = [&](int k) { return geometry && geometry->periodic[k]; };
+    const auto period = [&](int k) { return geometry->high.*axes[k] - geometry->low.*axes[k]; };
+    const auto mean = sum(view.n,
+                          [&](std::size_t i)
+                          {
+                              if (phaseOf(view, i) != phase) return Positions{};
+                              const auto x = position(view, i);
+                              Vector<3> sine, cosine;
+                              for (int k = 0; k < view.dimension; ++k)
+                                  if (isPeriodic(k))
+                                  {
+                                      const double angle = 2 * std::numbers::pi * (x.*axes[k] - geometry->low.*axes[k]) / period(k);
+                                      sine.*axes[k] = view.volume[i] * std::sin(angle);
+                                      cosine.*axes[k] = view.volume[i] * std::cos(angle);
+                                  }
+                              return Positions{VolumeMean<Vector<3>>::of(view.volume[i], x), sine, cosine};
+                          });
+    particles = mean.x.particles;
+    volume = mean.x.volume;
     if (particles == 0) return;
-    centre = first;
-    if (geometry)
-        for (int k = 0; k < view.dimension; ++k)
-            if (geometry->periodic[k])
-            {
-                const double period = geometry->high.*axes[k] - geometry->low.*axes[k];
-                const double turn = std::atan2(sine.*axes[k], cosine.*axes[k]) / (2 * std::numbers::pi);
-                centre.*axes[k] = geometry->low.*axes[k] + period * (turn - std::floor(turn));
-            }
-    Vector<3> mean;
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (phaseOf(view, i) == phase) mean += view.volume[i] / volume * displacement(view, centre, position(view, i));
-    centre += mean;
+    auto within = mean.x.value();
+    for (int k = 0; k < view.dimension; ++k)
+        if (isPeriodic(k))
+        {
+            const double turn = std::atan2(mean.sine.*axes[k], mean.cosine.*axes[k]) / (2 * std::numbers::pi);
+            within.*axes[k] = geometry->low.*axes[k] + period(k) * (turn - std::floor(turn));
+        }
+    centre = within + sum(view.n,
+                          [&](std::size_t i)
+                          {
+                              if (phaseOf(view, i) != phase) return Vector<3>{};
+                              return view.volume[i] / volume * displacement(view, within, position(view, i));
+                          });
 }
 
 Vector<3> displacement(const ParticleView& view, const Vector<3>& a, const Vector<3>& b)

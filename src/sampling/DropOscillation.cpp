@@ -3,6 +3,8 @@
 #include "DropMode.hpp"
 #include "ModeFit.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <limits>
 #include <numbers>
@@ -33,16 +35,15 @@ DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 {
     const Drop drop(view, phase_);
     const double rho_0 = view.restDensity[phase_];
-    double moment = 0, volume = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (phaseOf(view, i) != phase_) continue;
-        const auto x = displacement(view, drop.centre, position(view, i));
-        volume += view.mass[i] / rho_0;
-        moment += view.mass[i] / rho_0 * (x.x * x.x - x.y * x.y);
-    }
-    const double R = radius_ > 0 ? radius_ : std::sqrt(volume / pi);
-    history_.add(view.time, moment / (pi * R * R * R));
+    const auto moment = sum(view.n,
+                            [&](std::size_t i)
+                            {
+                                if (phaseOf(view, i) != phase_) return VolumeMean<>{};
+                                const auto x = displacement(view, drop.centre, position(view, i));
+                                return VolumeMean<>::of(view.mass[i] / rho_0, x.x * x.x - x.y * x.y);
+                            });
+    const double R = radius_ > 0 ? radius_ : std::sqrt(moment.volume / pi);
+    history_.add(view.time, moment.amount / (pi * R * R * R));
 
     Rates rates;
     rates.measurement.particles = drop.particles;

@@ -3,6 +3,7 @@
 #include "Interpolator.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
 #include "sharedEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
@@ -145,31 +146,28 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     auto samples = rows_.empty() ? atParticles(view, field, only) : atRows(view, field, only);
     if (samples.empty()) return {};
 
-    double volume = 0;
-    Vector<3> meanValue, meanExact;
-    for (const auto& s : samples)
+    const auto meanOf = [&](Vector<3> Sample::*of)
     {
-        volume += s.volume;
-        meanValue += s.volume * s.value;
-        meanExact += s.volume * s.exact;
-    }
-    NormSum errors, values, exacts;
-    for (auto& s : samples)
+        return sum(samples.size(), [&](std::size_t i) { return VolumeMean<Vector<3>>::of(samples[i].volume, samples[i].*of); }).value();
+    };
+    if (removeMean_)
     {
-        if (removeMean_)
+        const auto value = meanOf(&Sample::value), exact = meanOf(&Sample::exact);
+        for (auto& s : samples)
         {
-            s.value -= meanValue / volume;
-            s.exact -= meanExact / volume;
+            s.value -= value;
+            s.exact -= exact;
         }
-        errors.add(s.volume, mag(s.value - s.exact));
-        values.add(s.volume, mag(s.value));
-        exacts.add(s.volume, mag(s.exact));
     }
-    const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : exacts.norms();
+    const auto normsOf = [&](const auto& part)
+    { return sum(samples.size(), [&](std::size_t i) { return NormSum(samples[i].volume, mag(part(samples[i]))); }).norms(); };
+    const auto errors = normsOf([](const Sample& s) { return s.value - s.exact; }),
+               values = normsOf([](const Sample& s) { return s.value; });
+    const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : normsOf([](const Sample& s) { return s.exact; });
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
-                    relative_ ? relativeTo(scale, errors.norms()) : errors.norms(),
+                    relative_ ? relativeTo(scale, errors) : errors,
                     rows_.empty() ? samples.size() : view.n,
-                    values.norms().L2,
+                    values.L2,
                     scale.L2,
                     {}};
 }

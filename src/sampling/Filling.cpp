@@ -3,6 +3,7 @@
 #include "components.hpp"
 #include "contains.hpp"
 #include "readBox.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ double Filling::shareReached(const ParticleView& view) const
     for (std::size_t p = 0; p < view.n; ++p)
     {
         const auto q = (position(view, p) - box_.low)/view.spacing;
+        if (!contains({{-1, -1, -1}, {n_[0] + 1.0, n_[1] + 1.0, n_[2] + 1.0}}, q, context_.geometry.dimension)) continue;
         const int i_p = int(std::floor(q.x)), k_p = int(std::floor(q.y)), l_p = flat ? 0 : int(std::floor(q.z));
         for (int l = flat ? 0 : l_p - 1; l <= (flat ? 0 : l_p + 1); ++l)
             for (int k = k_p - 1; k <= k_p + 1; ++k)
@@ -66,17 +68,11 @@ void Filling::execute(const ParticleView& view)
 {
     if (cavity_.empty()) findCavity(view.spacing);
     const FieldView* const phi = view.find("phi");
-    double volume = 0;
-    leastPhi_ = std::numeric_limits<double>::infinity();
-    mostPhi_ = -leastPhi_;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (!contains(box_, position(view, i), context_.geometry.dimension)) continue;
-        volume += view.mass[i]/view.restDensity[phaseOf(view, i)];
-        if (!phi) continue;
-        leastPhi_ = std::min(leastPhi_, phi->component[0][i]);
-        mostPhi_ = std::max(mostPhi_, phi->component[0][i]);
-    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto inBox = [&](std::size_t i) { return contains(box_, position(view, i), context_.geometry.dimension); };
+    const double volume = sum(view.n, [&](std::size_t i) { return inBox(i) ? view.mass[i]/view.restDensity[phaseOf(view, i)] : 0; });
+    leastPhi_ = least(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : infinity; });
+    mostPhi_ = most(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : -infinity; });
     filled_ = volume/(samples_*std::pow(view.spacing, context_.geometry.dimension));
     reached_ = shareReached(view);
     if (!fillTime_ && reached_ >= level_) fillTime_ = view.time;
@@ -93,7 +89,7 @@ void Filling::execute(const ParticleView& view)
 std::string Filling::report() const
 {
     const auto ended = fillTime_ ? fmt::format("filled to {} at {:.6g} s", level_, *fillTime_) : "not filled yet";
-    const auto powder = mostPhi_ >= leastPhi_ ? fmt::format(", phi {:.4g} .. {:.4g}", leastPhi_, mostPhi_) : "";
+    const auto powder = mostPhi_ < leastPhi_ ? "" : fmt::format(", phi {:.4g} .. {:.4g}", leastPhi_, mostPhi_);
     return fmt::format("{}: {:.4f} of the cavity by volume, {:.4f} reached, {}{}", context_.name, filled_, reached_, ended, powder);
 }
 

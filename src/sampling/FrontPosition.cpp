@@ -1,7 +1,7 @@
 #include "FrontPosition.hpp"
 #include "SampledField.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
-#include <algorithm>
 #include <limits>
 
 namespace sph
@@ -25,13 +25,11 @@ EntryList FrontPosition::entries()
 Measurement FrontPosition::operator()(const ParticleView& view) const
 {
     Measurement result;
-    double foremost = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (phaseOf(view, i) != phase_) continue;
-        foremost = std::max(foremost, dot(position(view, i) - origin_, direction_));
-        ++result.particles;
-    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto isInPhase = [&](std::size_t i) { return phaseOf(view, i) == phase_; };
+    const double foremost =
+        most(view.n, [&](std::size_t i) { return isInPhase(i) ? dot(position(view, i) - origin_, direction_) : -infinity; });
+    result.particles = count(view.n, isInPhase);
     result.value = foremost + view.spacing / 2;
     result.reference = table_.at(view.time, 0).value_or(std::numeric_limits<double>::quiet_NaN());
     return result;

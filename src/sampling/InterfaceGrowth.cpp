@@ -2,6 +2,8 @@
 #include "ModeFit.hpp"
 #include "PlaneMode.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <cmath>
 #include <limits>
@@ -31,24 +33,18 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     const auto size = view.geometry->high - view.geometry->low;
     const double k = 2 * std::numbers::pi * double(waves_) / size.x, area = size.x * (view.dimension == 3 ? size.z : 1);
     Measurement result;
-    double amplitude = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (phaseOf(view, i) == 0)
-        {
-            amplitude += 2 / area * view.mass[i] / view.restDensity[0] * std::cos(k * view.x[i]);
-            ++result.particles;
-        }
-    double mean[2]{}, count[2]{};
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        mean[phaseOf(view, i)] += view.y[i];
-        ++count[phaseOf(view, i)];
-    }
-    const std::size_t lower = mean[0] * count[1] < mean[1] * count[0] ? 0 : 1;
-    const auto fluid = [&](std::size_t phase) { return ModeFluid{view.restDensity[phase], view.viscosity[phase]}; };
+    const auto phase = [&](std::size_t i) { return phaseOf(view, i); };
+    // Of the first phase alone.
+    const auto wave = groupSums(view.n, 1, phase, [&](std::size_t i)
+                                { return VolumeMean<>::of(view.mass[i] / view.restDensity[0], std::cos(k * view.x[i])); })[0];
+    const double amplitude = 2 / area * wave.amount;
+    result.particles = wave.particles;
+    const auto height = groupSums(view.n, 2, phase, [&](std::size_t i) { return VolumeMean<>::of(1, view.y[i]); });
+    const std::size_t lower = height[0].value() < height[1].value() ? 0 : 1;
+    const auto fluid = [&](std::size_t of) { return ModeFluid{view.restDensity[of], view.viscosity[of]}; };
     result.reference = planeMode(k, depth_, -view.g.y, view.surfaceTension, fluid(lower), fluid(1 - lower)).real();
 
-    if (std::abs(amplitude) * k <= largest_ * 2 * std::numbers::pi) history_.add(view.time, amplitude);
+    if (!(std::abs(amplitude) * k > largest_ * 2 * std::numbers::pi)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));
     result.value = found.value_or(std::numeric_limits<double>::quiet_NaN());
     if (!found) result.note = "a time of one over the rate is needed for a fit";

@@ -162,6 +162,7 @@ PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form) c
     PointWeights result;
     std::vector<Vector<3>> offset;
     const auto centre = wrapped(point);
+    if (!std::isfinite(centre.x + centre.y + centre.z)) return {}; // it lies in no cell
     const Vector<3> reach{H_, H_, H_};
     const auto first = cellOf(centre - reach), last = cellOf(centre + reach);
     for (long cz = first[2]; cz <= last[2]; ++cz)

@@ -1,6 +1,8 @@
 #include "LaplaceJump.hpp"
 #include "Drop.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <limits>
 #include <numbers>
@@ -30,27 +32,18 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
     const double gamma = sigma_ > 0 ? sigma_ : view.surfaceTension;
     const SampledField p(view, "p", {});
 
-    double inside = 0, insideVolume = 0, outside = 0, outsideVolume = 0;
-    Measurement result;
-    for (std::size_t i = 0; i < view.n; ++i)
+    enum Side : std::size_t { inside, outside, neither };
+    const auto side = [&](std::size_t i)
     {
-        const double r = mag(displacement(view, drop.centre, position(view, i))), V = view.volume[i];
-        if (phaseOf(view, i) == phase_ && r < R - view.support)
-        {
-            inside += V * p(0, i);
-            insideVolume += V;
-            ++result.particles;
-        }
-        else if (phaseOf(view, i) != phase_ && r > R + view.support)
-        {
-            outside += V * p(0, i);
-            outsideVolume += V;
-            ++result.particles;
-        }
-    }
+        const double r = mag(displacement(view, drop.centre, position(view, i)));
+        return phaseOf(view, i) == phase_ ? (r < R - view.support ? inside : neither) : r > R + view.support ? outside : neither;
+    };
+    const auto mean = groupSums(view.n, neither, side, [&](std::size_t i) { return VolumeMean<>::of(view.volume[i], p(0, i)); });
+    Measurement result;
+    result.particles = mean[inside].particles + mean[outside].particles;
     result.reference = (view.dimension - 1) * gamma / R;
-    if (insideVolume > 0)
-        result.value = inside / insideVolume - (outsideVolume > 0 ? outside / outsideVolume : 0);
+    if (mean[inside].particles > 0)
+        result.value = mean[inside].value() - (mean[outside].particles > 0 ? mean[outside].value() : 0);
     else
     {
         result.value = std::numeric_limits<double>::quiet_NaN();

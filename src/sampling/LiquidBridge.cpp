@@ -1,7 +1,9 @@
 #include "LiquidBridge.hpp"
 #include "SampledField.hpp"
-#include "sharedEntries.hpp"
 #include "VolumeFraction.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
+#include "sharedEntries.hpp"
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
@@ -40,10 +42,7 @@ std::vector<Vector<3>> directionsAcross(const Vector<3>& axis, int dimension)
 
 double volumeOf(const ParticleView& view, std::size_t phase)
 {
-    double mass = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (phaseOf(view, i) == phase) mass += view.mass[i];
-    return mass/view.restDensity[phase];
+    return sum(view.n, [&](std::size_t i) { return phaseOf(view, i) == phase ? view.mass[i] : 0; })/view.restDensity[phase];
 }
 
 }
@@ -110,31 +109,20 @@ Measurement BridgePressure::operator()(const ParticleView& view) const
     result.reference = view.surfaceTension*atRest(view).curvature();
     const VolumeFraction fraction(view, phase_);
     const SampledField p(view, "p", {});
-    double inside = 0, insideVolume = 0, outside = 0, outsideVolume = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
+    enum Side : std::size_t { inside, outside, neither };
+    const auto side = [&](std::size_t i)
     {
         const auto x = position(view, i);
-        if (view.geometry->distance(x) < view.support) continue;
+        if (view.geometry->distance(x) < view.support) return neither;
         const double ofLiquid = fraction(x), other = 1 - ofLiquid, none = 1e-12;
-        if (other < none)
-        {
-            inside += view.volume[i]*p(0, i);
-            insideVolume += view.volume[i];
-            ++result.particles;
-        }
-        else if (ofLiquid < none)
-        {
-            outside += view.volume[i]*p(0, i);
-            outsideVolume += view.volume[i];
-        }
-    }
-    result.value = inside/insideVolume - outside/outsideVolume;
-    if (!(insideVolume > 0 && outsideVolume > 0))
-    {
-        result.value = std::numeric_limits<double>::quiet_NaN();
+        return other < none ? inside : ofLiquid < none ? outside : neither;
+    };
+    const auto mean = groupSums(view.n, neither, side, [&](std::size_t i) { return VolumeMean<>::of(view.volume[i], p(0, i)); });
+    result.particles = mean[inside].particles;
+    result.value = mean[inside].value() - mean[outside].value();
+    if (mean[inside].particles == 0 || mean[outside].particles == 0)
         result.note = fmt::format("no particle of the {} is farther than the kernel's support from both interface and walls",
-                                  insideVolume > 0 ? "gas" : "bridge");
-    }
+                                  mean[inside].particles > 0 ? "gas" : "bridge");
     return result;
 }
 

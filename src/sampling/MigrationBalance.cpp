@@ -1,7 +1,8 @@
 #include "MigrationBalance.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,19 +26,17 @@ EntryList MigrationBalance::entries() { return {entry::ratio, entry::leastStress
 Measurement MigrationBalance::operator()(const ParticleView& view) const
 {
     const SampledField phi(view, "phi", where_), gammaDot(view, "gammaDot", where_), mu(view, "eta", where_);
-    double largest = 0;
-    for (std::size_t i = 0; i < view.n; ++i) largest = std::max(largest, mu(0, i)*gammaDot(0, i));
-    std::vector<double> potential;
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (mu(0, i)*gammaDot(0, i) >= leastStress_*largest) potential.push_back(std::log(phi(0, i)*gammaDot(0, i)) + r_*std::log(mu(0, i)));
-    double mean = 0;
-    for (const double p : potential) mean += p/double(potential.size());
-    Measurement result{0, 0, potential.size(), ""};
-    for (const double p : potential) result.value = std::fmax(result.value, std::abs(p - mean));
+    const auto stress = [&](std::size_t i) { return mu(0, i)*gammaDot(0, i); };
+    const double largest = most(view.n, stress);
+    const auto isLeft = [&](std::size_t i) { return stress(i) < leastStress_*largest; };
+    const auto potential = [&](std::size_t i) { return std::log(phi(0, i)*gammaDot(0, i)) + r_*std::log(mu(0, i)); };
+    const auto all = sum(view.n, [&](std::size_t i) { return isLeft(i) ? VolumeMean<>{} : VolumeMean<>::of(1, potential(i)); });
+    const double mean = all.value();
+    Measurement result{most(view.n, [&](std::size_t i) { return isLeft(i) ? 0 : std::abs(potential(i) - mean); }), 0, all.particles, ""};
     if (!std::isfinite(mean))
     {
         result.value = std::numeric_limits<double>::quiet_NaN();
-        result.note = "there are particles without shear or powder";
+        result.note = std::isnan(mean) ? "phi, gammaDot or eta of a particle is no number" : "there are particles without shear or powder";
     }
     return result;
 }

@@ -63,6 +63,7 @@ std::optional<double> fitGrowth(std::span<const double> t, std::span<const doubl
     double low = 0.1 * start, high = 4 * start;
     double left = high - golden * (high - low), right = low + golden * (high - low);
     double atLeft = misfit(left), atRight = misfit(right);
+    if (std::isnan(atLeft)) return atLeft; // of samples that are, which no comparison would find
     while (high - low > 1e-8 * start)
         if (atLeft < atRight)
         {

@@ -1,7 +1,7 @@
 /// Norms of a field over particles, weighted with their volumes: L1 = sum V |e|/sum V, L2 = (sum V e^2/sum V)^1/2, Linf = max
 /// |e|.
 #pragma once
-#include <algorithm>
+#include "reduce.hpp"
 #include <cmath>
 
 namespace sph
@@ -17,15 +17,20 @@ class NormSum
     double volume_ = 0, first_ = 0, second_ = 0, largest_ = 0;
 
 public:
-    void add(double volume, double magnitude)
+    NormSum() = default;
+    NormSum(double volume, double magnitude)
+        : volume_(volume), first_(volume * magnitude), second_(volume * magnitude * magnitude), largest_(magnitude)
+    {}
+    NormSum& operator+=(const NormSum& other)
     {
-        volume_ += volume;
-        first_ += volume * magnitude;
-        second_ += volume * magnitude * magnitude;
-        if (!(magnitude <= largest_)) largest_ = std::isnan(largest_) ? largest_ : magnitude; // NaN stays
+        volume_ += other.volume_;
+        first_ += other.first_;
+        second_ += other.second_;
+        Larger{}(largest_, other.largest_);
+        return *this;
     }
 
-    /// NaN where nothing was added.
+    /// NaN of nothing.
     Norms norms() const { return {first_ / volume_, std::sqrt(second_ / volume_), volume_ > 0 ? largest_ : first_ / volume_}; }
 };
 

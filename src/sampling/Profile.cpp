@@ -1,6 +1,8 @@
 #include "Profile.hpp"
 #include "Interpolator.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,33 +65,25 @@ std::string Profile::binRows(const ParticleView& view) const
 {
     const double length = mag(end_ - start_);
     const auto direction = (end_ - start_) / length;
-    const auto binOf = [&](std::size_t i) { return std::floor(dot(position(view, i) - start_, direction) / length * bins_); };
     const auto bins = std::size_t(bins_);
-
-    std::vector<double> volume(bins, 0.0);
-    std::vector<long> particles(bins, 0);
-    for (std::size_t i = 0; i < view.n; ++i)
-        if (const double b = binOf(i); b >= 0 && b < bins_)
-        {
-            volume[std::size_t(b)] += view.volume[i];
-            ++particles[std::size_t(b)];
-        }
-    std::vector<std::vector<double>> means;
+    const auto binOf = [&](std::size_t i)
+    {
+        const double b = std::floor(dot(position(view, i) - start_, direction) / length * bins_);
+        return b >= 0 && b < bins_ ? std::size_t(b) : bins;
+    };
+    const auto particles = groupSums(view.n, bins, binOf, [](std::size_t) { return std::size_t(1); });
+    std::vector<std::vector<VolumeMean<>>> means;
     for (const auto& name : fields_)
     {
         const SampledField field(view, name, fieldsWhere_);
         for (int c = 0; c < field.components(); ++c)
-        {
-            auto& mean = means.emplace_back(bins, 0.0);
-            for (std::size_t i = 0; i < view.n; ++i)
-                if (const double b = binOf(i); b >= 0 && b < bins_) mean[std::size_t(b)] += view.volume[i] * field(c, i);
-        }
+            means.push_back(groupSums(view.n, bins, binOf, [&](std::size_t i) { return VolumeMean<>::of(view.volume[i], field(c, i)); }));
     }
     std::string rows;
     for (std::size_t b = 0; b < bins; ++b)
     {
         rows += cell((double(b) + 0.5) * length / bins_);
-        for (const auto& mean : means) rows += "\t" + cell(mean[b] / volume[b]);
+        for (const auto& mean : means) rows += "\t" + cell(mean[b].value());
         rows += fmt::format("\t{}\n", particles[b]);
     }
     return rows;

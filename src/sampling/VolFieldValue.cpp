@@ -1,9 +1,10 @@
 #include "VolFieldValue.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
 #include "contains.hpp"
 #include "readBox.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
-#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 
@@ -28,17 +29,11 @@ EntryList VolFieldValue::entries() { return {entry::fields, entry::operation, en
 double VolFieldValue::value(const ParticleView& view, const double* field) const
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    double sum = 0, volume = 0, least = infinity, most = -infinity;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        if (!contains(box_, position(view, i), view.dimension)) continue;
-        sum += view.volume[i]*field[i];
-        volume += view.volume[i];
-        least = std::min(least, field[i]);
-        most = std::max(most, field[i]);
-    }
-    if (!(volume > 0)) return std::numeric_limits<double>::quiet_NaN();
-    return operation_ == "volAverage" ? sum/volume : operation_ == "min" ? least : most;
+    const auto inBox = [&](std::size_t i) { return contains(box_, position(view, i), view.dimension); };
+    const auto mean = sum(view.n, [&](std::size_t i) { return inBox(i) ? VolumeMean<>::of(view.volume[i], field[i]) : VolumeMean<>{}; });
+    if (mean.particles == 0 || operation_ == "volAverage") return mean.value();
+    return operation_ == "min" ? least(view.n, [&](std::size_t i) { return inBox(i) ? field[i] : infinity; })
+                               : most(view.n, [&](std::size_t i) { return inBox(i) ? field[i] : -infinity; });
 }
 
 void VolFieldValue::execute(const ParticleView& view)

@@ -1,5 +1,6 @@
 #include "VortexDecay.hpp"
 #include "SampledField.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <cmath>
 #include <limits>
@@ -22,16 +23,12 @@ EntryList VortexDecay::entries() { return EntryList{entry::nu} + TaylorGreen::en
 Measurement VortexDecay::operator()(const ParticleView& view) const
 {
     const SampledField u(view, "U", {});
-    double along = 0, exact = 0;
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        const auto e = start_.velocity(position(view, i), 0);
-        along += view.volume[i]*(u(0, i)*e.x + u(1, i)*e.y);
-        exact += view.volume[i]*dot(e, e);
-    }
+    const auto e = [&](std::size_t i) { return start_.velocity(position(view, i), 0); };
+    const double along = sum(view.n, [&](std::size_t i) { return view.volume[i]*dot(Vector<3>{u(0, i), u(1, i), 0}, e(i)); }),
+                 exact = sum(view.n, [&](std::size_t i) { return view.volume[i]*dot(e(i), e(i)); });
     Measurement result{std::numeric_limits<double>::quiet_NaN(), rate_, view.n, ""};
     if (!(view.time > 0)) result.note = "no time has passed";
-    else if (!(along > 0)) result.note = "nothing is left of the vortices";
+    else if (along <= 0) result.note = "nothing is left of the vortices";
     else result.value = -std::log(along/exact)/view.time;
     return result;
 }

@@ -1,7 +1,9 @@
 #include "WallDropTime.hpp"
 #include "SampledField.hpp"
+#include "VolumeMean.hpp"
+#include "reduce.hpp"
 #include "sharedEntries.hpp"
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,25 +32,21 @@ EntryList WallDropTime::entries()
 double WallDropTime::wallValue(const ParticleView& view) const
 {
     const SampledField f(view, field_, where_);
-    std::array<double, 3> count{}, distance{}, value{};
-    for (std::size_t i = 0; i < view.n; ++i)
-    {
-        const double d = dot(position(view, i) - origin_, normal_);
-        const auto row = std::size_t(std::max(0.0, d/view.spacing));
-        if (row > 2) continue;
-        ++count[row];
-        distance[row] += d;
-        value[row] += f(0, i);
-    }
-    double sum = 0;
+    const auto distance = [&](std::size_t i) { return dot(position(view, i) - origin_, normal_); };
+    // In this order of arguments the first for a NaN, which then shows in the value.
+    const auto row = [&](std::size_t i) { return std::size_t(std::min(3.0, std::max(0.0, distance(i)/view.spacing))); };
+    const auto distances = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, distance(i)); }),
+               values = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, f(0, i)); });
+    double atWall = 0;
     for (std::size_t a = 0; a < 3; ++a)
     {
-        double term = value[a]/count[a]; // NaN of an empty row
+        const double d_a = distances[a].value();
+        double term = values[a].value();
         for (std::size_t b = 0; b < 3; ++b)
-            if (b != a) term *= distance[b]/count[b]/(distance[b]/count[b] - distance[a]/count[a]);
-        sum += term;
+            if (const double d_b = distances[b].value(); b != a) term *= d_b/(d_b - d_a);
+        atWall += term;
     }
-    return sum;
+    return atWall;
 }
 
 Measurement WallDropTime::operator()(const ParticleView& view)

@@ -253,9 +253,8 @@ template<int dim> void Particles<dim>::normaliseDensity()
     }
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);
     const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
-    double sum = 0;
-    for (std::size_t i = 0; i < owned_; ++i) sum += m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i];
-    coefficients_.densityScale *= double(owned_)/sum;
+    coefficients_.densityScale *=
+        double(owned_)/sum(owned_, [&](std::size_t i) { return m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i]; });
     bind();
     evaluate();
 }

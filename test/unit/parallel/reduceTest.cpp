@@ -93,10 +93,28 @@ TEST(Reduce, KeepsNaNAndInfinity)
     }
 }
 
+// Every third element to one of three groups and none of the fourth: the same bits as the sum of a group alone, in which all others are zeros.
+TEST(Reduce, GivesEachGroupItsSum)
+{
+    const std::size_t n = 50000;
+    const auto q = unlike(n);
+    for (const int threads : {1, 3})
+    {
+        omp_set_num_threads(threads);
+        const auto value = [&](std::size_t i) { return q[i]; };
+        const auto sums = groupSums(n, 3, [](std::size_t i) { return i % 4; }, value);
+        ASSERT_EQ(sums.size(), 3u);
+        for (std::size_t g = 0; g < 3; ++g) EXPECT_EQ(sums[g], sum(n, [&](std::size_t i) { return i % 4 == g ? q[i] : 0; })) << g;
+        EXPECT_EQ(count(n, [](std::size_t i) { return i % 4 == 3; }), n / 4);
+    }
+}
+
 TEST(Reduce, OfNothingIsWhereItStarts)
 {
     const auto none = [](std::size_t) { return 1.0; };
     EXPECT_EQ(sum(0, none), 0);
+    EXPECT_EQ(count(0, none), 0u);
+    EXPECT_EQ(groupSums(0, 2, [](std::size_t) { return 0; }, none), (std::vector<double>{0, 0}));
     EXPECT_EQ(least(0, none), infinity);
     EXPECT_EQ(most(0, none), -infinity);
 }

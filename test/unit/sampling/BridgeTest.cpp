@@ -120,6 +120,24 @@ TEST(LiquidBridge, OfParticlesHasItsNeckAndPressure)
     }
 }
 
+// The pressure of one particle deep in the bridge, and of one in the gas far from it.
+TEST(LiquidBridge, ShowsANaN)
+{
+    for (const double x : {0.03125, 1.46875})
+    {
+        auto particles = straightBridge(2, 0.8, 5);
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            if (std::fabs(particles.x[i] - x) < 1e-9 && std::fabs(particles.y[i] - 1.53125) < 1e-9)
+            {
+                particles.p[i] = std::nan("");
+                ++changed;
+            }
+        EXPECT_EQ(changed, 1u);
+        EXPECT_TRUE(std::isnan(measure(particles, "bridgePressure").value)) << x;
+    }
+}
+
 TEST(LiquidBridge, ThatIsBrokenHasNoNeck)
 {
     auto particles = straightBridge(2, 0.8, 5);

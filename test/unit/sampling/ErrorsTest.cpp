@@ -102,11 +102,10 @@ TEST(Norms, ofNothingWhereNothingShouldBeAreZero)
 
 TEST(Norms, nanIsNeverHidden)
 {
-    NormSum sum;
-    sum.add(1, std::nan(""));
-    sum.add(1, 2);
-    EXPECT_TRUE(std::isnan(sum.norms().L1));
-    EXPECT_TRUE(std::isnan(sum.norms().Linf));
+    NormSum all(1, std::nan(""));
+    all += NormSum(1, 2);
+    EXPECT_TRUE(std::isnan(all.norms().L1));
+    EXPECT_TRUE(std::isnan(all.norms().Linf));
     EXPECT_TRUE(std::isnan(NormSum().norms().L2));
 }
 

@@ -4,6 +4,8 @@
 #include "Sphere.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
+#include <omp.h>
+#include <random>
 
 using namespace sph;
 
@@ -308,4 +310,82 @@ TEST(BedHydrodynamics, wettedAreaWithoutGasIsAFractionOfTheWholeWall)
     f.run(particles, "bed { type bedHydrodynamics; }");
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     EXPECT_NEAR(std::stod(row.at(6)), 0.5, 0.05);
+}
+
+// One NaN among numbers, first and last of the particles in the box: the order of a comparison decides which of the two a plain minimum or maximum
+// would lose. Outside of the box it does not count.
+TEST(FunctionObjects, showANaN)
+{
+    for (const std::size_t at : {0u, 199u, 399u})
+    {
+        Functions f;
+        Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+        std::vector<double> phi(particles.size(), 0.5);
+        phi[at] = particles.p[at] = particles.ux[at] = std::nan("");
+        auto view = particles.view();
+        view.fields.push_back({"phi", FieldClass::scalar, {phi.data()}});
+        auto functions = f.make(particles, "mean { type volFieldValue; operation volAverage; fields (p); max (1 0.5 0); }\n"
+                                           "least { type volFieldValue; operation min; fields (p); max (1 0.5 0); }\n"
+                                           "most { type volFieldValue; operation max; fields (p); max (1 0.5 0); }\n"
+                                           "cavity { type filling; max (1 0.5 0); }\n"
+                                           "bins { type profile; start (0 0 0); end (0 1 0); bins 2; fields (p); }\n"
+                                           "sums { type conservation; }\n"
+                                           "bed { type bedHydrodynamics; region { min (0 0 0); max (1 0.5 0); } }\n");
+        ASSERT_EQ(f.mistakes(), "");
+        const auto reports = functions.execute(view, f.time, true, false);
+        const bool inBox = at < 200;
+        for (const std::size_t k : {0u, 1u, 2u}) EXPECT_EQ(reports.at(k).ends_with(" nan"), inBox) << reports[k];
+        EXPECT_EQ(reports.at(3).ends_with(", phi nan .. nan"), inBox) << reports[3];
+        EXPECT_EQ(reports.at(3).ends_with(", phi 0.5 .. 0.5"), !inBox) << reports[3];
+        const auto filling = f.folder.rows("postProcessing/cavity/0/filling.dat").at(0);
+        EXPECT_EQ(filling.at(3), inBox ? "nan" : "0.5");
+        EXPECT_EQ(filling.at(4), inBox ? "nan" : "0.5");
+        const auto bins = f.folder.rows("postProcessing/bins/0/bins_p.xy");
+        EXPECT_EQ(bins.at(0).at(1), inBox ? "nan" : "0");
+        EXPECT_EQ(bins.at(1).at(1), inBox ? "0" : "nan");
+        EXPECT_EQ(f.folder.rows("postProcessing/sums/0/conservation.dat").at(0).at(2), "(nan 0 0)");
+        EXPECT_EQ(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(4), inBox ? "(nan 0 0)" : "(0 0 0)");
+    }
+}
+
+// 14,400 particles, more than three blocks, whose values range over 16 decades, so that any other order of additions shows in the digits, of which
+// all are written.
+TEST(FunctionObjects, areTheSameOnAnyNumberOfThreads)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 1.0 / 120);
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> exponent(-8, 8), sign(-1, 1);
+    for (auto* values : {&particles.ux, &particles.uy, &particles.p, &particles.mass, &particles.volume})
+        for (double& q : *values) q = std::copysign(std::pow(10, exponent(random)), sign(random));
+    for (auto* values : {&particles.mass, &particles.volume})
+        for (double& q : *values) q = std::abs(q);
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.x < 0.6 ? 0 : 1; });
+    particles.g = {1, -9.81, 0};
+    particles.geometry.walls.resize(1);
+    particles.geometry.originals = {{std::make_shared<Plane>(Vector<3>{0, 0.5, 0}, Vector<3>{0, 1, 0}), 0},
+                                    {std::make_shared<Sphere>(Vector<3>{0.3, 0.7, 0}, 0.1, FluidSide::outside), 0}};
+    repeatPeriodically(particles.geometry, 0.05);
+    const auto on = [&](int threads)
+    {
+        omp_set_num_threads(threads);
+        Functions f;
+        f.run(particles, "sums { type conservation; angularMomentum yes; }\n"
+                         "bed { type bedHydrodynamics; }\n"
+                         "bins { type profile; start (0 0 0); end (0 1 0); bins 7; fields (p U); }\n"
+                         "mean { type volFieldValue; operation volAverage; fields (p U); }\n"
+                         "error { type errors; field p; norm absolute; reference { type expression; value \"1\"; } }\n");
+        std::string text;
+        for (const char* file : {"sums/0/conservation.dat", "bed/0/bedHydrodynamics.dat", "bins/0/bins_p_U.xy", "mean/0/volFieldValue.dat",
+                                 "error/0/errors.dat"})
+        {
+            EXPECT_FALSE(f.folder.rows(std::string("postProcessing/") + file).empty()) << file;
+            text += f.folder.read(std::string("postProcessing/") + file);
+        }
+        return text;
+    };
+    const int before = omp_get_max_threads();
+    const auto one = on(1);
+    EXPECT_EQ(on(4), one);
+    omp_set_num_threads(before);
 }

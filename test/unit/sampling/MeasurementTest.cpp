@@ -2,8 +2,10 @@
 #include "Particles.hpp"
 #include "Plane.hpp"
 #include "SphereFit.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 
 using namespace sph;
 
@@ -327,6 +329,8 @@ TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
         m = growth(particles.view());
     }
     EXPECT_NEAR(m.value, 1.2, 1e-3);
+    particles.x.back() = std::nan("");
+    EXPECT_TRUE(std::isnan(growth(particles.view()).value));
     // 1000 above 1, k = 2 pi, g = 1, nu of 1e-6 and 2e-5: near sqrt(A g k tanh(pi)).
     EXPECT_NEAR(m.reference, std::sqrt(999.0 / 1001 * 2 * pi * std::tanh(pi)), 2e-2);
 }
@@ -356,6 +360,8 @@ TEST(ColumnGrowth, isFittedToTheVolumeAlongTheColumn)
     const double R = std::sqrt(12 * 0.0025 / pi), kR = 2 * pi * R;
     const double rayleigh = std::sqrt(1 / (R * R * R) * kR * (1 - kR * kR) * std::cyl_bessel_i(1, kR) / std::cyl_bessel_i(0, kR));
     EXPECT_NEAR(m.reference, rayleigh, 5e-3 * rayleigh);
+    particles.z[std::size_t(std::find(particles.phase.begin(), particles.phase.end(), 0) - particles.phase.begin())] = std::nan("");
+    EXPECT_TRUE(std::isnan(growth(particles.view()).value));
 }
 
 TEST(InterfaceGrowth, mistakesNameFileAndLine)
@@ -441,7 +447,7 @@ TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
 TEST(MigrationBalance, isTheLargestDepartureFromTheMean)
 {
     Particles particles(2, {0, 0, 0}, {0.5, 0.1, 0}, 0.1);
-    const std::vector<double> mu{1, 2, 1, 2, 0.2}, phi{0.5, 0.5, 0.3, 0.4, 0.5};
+    std::vector<double> mu{1, 2, 1, 2, 0.2}, phi{0.5, 0.5, 0.3, 0.4, 0.5};
     std::vector<double> gammaDot(5);
     for (std::size_t i = 0; i < 5; ++i) gammaDot[i] = 6 / phi[i] / sqr(mu[i]) * (i == 2 ? 1.03 : 1);
     gammaDot[4] = 1;
@@ -462,4 +468,54 @@ TEST(MigrationBalance, isTheLargestDepartureFromTheMean)
     EXPECT_EQ(value("leastStress 0.1;").particles, 4u);
     EXPECT_EQ(value("").particles, 5u);
     EXPECT_GT(value("").value, 1);
+    // A NaN in any of the fields, wherever it comes in the search for the largest stress; the particle without shear is told apart.
+    for (const std::size_t at : {0u, 4u})
+        for (auto* field : {&mu, &phi, &gammaDot})
+        {
+            const double before = std::exchange((*field)[at], std::nan(""));
+            EXPECT_TRUE(std::isnan(value("").value));
+            EXPECT_EQ(value("").note, "phi, gammaDot or eta of a particle is no number");
+            (*field)[at] = before;
+        }
+    gammaDot[4] = 0;
+    EXPECT_TRUE(std::isnan(value("").value));
+    EXPECT_EQ(value("").note, "there are particles without shear or powder");
+}
+
+// One NaN among numbers, first and last of the particles that count: the order of a comparison decides which of the two a plain minimum or maximum
+// would lose.
+TEST(Measures, showANaN)
+{
+    TemporaryCase folder;
+    folder.write("front.csv", "T,Z\n0,1\n2,3\n");
+    const std::string vortices = "speed 1; period 1; nu 1;", boxes = "slit { min (0 0 0); max (0.5 1 0); } reservoir { min (0.5 0 0); max (1 1 0); }";
+    struct Case
+    {
+        std::string name, parameters;
+        std::vector<double> Particles::*nan;
+    };
+    for (const auto& [name, parameters, nan] :
+         {Case{"frontPosition", "table { file \"front.csv\"; columns { time T; value Z; } }", &Particles::x},
+          Case{"laplaceJump", "radius 9;", &Particles::p}, Case{"dragFactor", "radius 1; solidFraction 1; reference 1;", &Particles::uy},
+          Case{"vortexDecay", vortices, &Particles::ux}, Case{"wallDropTime", "field p; start 2; share 0.5; time 1;", &Particles::p},
+          Case{"capillaryRise", boxes + "foot 0; level 0.5; contactAngle 0;", &Particles::mass}, Case{"contactAngle", "", &Particles::x},
+          Case{"contactAngle", "", &Particles::y}})
+        for (const bool first : {true, false})
+        {
+            Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+            particles.phases = {"water", "air"};
+            particles.phase.back() = 1;
+            particles.surfaceTension = 1;
+            particles.time = 1;
+            particles.g = {0, -1, 0};
+            particles.setU([](Vector<3> x) { return Vector<3>{-std::cos(2 * pi * x.x) * std::sin(2 * pi * x.y), -1, 0}; });
+            addFloor(particles.geometry, 90);
+            const std::size_t wallRow = 9; // the last of the bottom row
+            (particles.*nan)[first ? 0 : name == "wallDropTime" ? wallRow : particles.size() - 2] = std::nan("");
+            auto diagnostics = std::make_shared<Diagnostics>();
+            const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
+            const auto m = readMeasure(name, d, particles.geometry, particles.phases, folder.folder());
+            EXPECT_EQ(errorsOf(*diagnostics), "");
+            EXPECT_TRUE(std::isnan(m(particles.view()).value)) << name << (first ? ", first" : ", last");
+        }
 }
