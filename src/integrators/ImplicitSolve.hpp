@@ -1,15 +1,18 @@
-/// Viscosity at the end of a step instead of at its start: stable however stiff it is.
+/// Viscosity, and with `scheme implicit` pressure too, at the end of a step instead of at its start: stable however stiff they are.
 ///
-///   v_1 = v_0 + dt (a(v_0) + theta L (v_1 - v_0))        a(v_0) all accelerations, L v = dv/dt by viscosity
+///   v_1 = v_0 + dt (a(v_0) + theta L (v_1 - v_0))                          a(v_0) all accelerations, L v = dv/dt by viscosity
+///   v_1 = v_0 + dt (a(x_0 + dt v_0, v_0) + (L - dt K)(v_1 - v_0))          theta = 1; dt K dv = -da by pressure at x_0 + dt (v_0 + dv)
 ///
 /// theta 1 is Euler's implicit step: of first order, and it damps what it does not resolve. theta 1/2 is that of Crank and Nicolson: of
-/// second order, and it lets what it does not resolve ring.
+/// second order, and it lets what it does not resolve ring. K, of the energy of Hu and Adams, is that of PressureResponse.hpp.
 ///
-/// (1 - theta dt L) dv = dt a is solved by conjugate gradients in the inner product sum_i m_i u_i.v_i, in which L is symmetric (walls that
-/// are curved make it so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i with lambda_i the
-/// viscous rate. Nothing is stored of the matrix: L is a plan of one term over the pairs that the evaluation has kept. What remains of the
-/// residual r is added to dv: then v_1 = v_0 + dt (a + theta L dv) for the dv before, a sum over pairs of forces that cancel, and momentum is
-/// conserved to round-off whatever the tolerance.
+/// (1 - theta dt L + dt^2 K) dv = dt a is solved by conjugate gradients in the inner product sum_i m_i u_i.v_i, in which L and K are symmetric
+/// (walls that are curved make them so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i + dt^2 kappa_i with
+/// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept.
+///
+/// Of what remains of the residual r nothing may go to momentum. Viscosity alone: r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv
+/// before, a sum over pairs of forces that cancel. Beside the stiffness of pressure r would be a large velocity of single particles: its mean is
+/// added where there are no walls, the only forces from outside the pairs. Momentum is then conserved to round-off whatever the tolerance.
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
@@ -36,9 +39,10 @@ private:
     const bool withPressure_, viscous_;
     int iterations_ = 0;
 
-    /// Replaces dU/dt = a(v_0) by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
-    /// the norm sqrt(sum_i m_i r_i^2); throws DivergedError after `maxIter` iterations. Particles that are held, whose dU/dt is 0, keep their
-    /// velocities.
+    /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
+    /// the norm sqrt(sum_i m_i r_i^2), or with pressure until |r| <= tolerance times |dt a|, both in sqrt(sum_i m_i r_i^2/diagonal_i): forces that
+    /// balance one another are larger than any velocity. Throws DivergedError after `maxIter` iterations and where nothing is finite. Particles
+    /// that are held, whose dU/dt is 0, keep their velocities.
     void solve(Particles<dim>&, double deltaT);
     /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.
     void solveSteady(Particles<dim>&);

@@ -52,8 +52,8 @@ void readBackground(const Reading& reading)
     }
 }
 
-/// A drop off the lattice at 8 spacings a radius (tutorials/stiff/dropOffLattice): the swing of its pressure decays at 1:1, and at 3:1 and 1000:1
-/// up to Laplace numbers of about 27 and 5; it grows at all others.
+/// The swing of the pressure in a drop off the lattice, 8 spacings to the radius, gas of 1/100 of its viscosity, explicit steps: it decays at 3:1 for
+/// Laplace numbers of 10 and 27, and grows for 1000 and 72000, and for all four at 10:1, 100:1 and 1000:1.
 void warnOfWeighing(const Reading& reading)
 {
     auto& settings = reading.settings;

@@ -457,6 +457,103 @@ template<int dim> void viscousResponses(const Terms& first)
             expectEqual(central, ViscousRate{}, [&](std::size_t i) { return (dim + 2.0) / dim * s.at(ViscousRate{}, i); }, 1e-12);
         });
 }
+/// What an implicit step asks of the pressure: how volumes and the force of a change in them follow from a displacement, and the diagonal of that.
+template<int dim> void pressureResponse(const Terms& first)
+{
+    onEveryGeometry<dim>(
+        [&](Geometry g)
+        {
+            Scene<dim> s(std::move(g), coefficients<dim>(3), with(with(summed, first), {"volumeStiffness", "pressureResponse", "pressureRate"}));
+            Plain<dim> plain(s);
+            const auto& c = s.coefficients;
+            // a = V^2 dp/dsigma, by a difference of the state equation: a cube root of round-off
+            const auto stiffness = [&](std::size_t i)
+            {
+                const auto k = std::size_t(s.at(Phase{}, i));
+                const auto p = [&](double sigma) { return c.stiffness[k] * std::pow(plain.rho[i] * plain.V[i] * sigma / c.restDensity[k], c.exponent[k]); };
+                const double sigma = 1 / plain.V[i], change = 1e-5 * sigma;
+                return sqr(plain.V[i]) * (p(sigma + change) - p(sigma - change)) / (2 * change);
+            };
+            expectEqual(s, VolumeStiffness{}, stiffness, 1e-8);
+            s.refresh(VolumeStiffness{});
+            s.refresh(Displacement{});
+            const auto a = [&](std::size_t i) { return s.at(VolumeStiffness{}, i); };
+            const auto u = [&](std::size_t i) { return s.at(Displacement{}, i); };
+            expectEqual(s, CompressionChange{},
+                        [&](std::size_t i)
+                        {
+                            double change = 0;
+                            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW) { change += dot(gradW, u(i) - u(j)); });
+                            return a(i) * change;
+                        }, 1e-11);
+            s.refresh(CompressionChange{});
+            // the force of a pair over its distance, where it repels
+            const auto repels = [&](std::size_t i, std::size_t j, auto x, double r, auto gradW)
+            { return j == i ? 0 : std::max(0.0, plain.p[i] * sqr(plain.V[i]) + plain.p[j] * sqr(plain.V[j])) * -dot(gradW, x) / (r * r); };
+            expectEqual(s, StiffResponse{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> force;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto x, double r, double, auto gradW)
+                                      {
+                                          force -= (s.at(CompressionChange{}, i) + s.at(CompressionChange{}, j)) * gradW;
+                                          force -= repels(i, j, x, r, gradW) * (u(i) - u(j));
+                                      });
+                            return 1 / plain.m(i) * force;
+                        }, 1e-10);
+            expectEqual(s, StiffRate{},
+                        [&](std::size_t i)
+                        {
+                            Vector<dim> slope;
+                            double rate = 0;
+                            overPairs(s, i,
+                                      [&](std::size_t j, auto x, double r, double, auto gradW)
+                                      {
+                                          slope += gradW;
+                                          rate += a(j) * dot(gradW, gradW) / dim + repels(i, j, x, r, gradW);
+                                      });
+                            return (rate + a(i) * dot(slope, slope) / dim) / plain.m(i);
+                        }, 1e-10);
+        });
+}
+TEST(PlainLoop, PressureResponseIn2D) { pressureResponse<2>(rawGradient); }
+TEST(PlainLoop, PressureResponseWithNormalisedGradientIn2D) { pressureResponse<2>(normalisedGradient); }
+TEST(PlainLoop, PressureResponseWithNormalisedGradientIn3D) { pressureResponse<3>(normalisedGradient); }
+
+// The stiffness is symmetric, takes energy from every displacement, and no momentum: to round-off of sums over pairs.
+TEST(PlainLoop, PressureResponseIsSymmetricPositiveAndConservesMomentum)
+{
+    Scene<2> s(periodicBox(2), coefficients<2>(3), with(with(summed, normalisedGradient), {"volumeStiffness", "pressureResponse"}));
+    using Field = std::vector<Vector<2>>;
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> any(-1, 1);
+    const auto response = [&](const Field& u) // M^-1 K u
+    {
+        for (std::size_t i = 0; i < s.n; ++i)
+            for (int c = 0; c < 2; ++c) s.store.component("dU", c)[i] = c == 0 ? u[i].x : u[i].y;
+        s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+        Field Ku(s.n);
+        for (std::size_t i = 0; i < s.n; ++i) Ku[i] = s.at(StiffResponse{}, i);
+        return Ku;
+    };
+    const auto product = [&](const Field& u, const Field& w)
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < s.n; ++i) sum += s.at(Mass{}, i) * dot(u[i], w[i]);
+        return sum;
+    };
+    Field u(s.n), w(s.n);
+    for (std::size_t i = 0; i < s.n; ++i) u[i] = {any(random), any(random)}, w[i] = {any(random), any(random)};
+    const auto Ku = response(u), Kw = response(w);
+    const double uKu = -product(u, Ku), wKu = -product(w, Ku);
+    EXPECT_GT(uKu, 0);
+    EXPECT_NEAR(-product(u, Kw), wKu, 1e-12 * uKu);
+    Vector<2> momentum;
+    double scale = 0;
+    for (std::size_t i = 0; i < s.n; ++i) momentum += s.at(Mass{}, i) * Ku[i], scale += s.at(Mass{}, i) * mag(Ku[i]);
+    EXPECT_LT(mag(momentum), 1e-12 * scale);
+}
 TEST(PlainLoop, ViscousResponsesIn2D) { viscousResponses<2>(rawGradient); }
 TEST(PlainLoop, ViscousResponsesWithNormalisedGradientIn3D) { viscousResponses<3>(normalisedGradient); }
 TEST(PlainLoop, ViscositiesIn2D) { viscosities<2>(rawGradient); }
@@ -820,12 +917,12 @@ TEST(PlainLoop, DensityWeightedStressOfAPressureIsThePressureForceIn2D) { stress
 TEST(PlainLoop, DensityWeightedStressOfAPressureIsThePressureForceIn3D) { stressOfAPressure<3>(); }
 
 /// The curvature form: four sums, each from the fields of the one before, so that each is shown by itself.
-template<int dim> void curvatureForm(const Terms& first)
+template<int dim> void curvatureForm(const Terms& first, const std::string& ofJump = "curvatureForce")
 {
     onEveryGeometry<dim>(
         [&](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(2), with(with(summed, first), {"curvatureForce", "smoothedColourGradient"}));
+            Scene<dim> s(std::move(g), coefficients<dim>(2), with(with(summed, first), {ofJump, "smoothedColourGradient"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             expectEqual(s, SmoothedColour{},
@@ -893,9 +990,10 @@ template<int dim> void curvatureForm(const Terms& first)
                               [&](std::size_t j, auto, double, double, auto gradW)
                               {
                                   if (s.at(Phase{}, j) == s.at(Phase{}, i)) return;
+                                  const bool even = s.plan->has("evenCurvatureForce");
                                   const double kappa = 0.5 * (s.at(Curvature{}, i) + s.at(Curvature{}, j)),
                                                sign = s.at(Phase{}, i) == 0 ? 1 : -1;
-                                  const double share = 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
+                                  const double share = even ? 1 : 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
                                   force += sign * c.surfaceTension[1] * kappa * share * 0.5 *
                                            (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
                               });
@@ -907,6 +1005,8 @@ template<int dim> void curvatureForm(const Terms& first)
 TEST(PlainLoop, CurvatureFormIn2D) { curvatureForm<2>(rawGradient); }
 TEST(PlainLoop, CurvatureFormWithNormalisedGradientIn2D) { curvatureForm<2>(normalisedGradient); }
 TEST(PlainLoop, CurvatureFormIn3D) { curvatureForm<3>(rawGradient); }
+TEST(PlainLoop, CurvatureFormSharedEvenlyIn2D) { curvatureForm<2>(normalisedGradient, "evenCurvatureForce"); }
+TEST(PlainLoop, CurvatureFormSharedEvenlyIn3D) { curvatureForm<3>(rawGradient, "evenCurvatureForce"); }
 
 }
 }

@@ -189,6 +189,20 @@ TEST(PrintedPlan, IsWhatRunsInAnImplicitDrop)
     EXPECT_GE(ran.groups.at("response").at("harmonicViscousResponse"), steps);
 }
 
+TEST(PrintedPlan, IsWhatRunsWithAnImplicitPressure)
+{
+    auto files = dropCase();
+    auto& schemes = files["system/sphSchemes"];
+    schemes.replace(schemes.find("predictorCorrector"), 18, "implicit");
+    const int steps = 5;
+    const auto ran = printsWhatRuns<2>(files, steps);
+    for (const auto& [term, count] : ran.groups.at("evaluate")) EXPECT_EQ(count, steps) << term;
+    const auto& response = ran.groups.at("response");
+    for (const auto& [term, count] : response) EXPECT_EQ(count, response.at("pressureResponse")) << term;
+    EXPECT_TRUE(response.contains("harmonicViscousResponse"));
+    for (const char* stage : {"drift", "evaluate", "solve", "kick", "drift by kick"}) EXPECT_EQ(ran.stages.at(stage), steps) << stage;
+}
+
 // What is evaluated twice a step is printed twice.
 TEST(PrintedPlan, IsWhatRunsWithAnEvaluationMore)
 {

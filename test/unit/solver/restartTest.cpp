@@ -49,6 +49,7 @@ TEST(Restart, OfLeapfrogWithSecondOrderWalls) { restartEqualsTheWhole(with(chann
 TEST(Restart, OfSymplecticEulerWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "symplecticEuler")); }
 TEST(Restart, OfSemiImplicitWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "semiImplicit")); }
 TEST(Restart, OfTwoPhasesWithSemiImplicit) { restartEqualsTheWhole(with(dropCase(), "semiImplicit")); }
+TEST(Restart, OfTwoPhasesWithImplicit) { restartEqualsTheWhole(with(dropCase(), "implicit")); }
 TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase()); }
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }

@@ -271,6 +271,67 @@ TEST(Settings, SemiImplicitTakesItsEntries)
     expectError(inviscid, "semiImplicit and quasiSteady solve for viscosity, and there is none");
 }
 
+TEST(Settings, ImplicitTakesItsEntries)
+{
+    const auto with = [](const std::string& entries) { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "implicit" + entries); };
+    const auto settings = reading(with("; tolerance 0.02; flowFactor 0.1")).settings;
+    EXPECT_TRUE(settings.integration.solves && settings.integration.solvesPressure);
+    EXPECT_EQ(settings.integration.tolerance, 0.02);
+    EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.1);
+    EXPECT_EQ(settings.integration.factors.flow, 0.1);
+    EXPECT_EQ(settings.integration.responses, (std::vector<std::string>{"pressureResponse", "singlePhaseViscousResponse"}));
+    EXPECT_TRUE(selects(settings, "uniformVolumeStiffness") && selects(settings, "pressureRate"));
+    auto inviscid = with("");
+    auto& phases = inviscid["constant/phaseProperties"];
+    phases.replace(phases.find("mu"), phases.find(';', phases.find("mu")) - phases.find("mu") + 1, "");
+    inviscid["system/sphSchemes"].replace(inviscid["system/sphSchemes"].find("wallVelocity secondOrder;"), 25, "");
+    EXPECT_EQ(reading(inviscid).errors, "");
+    EXPECT_EQ(reading(inviscid).settings.integration.responses, (std::vector<std::string>{"pressureResponse"}));
+    expectError(with("; theta 0.5"), "\"theta\" is not used here");
+    expectError(with("; maxSubSteps 3"), "goes with explicit integration");
+    expectError(with("; } pressureGradient monaghan; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
+    expectError(with("; } density continuity; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
+    expectError(with("; tolerance -1"), "tolerance");
+}
+
+// Where surface tension would allow steps 3 times as long as sound and stiffness do, an implicit step is the default; a form without an energy, which
+// it could not solve for, is warned of.
+TEST(Settings, ChooseAnImplicitStepWhereItPays)
+{
+    const auto with = [](const std::string& gas, const std::string& schemes)
+    {
+        auto files = edited(dropCase(), "system/sphSchemes", "integration { scheme predictorCorrector; }", schemes);
+        return edited(files, "constant/phaseProperties", "gas { rho 0.5", "gas { rho " + gas);
+    };
+    const auto scheme = [&](const std::string& gas, const std::string& schemes) { return reading(with(gas, schemes)).settings.integration.scheme; };
+    EXPECT_EQ(scheme("0.5", ""), "predictorCorrector");
+    EXPECT_EQ(scheme("1e-3", ""), "implicit");
+    EXPECT_EQ(scheme("1e-3", "integration { scheme leapfrog; }"), "leapfrog");
+    EXPECT_EQ(scheme("1e-3", "scheme paper;"), "predictorCorrector");
+    EXPECT_EQ(scheme("1e-3", "pressureGradient densityWeighted;"), "predictorCorrector");
+    const auto settings = reading(with("1e-3", "")).settings;
+    EXPECT_EQ(settings.chosen.at("pressureGradient"), "huAdams");
+    EXPECT_TRUE(selects(settings, "evenCurvatureForce"));
+    EXPECT_TRUE(std::ranges::any_of(settings.reasons, [](const auto& r) { return r.starts_with("integration implicit: surface tension allows steps of"); }));
+    EXPECT_TRUE(selects(reading(with("1e-3", "pressureGradient densityWeighted;")).settings, "curvatureForce"));
+}
+
+TEST(Settings, AFormWithoutAnEnergyIsWarnedOf)
+{
+    const auto warnings = [](Files files)
+    {
+        files["system/sphSchemes"] += "pressureGradient densityWeighted;\n";
+        const TestCase folder(files);
+        const Case c(folder.folder());
+        readSettings(c, channelGeometry());
+        return c.diagnostics().warnings();
+    };
+    const auto found = warnings(dropCase());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find("system/sphSchemes:3: densityWeighted has no energy between phases of densities 1 : 2"), std::string::npos) << found[0];
+    EXPECT_TRUE(warnings(edited(dropCase(), "constant/phaseProperties", "rho 0.5", "rho 1")).empty());
+}
+
 TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
 {
     for (const char* integrator : {"symplecticEuler", "semiImplicit"})
@@ -293,7 +354,7 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
     const auto form = [](const Settings& s)
     {
         EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
-        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
+        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce") || selects(s, "evenCurvatureForce"));
         return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : selects(s, "wallPotential") ? "wallPotential"
              : selects(s, "adheringColourGradient") ? "wallAdhesion" : "none";
     };

@@ -48,6 +48,14 @@ TEST(StepLimit, ByStiffness)
     s.stiffnessLimit = true; // c_eff = sqrt(max(1000 x 4, 1 x 400)/1) = sqrt(4000)
     expectLimit(s, 1.2 * 0.5 / std::sqrt(4000.0), "stiffness");
 }
+TEST(StepLimit, ByFlowAloneWherePressureIsSolvedFor)
+{
+    auto s = twoPhases();
+    s.stiffnessLimit = s.integration.solves = s.integration.solvesPressure = true;
+    s.coefficients.viscosity = {30, 10};
+    expectLimit(s, 0.2 * 0.5 / 3, "flow", 3);
+    EXPECT_EQ(leastOf(stepLimits(s, {})).by, "none");
+}
 TEST(StepLimit, ByViscosity)
 {
     auto s = quiet();
