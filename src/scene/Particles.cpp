@@ -1,6 +1,7 @@
 #include "Particles.hpp"
 #include "CaseError.hpp"
 #include "reduce.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -46,7 +47,7 @@ std::string Loading::particle(std::size_t i) const { return fmt::format("particl
 
 template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
-    : settings_(settings), geometry_(geometry), coefficients_(settings.coefficients),
+    : settings_(settings), geometry_(geometry), catalogue_(catalogue), coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
       images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing,
               skinInSpacings*settings.resolution.spacing),
@@ -189,7 +190,7 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
 }
 
 /// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
-template<int dim> void Particles<dim>::observe()
+template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 {
     std::map<std::string, std::vector<Array>> kept;
     for (const auto& [name, field] : store_.fields())
@@ -200,9 +201,15 @@ template<int dim> void Particles<dim>::observe()
     // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
     if (travelled_ > 0.5*skin_) makeLists();
     else images_.move(store_);
-    evaluateFirst();
-    if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-    complete();
+    at();
+
+    for (const auto& [name, component] : kept)
+        for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
+}
+
+template<int dim> void Particles<dim>::observe()
+{
     const auto largestOf = [&](const char* name)
     {
         std::vector<const double*> a;
@@ -215,11 +222,56 @@ template<int dim> void Particles<dim>::observe()
             return sum;
         })));
     };
-    observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
+    look([&]
+    {
+        evaluateFirst();
+        if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+        complete();
+        observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
+    });
+}
 
-    for (const auto& [name, component] : kept)
-        for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
+template<int dim> void Particles<dim>::planAlone()
+{
+    const auto accelerates = [&](const std::string& term)
+    {
+        const auto entry = std::find_if(catalogue_.begin(), catalogue_.end(), [&](const auto& e) { return e.name == term; });
+        return std::any_of(entry->results.begin(), entry->results.end(), [](const auto& f) { return f.name == Acceleration::info.name; });
+    };
+    auto all = settings_.terms;
+    all.insert(all.end(), settings_.slowTerms.begin(), settings_.slowTerms.end());
+    std::vector<std::string> others;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(others), [&](const auto& term) { return !accelerates(term); });
+    for (const auto& term : all)
+    {
+        if (!accelerates(term)) continue;
+        auto terms = others;
+        terms.push_back(term);
+        alone_[term] = std::make_unique<Plan<dim>>(catalogue_, std::vector<Group>{{ofEvaluation, terms}}, givenOf(settings_), rulesOf<dim>(settings_));
+    }
+}
+
+template<int dim> std::map<std::string, double> Particles<dim>::powers()
+{
+    if (alone_.empty()) planAlone();
+    std::map<std::string, double> power;
+    look([&]
+    {
+        const auto v = store_.pointers(Velocity{}), a = store_.pointers(Acceleration{});
+        const double* const m = store_.component(Mass::info.name, 0);
+        for (const auto& [term, plan] : alone_)
+        {
+            plan->bind(store_, coefficients_);
+            plan->evaluate(store_, images_, lists_, kernel_);
+            power[term] = sum(owned_, [&](std::size_t i)
+            {
+                double of = 0;
+                for (int c = 0; c < dim; ++c) of += m[i]*v[c][i]*a[c][i];
+                return of;
+            });
+        }
+    });
+    return power;
 }
 
 template<int dim> void Particles<dim>::settle()

@@ -4,6 +4,8 @@
 #include "LeakGuard.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
+#include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,6 +26,8 @@ public:
     /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so
     /// the bytes of a run, stay as they are.
     void observe();
+    /// What each operation that accelerates does by itself to the present state, sum_i m_i v_i.a_i [W], by name; leaves no trace.
+    std::map<std::string, double> powers();
     /// The same after the particles have been sorted: what is written is what a restart begins with.
     void settle();
     /// Wraps, sorts, makes images and lists anew.
@@ -75,8 +79,10 @@ public:
 private:
     const Settings& settings_;
     const Geometry& geometry_;
+    const Catalogue<dim>& catalogue_;
     Coefficients coefficients_;
     Plan<dim> plan_;
+    std::map<std::string, std::unique_ptr<Plan<dim>>> alone_;   ///< by operation that accelerates: an evaluation of it and what it reads; empty until asked for
     FieldStore<dim> store_;
     Images<dim> images_;
     LeakGuard<dim> leakGuard_;
@@ -101,6 +107,9 @@ private:
     void evaluateFirst();
     /// Images and lists for the present positions.
     void makeLists();
+    /// Runs what looks at the present state, with images and lists for it, and restores what of the state that has changed.
+    void look(const std::function<void()>& at);
+    void planAlone();
 };
 
 }

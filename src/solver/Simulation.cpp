@@ -117,6 +117,7 @@ public:
     Summary summary() const override { return summary_; }
     Energy energy() const override { return energy_.at(particles_, summary_); }
 
+    std::map<std::string, double> powers() override { return particles_.powers(); }
     void observe() override { particles_.observe(); }
     void settle() override { particles_.settle(); }
 

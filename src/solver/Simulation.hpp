@@ -46,6 +46,9 @@ public:
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 
+    /// Of each operation that accelerates, by name [W]; leaves no trace in the run.
+    virtual std::map<std::string, double> powers() = 0;
+
     /// Evaluates all fields at the present state, for whoever looks at them; leaves no trace in the run.
     virtual void observe() = 0;
     /// The same after the particles have been sorted and lists rebuilt: before writing.

@@ -29,6 +29,7 @@ constexpr double mostMach = 20;
 /// at every so many steps, for it takes a loop over pairs.
 constexpr double suspectEnergy = 1.5, mostEnergy = 5;
 constexpr long energySteps = 100;
+constexpr int tracedForEnergy = 200; // some periods of the sound of a few spacings
 
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
@@ -179,10 +180,28 @@ void Run::checkEnergy()
                            time_.name(), share);
     };
     const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.energyAdvice);
-    if (share > mostEnergy) throw DivergedError(fmt::format("{}. {}", what(), advice));
+    if (share > mostEnergy) throw DivergedError(fmt::format("{}{}. {}", what(), tracedSteps_ > 0 ? "; " + sourceOfEnergy() : "", advice));
     if (share <= suspectEnergy || warnedOfEnergy_) return;
     warnedOfEnergy_ = true;
     log_ << fmt::format("--> Warning: {}. {}\n", what(), advice);
+}
+
+void Run::traceEnergy(double deltaT)
+{
+    if (!warnedOfEnergy_ || tracedSteps_ == tracedForEnergy) return;
+    if (tracedSteps_++ == 0) tracedFrom_ = time_.name();
+    for (const auto& [operation, power] : simulation_->powers()) work_[operation] += power*deltaT;
+    if (tracedSteps_ == tracedForEnergy) log_ << fmt::format("--> Warning: {}\n", sourceOfEnergy());
+}
+
+std::string Run::sourceOfEnergy() const
+{
+    std::vector<std::pair<double, std::string>> all;
+    for (const auto& [operation, work] : work_) all.emplace_back(work, operation);
+    std::sort(all.rbegin(), all.rend());
+    std::string others;
+    for (std::size_t k = 1; k < all.size(); ++k) others += fmt::format("{}{} {:.3g} J", k > 1 ? ", " : "", all[k].second, all[k].first);
+    return fmt::format("what feeds it is {}, with {:.3g} J of work in {} steps since time {} ({})", all[0].second, all[0].first, tracedSteps_, tracedFrom_, others);
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const
@@ -283,6 +302,7 @@ void Run::solve()
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
         noteLeaks();
+        traceEnergy(deltaT);
         if (stopRequested) time_.stopNow();
         if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 

@@ -9,6 +9,7 @@
 #include "Simulation.hpp"
 #include <filesystem>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,9 @@ private:
     std::vector<bool> warned_; ///< of each phase's compression
     Energy energy_;            ///< when last looked at
     bool warnedOfEnergy_ = false;
+    std::map<std::string, double> work_; ///< of each operation since `tracedFrom_` [J]
+    std::string tracedFrom_;
+    int tracedSteps_ = 0;
     double deepestLeak_ = 0; ///< [m]
     std::string deepestLeakAt_;
 
@@ -48,6 +52,10 @@ private:
     void warnOfCompression();
     /// Warns once of more energy than the scene can have supplied; throws DivergedError where it is far more.
     void checkEnergy();
+    /// Adds up, for some steps after that warning, the work of each operation, and then says which feeds the run.
+    void traceEnergy(double deltaT);
+    /// "the largest work of an operation since ...".
+    std::string sourceOfEnergy() const;
     void noteLeaks();
     void reportLeaks() const;
     void write();

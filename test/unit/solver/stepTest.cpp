@@ -400,6 +400,53 @@ TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 
 }
 
+// The power of each operation by itself adds up to that of all at once, to round-off of sums that cancel, and a run whose powers are asked for at
+// every step ends with the same bits: of leapfrog, whose rates predict the next step, too.
+TEST(Powers, AddUpAndLeaveNoTrace)
+{
+    for (const char* integrator : {"leapfrog", "implicit", "symplecticEuler; maxSubSteps 3"})
+    {
+        SCOPED_TRACE(integrator);
+        auto files = vortexCase(integrator);
+        files["constant/phaseProperties"] =
+            "phases (water oil);\nwater { rho 1000; mu 20; soundSpeed 15; }\noil { rho 800; mu 30; soundSpeed 15; }\nsigma ( (water oil) 20 );\n";
+        const auto settings = settingsOf(files);
+        const auto g = periodicSquare();
+        const auto asked = makeSimulation(settings, g, vortex(true), {}), left = makeSimulation(settings, g, vortex(true), {});
+        for (int k = 0; k < 40; ++k)
+        {
+            const double deltaT = left->stepLimit().deltaT;
+            asked->powers();
+            asked->step(0, deltaT);
+            left->step(0, deltaT);
+        }
+        EXPECT_GT(left->rebuilds(), 1);
+        for (std::size_t c = 0; c < 2; ++c)
+            for (std::size_t i = 0; i < left->size(); ++i) ASSERT_EQ(asked->field("U").component[c][i], left->field("U").component[c][i]);
+
+        if (settings.integration.keepsRates) continue; // what is shown of dUdt is that of the last step
+        const auto powers = asked->powers();
+        EXPECT_TRUE(powers.contains("huAdamsPressure") && powers.contains("harmonicViscosity"));
+        EXPECT_LT(powers.at("harmonicViscosity"), 0);
+        double sum = 0, scale = 0;
+        for (const auto& [operation, power] : powers)
+        {
+            sum += power;
+            scale += std::abs(power);
+        }
+        asked->observe();
+        const auto power = [&](const char* rate)
+        {
+            double of = 0;
+            for (std::size_t i = 0; i < asked->size(); ++i)
+                for (std::size_t c = 0; c < 2; ++c) of += asked->field("m").component[0][i] * asked->field("U").component[c][i] * asked->field(rate).component[c][i];
+            return of;
+        };
+        const double whole = power("dUdt") + (settings.slowTerms.empty() ? 0 : power("dUdtSlow"));
+        EXPECT_NEAR(sum, whole, 1e-11 * scale);
+    }
+}
+
 /// x of all particles, over the edge of the square, after 20 steps: `edge` [m] scales lengths, times and the viscosity, so that all
 /// numbers of the flow stay what they are.
 std::vector<double> travelled(double edge, double shifting)
