@@ -52,6 +52,8 @@ public:
     std::size_t group(const std::string& name) const;
     bool hasGroup(const std::string& name) const;
     int pairPasses(std::size_t group = 0) const;
+    /// How many have run since the start, of all groups.
+    long pairPassesRun() const { return pairPassesRun_; }
     /// Of the packed records.
     std::size_t bytes() const { return records_.capacity()*sizeof(double); }
     bool has(const std::string& term) const;
@@ -97,6 +99,7 @@ private:
     std::vector<Passes> groups_;
     Array records_;                                        ///< positions and first columns of the pass at hand, packed
     Counts* counts_ = nullptr;
+    long pairPassesRun_ = 0;
 
     /// Calls f(field) for all that an entry reads, rules of images included.
     void forEachRead(const Entry&, const std::function<void(const FieldUse<dim>&)>& f) const;

@@ -136,6 +136,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
         if (pass.pair())
         {
             evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, kernel);
+            ++pairPassesRun_;
             within = g.keepsPairs;
             continue;
         }

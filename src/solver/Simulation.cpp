@@ -184,8 +184,7 @@ public:
     {
         return ofParts([](const auto& part) { return part.note(); });
     }
-    int pairPasses() const override { return particles_.plan().pairPasses(); }
-    int slowPairPasses() const override { return particles_.plan().hasGroup(onceAStep) ? particles_.plan().pairPasses(particles_.plan().group(onceAStep)) : 0; }
+    long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }

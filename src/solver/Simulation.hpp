@@ -69,10 +69,8 @@ public:
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
-    /// Of an evaluation.
-    virtual int pairPasses() const = 0;
-    /// Of what acts once in a step of several parts; `pairPasses` counts those of each part.
-    virtual int slowPairPasses() const = 0;
+    /// Since the start: of all evaluations, of what acts once a step, and of solvers.
+    virtual long pairPassesRun() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;

@@ -3,7 +3,6 @@
 #include "Images.hpp"
 #include "Packing.hpp"
 #include "Simulation.hpp"
-#include "TimeStepLimits.hpp"
 #include "readSettings.hpp"
 #include <algorithm>
 
@@ -57,18 +56,13 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
     for (int turn = 0; turn < turns; ++turn)
     {
         bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
-        double passesOfTurn = 0;
+        const long before = simulation->pairPassesRun();
         const double seconds = secondsOf([&]
         {
-            for (int s = 0; s < stepsATurn; ++s)
-            {
-                const double deltaT = simulation->stepLimit().deltaT;
-                const int parts = settings.integration.maxSubSteps > 1 ? partsOf(deltaT, settings, simulation->stepLimits()) : 1;
-                passesOfTurn += parts*simulation->pairPasses() + simulation->slowPairPasses();
-                simulation->step(0, deltaT);
-            }
+            for (int s = 0; s < stepsATurn; ++s) simulation->step(0, simulation->stepLimit().deltaT);
         });
-        if (passes > 0 && seconds/passesOfTurn >= best/passes) continue; // turns differ in the parts of their steps: the best by the pass
+        const double passesOfTurn = double(simulation->pairPassesRun() - before);
+        if (passes > 0 && seconds/passesOfTurn >= best/passes) continue; // turns differ in parts of their steps and in iterations: the best by the pass
         best = seconds/stepsATurn;
         passes = passesOfTurn/stepsATurn;
     }
