@@ -113,6 +113,13 @@ void readPhases(const Case& theCase, Settings& settings)
         c.exponent.push_back(exponent);
         c.stiffness.push_back(rho*sqr(sound)/exponent);
     }
+    if (c.phases.empty()) // an error by now: a harmless one for what reads on
+    {
+        c.phases = {"fluid"};
+        c.surfaceTension = {0};
+        c.viscosity = {0};
+        c.restDensity = c.soundSpeed = c.exponent = c.stiffness = {1};
+    }
     dict.reportUnused();
 }
 

@@ -315,6 +315,9 @@ TEST(Settings, ChooseAnImplicitStepWhereItPays)
     EXPECT_TRUE(selects(settings, "evenCurvatureForce"));
     EXPECT_TRUE(std::ranges::any_of(settings.reasons, [](const auto& r) { return r.starts_with("integration implicit: surface tension allows steps of"); }));
     EXPECT_TRUE(selects(reading(with("1e-3", "pressureGradient densityWeighted;")).settings, "curvatureForce"));
+    auto nothing = with("1e-3", "surfaceTension curvature;");
+    nothing["constant/phaseProperties"] = "phases ();\n";
+    expectError(nothing, "there must be at least one phase");
 }
 
 TEST(Settings, AFormWithoutAnEnergyIsWarnedOf)

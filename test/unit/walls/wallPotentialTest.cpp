@@ -48,6 +48,7 @@ TEST(WallPotential, StoresTheTensionOfCurvedWalls)
         const double stored = integral(0, H, [&](double d) { return potential(d) * (1 - k1 * d) * (1 - k2 * d); });
         EXPECT_NEAR(stored, 1, 1e-7) << k1 << ' ' << k2;
         EXPECT_EQ(wall.slope(H, k1, k2), 0);
+        EXPECT_EQ(wall.slope(0, k1, k2), 0) << "what lies on the wall is pulled through it";
     }
 }
 
