@@ -1,6 +1,7 @@
 #include "tension.hpp"
 #include "WallTension.hpp"
 #include "WettingAngles.hpp"
+#include "YoungsLaw.hpp"
 #include "tensionTerms.hpp"
 #include "wettingLaws.hpp"
 #include <algorithm>
@@ -34,21 +35,25 @@ bool hasTension(const Coefficients& c)
     return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
 }
 
-/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (eq. 14 of Barker et al. 2012 has the other sign), shared
-/// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at
-/// equal densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
-void setContactAngles(const Geometry& geometry, Coefficients& c)
+/// gamma_sk of each wall, by Young's law from its contact angles. None where every angle is 90 degrees.
+void setContactAngles(const Reading& reading, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
-    const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets && w.contactAngle != 90; });
-    if (n < 2 || !hasTension(c) || !wets) return;
-    for (const auto& wall : geometry.walls)
-        for (std::size_t k = 0; k < n; ++k)
-        {
-            const std::size_t other = k == 0 ? 1 : 0;
-            const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
-            c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*wall.cosine());
-        }
+    if (n < 2 || !reading.geometry.wets()) return;
+    WettingAngles angles;
+    std::vector<double> tensions;
+    bool neutral = true;
+    for (const auto& wall : reading.geometry.walls)
+    {
+        const auto complain = [&](const std::string& what) { reading.theCase.diagnostics().error(wall.anglesAt, fmt::format("wall \"{}\": {}", wall.name, what)); };
+        const auto known = phaseAngles(wall, c, complain);
+        for (const auto& pair : known) neutral = neutral && pair.angle == 90;
+        for (double tension : wallTensions(known, c, complain)) tensions.push_back(tension);
+        angles.cosine.push_back(n == 2 && !known.empty() ? cosineThroughFirst(known.front()) : 0);
+    }
+    if (!hasTension(c) || neutral) return;
+    c.wallTension = tensions;
+    c.set(angles);
 }
 
 /// Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
@@ -58,7 +63,7 @@ void prepare(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     const auto& dict = reading.schemes;
-    setContactAngles(reading.geometry, c);
+    setContactAngles(reading, c);
     const bool tension = hasTension(c);
     const bool stress = reading.paper() || c.phases.size() > 2 || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
@@ -120,12 +125,7 @@ void read(const Reading& reading)
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
     if (by("wallAdhesion"))
-    {
-        WettingAngles angle;
-        for (const auto& wall : reading.geometry.walls) angle.cosine.push_back(wall.cosine());
-        c.set(angle);
         settings.continuesInterfaces = true;
-    }
     if (by("wallPotential")) select("wallPotential");
     if (!apart) return;
     if (settings.slowTerms.empty())

@@ -168,6 +168,61 @@ TEST(Settings, SurfaceTensionOfUnknownPhases)
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) -1"), "must not be negative");
 }
 
+/// A third phase, oil, in the drop's case.
+Files threePhaseCase(const std::string& sigma)
+{
+    auto files = edited(dropCase(), "constant/phaseProperties", "phases (liquid gas);", "phases (liquid gas oil);");
+    files["constant/phaseProperties"] += "oil { rho 0.8; mu 0.05; soundSpeed 20; }\n";
+    return edited(files, "constant/phaseProperties", "sigma ( (liquid gas) 1 );", sigma);
+}
+
+// A pair left out would mix, and of two values the last would count: neither without a word.
+TEST(Settings, EachPairOfPhasesHasOneSurfaceTension)
+{
+    EXPECT_EQ(reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 );")).errors, "");
+    EXPECT_EQ(reading(threePhaseCase("")).errors, "");
+    expectError(threePhaseCase("sigma ( (liquid gas) 1 );"),
+                "constant/phaseProperties:4: sigma of (liquid oil), (gas oil) is missing: each pair of phases has a surface tension, 0 for none");
+    expectError(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 (gas liquid) 2 );"),
+                "constant/phaseProperties:4: the surface tension of gas and liquid is there twice, (liquid gas) 1 and (gas liquid) 2: each pair has one");
+}
+
+// With file and line of constant/geometry, from where meshToGhost has carried them.
+TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
+{
+    const auto read = [](const Files& files, const std::vector<WallProperties::PhaseAngle>& angles)
+    {
+        const TestCase folder(files);
+        const Case c(folder.folder());
+        auto g = channelGeometry();
+        g.walls[1].name = "top";
+        g.walls[1].wets = true;
+        g.walls[1].contactAngle = 60;
+        g.walls[1].contactAngles = angles;
+        g.walls[1].anglesAt = {"constant/geometry", 6};
+        Reading r{readSettings(c, g), ""};
+        try { c.diagnostics().throwIfAny(); }
+        catch (const CaseError& e) { r.errors = e.what(); }
+        return r;
+    };
+    const auto three = threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );");
+    const auto expect = [](const std::string& errors, const std::string& what) { EXPECT_NE(errors.find(what), std::string::npos) << errors; };
+    expect(read(three, {}).errors, "constant/geometry:6: wall \"top\": contactAngle 60 is of two phases, and here are 3");
+    expect(read(three, {{"liquid", "gas", 60}}).errors, "constant/geometry:6: wall \"top\": its contact angles do not connect the phases (liquid gas), (oil)");
+    expect(read(three, {{"liquid", "gas", 30}, {"gas", "oil", 60}}).errors, "no angle of (liquid oil) goes with the others");
+    const auto good = read(three, {{"liquid", "gas", 60}, {"oil", "gas", 80}});
+    EXPECT_EQ(good.errors, "");
+    const auto& tension = good.settings.coefficients.wallTension;
+    ASSERT_EQ(tension.size(), 6u); // walls x phases
+    EXPECT_EQ(tension[0], 0);
+    EXPECT_NEAR(tension[4] - tension[3], 0.5, 1e-14);
+    EXPECT_TRUE(std::count(good.settings.terms.begin(), good.settings.terms.end(), "wallTension") > 0);
+
+    const auto plain = read(dropCase(), {}).settings, named = read(dropCase(), {{"gas", "liquid", 120}}).settings;
+    ASSERT_EQ(named.coefficients.wallTension.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(plain.coefficients.wallTension[k], named.coefficients.wallTension[k], 1e-15);
+}
+
 TEST(Settings, WrongDimensionsAndSigns)
 {
     expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"),
@@ -293,7 +348,7 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
     const auto form = [](const Settings& s)
     {
         EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
-        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce"));
+        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce") || selects(s, "evenCurvatureForce"));
         return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : selects(s, "wallPotential") ? "wallPotential"
              : selects(s, "adheringColourGradient") ? "wallAdhesion" : "none";
     };
