@@ -2,6 +2,7 @@
 #include "WallTension.hpp"
 #include "WettingAngles.hpp"
 #include "YoungsLaw.hpp"
+#include "phaseCurvatureTerms.hpp"
 #include "tensionTerms.hpp"
 #include "wettingLaws.hpp"
 #include <algorithm>
@@ -16,8 +17,9 @@ namespace sph
 namespace entry
 {
 const Choice surfaceTension{"surfaceTension",
-                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of two phases"}, "none"},
-                            byScene("curvature; interfaceStress with scheme paper, more phases, or contactAngle wallStress; none without sigma"),
+                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of each interface"}, "none"},
+                            byScene("curvature; interfaceStress with scheme paper, contactAngle wallStress, or more than three phases whose sigmas are no sums of a share of each; none "
+                                    "without sigma"),
                             "form of the surface tension"},
     contactAngle{"contactAngle",
                  {{"wallStress", "tension of the wall, with interfaceStress"},
@@ -56,8 +58,15 @@ void setContactAngles(const Reading& reading, Coefficients& c)
     c.set(angles);
 }
 
-/// Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
-/// the wall potential. More phases have the stress form alone, and so have the walls' stresses.
+/// Whether the tensions of more than two phases are sums of a share of each, as the curvature form has them; those of three always are.
+bool haveShares(const Coefficients& c)
+{
+    const double roundOff = 1e-9;
+    return c.phases.size() < 4 || missedByShares(c) < roundOff;
+}
+
+/// The curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed, liquidLens); it goes with the wall potential. The
+/// walls' stresses go with the stress form alone.
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -65,12 +74,14 @@ void prepare(const Reading& reading)
     const auto& dict = reading.schemes;
     setContactAngles(reading, c);
     const bool tension = hasTension(c);
-    const bool stress = reading.paper() || c.phases.size() > 2 || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
+    const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
     settings.surfaceTension = form != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
     if (settings.surfaceTension && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
-    if (form == "curvature" && c.phases.size() != 2) entry::surfaceTension.error(dict, "curvature is between two phases; take interfaceStress");
+    else if (form == "curvature" && !haveShares(c))
+        settings.reasons.push_back(fmt::format("surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
+                                               "has them exactly", c.phases.size(), missedByShares(c)));
 }
 
 void readAngles(const Reading& reading)
@@ -119,7 +130,12 @@ void read(const Reading& reading)
     }
     if (settings.has("surfaceTension", "interfaceStress") || by("wallStress"))
         select(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence");
-    if (settings.has("surfaceTension", "curvature"))
+    if (settings.has("surfaceTension", "curvature") && c.phases.size() > 2)
+    {
+        const bool even = !apart && settings.has("pressureGradient", "huAdams");
+        for (const auto& term : definePhaseCurvature(settings, {.even = even, .adhering = by("wallAdhesion")})) select(term);
+    }
+    else if (settings.has("surfaceTension", "curvature"))
     {
         select(!apart && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce");
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");

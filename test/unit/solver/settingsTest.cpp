@@ -7,6 +7,7 @@
 #include "TransportVelocity.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -187,6 +188,35 @@ TEST(Settings, EachPairOfPhasesHasOneSurfaceTension)
                 "constant/phaseProperties:4: the surface tension of gas and liquid is there twice, (liquid gas) 1 and (gas liquid) 2: each pair has one");
 }
 
+// Each phase against all others: one force for each, and none of the terms of two phases; of four phases whose tensions are no sums of a share of each the
+// interface stress, which needs none.
+TEST(Settings, MoreThanTwoPhasesHaveACurvatureEach)
+{
+    const auto has = [](const Reading& r, const std::string& term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
+    const auto three = reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );"));
+    EXPECT_EQ(three.errors, "");
+    for (const char* phase : {"liquid", "gas", "oil"}) EXPECT_EQ(has(three, std::string("curvatureForce of ") + phase), 1);
+    EXPECT_EQ(has(three, "evenCurvatureForce") + has(three, "curvatureForce") + has(three, "interfaceStress"), 0);
+    EXPECT_EQ(has(reading(dropCase()), "curvatureForce of liquid"), 0);
+
+    const auto four = [](double last)
+    {
+        auto files = edited(threePhaseCase(fmt::format("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.7 (tar liquid) 0.9 (tar gas) 0.7 (tar oil) {} );", last)),
+                            "constant/phaseProperties", "gas oil);", "gas oil tar);");
+        files["constant/phaseProperties"] += "tar { rho 0.8; mu 0.05; soundSpeed 20; }\n";
+        return files;
+    };
+    EXPECT_EQ(has(reading(four(0.4)), "curvatureForce of tar"), 1); // shares 0.6, 0.4, 0.1, 0.3
+    EXPECT_EQ(has(reading(four(0.5)), "interfaceStress"), 1);
+    auto files = four(0.5);
+    files["system/sphSchemes"] += "surfaceTension curvature;\n";
+    const auto asked = reading(files);
+    EXPECT_EQ(asked.errors, "");
+    EXPECT_EQ(has(asked, "curvatureForce of tar"), 1);
+    const auto& reasons = asked.settings.reasons;
+    EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return r.find("by a share of each: where three meet") != std::string::npos; }));
+}
+
 // With file and line of constant/geometry, from where meshToGhost has carried them.
 TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
 {
@@ -216,7 +246,7 @@ TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
     ASSERT_EQ(tension.size(), 6u); // walls x phases
     EXPECT_EQ(tension[0], 0);
     EXPECT_NEAR(tension[4] - tension[3], 0.5, 1e-14);
-    EXPECT_TRUE(std::count(good.settings.terms.begin(), good.settings.terms.end(), "wallTension") > 0);
+    EXPECT_TRUE(std::count(good.settings.terms.begin(), good.settings.terms.end(), "wallPotential") > 0);
 
     const auto plain = read(dropCase(), {}).settings, named = read(dropCase(), {{"gas", "liquid", 120}}).settings;
     ASSERT_EQ(named.coefficients.wallTension.size(), 4u);
