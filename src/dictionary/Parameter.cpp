@@ -220,16 +220,30 @@ std::vector<std::string> Choices::among(const Dictionary& d, std::span<const std
     return words;
 }
 
-PairValues::PairValues(std::string keyword, const Unit& unit, std::string meaning)
-    : Parameter(describe(std::move(keyword), "list of pairs with values", unit.text, "", std::move(meaning)))
+PairValues::PairValues(std::string keyword, std::string what, const Unit& unit, const Range& range, std::string meaning)
+    : Parameter(describe(std::move(keyword), "list of pairs with values", unit.text, range.text(), std::move(meaning))), what_(std::move(what)), range_(range)
 {
     info_.fallback = "none";
-    info_.example = "( (a b) 0 )";
+    info_.example = fmt::format("( (a b) {} )", range.harmless());
 }
 
 std::vector<Dictionary::PairValue> PairValues::operator()(const Dictionary& d) const
 {
-    return given(d) ? d.pairs(keyword()) : std::vector<Dictionary::PairValue>{};
+    std::vector<Dictionary::PairValue> good;
+    if (!given(d)) return good;
+    for (const auto& pair : d.pairs(keyword()))
+    {
+        const auto& [first, second, value] = pair;
+        const auto earlier = std::find_if(good.begin(), good.end(), [&](const auto& q)
+                                          { return (q.first == first && q.second == second) || (q.first == second && q.second == first); });
+        if (first == second) error(d, fmt::format("\"{}\" has no {} with itself", first, what_));
+        else if (!range_.holds(value)) error(d, range_.wrong(fmt::format("{} of {} and {}", what_, first, second), value));
+        else if (earlier != good.end())
+            error(d, fmt::format("the {} of {} and {} is there twice, ({} {}) {} and ({} {}) {}: each pair has one", what_, first, second, earlier->first,
+                                 earlier->second, earlier->value, first, second, value));
+        else good.push_back(pair);
+    }
+    return good;
 }
 
 SubDictionary::SubDictionary(std::string keyword, Required, std::string meaning)

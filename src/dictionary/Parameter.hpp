@@ -303,11 +303,16 @@ public:
     std::vector<std::string> among(const Dictionary&, std::span<const std::string> known, const std::vector<std::string>& fallback) const;
 };
 
-/// `( (water air) 0.072 )`; none where the entry is missing.
+/// `( (water air) 0.072 )`; none where the entry is missing. A value out of range, a pair of a word with itself and a second value for a pair, in
+/// whatever order its words come, are errors and left out.
 class PairValues : public Parameter
 {
+    std::string what_;
+    Range range_;
+
 public:
-    PairValues(std::string keyword, const Unit&, std::string meaning);
+    /// `what` a pair has, in an error: "surface tension".
+    PairValues(std::string keyword, std::string what, const Unit&, const Range&, std::string meaning);
     std::vector<Dictionary::PairValue> operator()(const Dictionary& d) const;
 };
 

@@ -4,8 +4,7 @@
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,20 @@ namespace sph
 /// What the physics needs to know of a wall besides its shape.
 struct WallProperties
 {
+    /// Of two phases by their names, which geometry does not know.
+    struct PhaseAngle
+    {
+        std::string first, second;
+        double angle;         ///< [degrees], through the first
+    };
+
     std::string name;
-    double contactAngle = 90; ///< [degrees], through the first-named phase of each pair
+    double contactAngle = 90; ///< [degrees] of two phases, through that which the scene names first
+    std::vector<PhaseAngle> contactAngles;   ///< of any number of phases, in place of the one
     bool wets = false;        ///< true where the dictionary gives a contact angle
-    /// Of the contact angle; 0 without one.
-    double cosine() const { return wets ? std::cos(contactAngle*std::numbers::pi/180) : 0; }
+    Location anglesAt;        ///< in constant/geometry
+    /// Through `first`, as the wall says of the two phases; none where it says nothing of them.
+    std::optional<double> angleOf(const std::string& first, const std::string& second) const;
     Vector<3> velocity;       ///< [m/s] of the wall as a rigid body
     Vector<3> origin, omega;  ///< rotation about `origin` [rad/s]
     Location where;
@@ -114,6 +122,7 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///         floor   { type plane; point (0 0 0); normal (0 1 0); contactAngle 30; }
 ///         grains  { type sphereBed; lattice bcc; radius 1e-3; period 2.393e-3; contactAngle 30; }
 ///         lid     { type plane; point (0 1 0); normal (0 -1 0); velocity (1 0 0); }
+///         plate   { type plane; point (1 0 0); normal (-1 0 0); contactAngles ( (water air) 30 (oil air) 60 ); }
 ///     }
 ///
 /// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic

@@ -55,6 +55,16 @@ Vector<3> withinDomain(Vector<3> a, const Geometry& g)
     return a;
 }
 
+/// With the place in constant/geometry, which is that of a mistake: what the angles mean the solver alone can tell.
+std::string anglesText(const WallProperties& wall)
+{
+    if (!wall.wets) return "";
+    std::string pairs;
+    for (const auto& [first, second, angle] : wall.contactAngles) pairs += fmt::format(" ({} {}) {}", first, second, angle);
+    const auto angles = pairs.empty() ? fmt::format(" contactAngle {};", wall.contactAngle) : fmt::format(" contactAngles ({} );", pairs);
+    return angles + fmt::format(" anglesAt \"{}\";", toString(wall.anglesAt));
+}
+
 std::string patchText(const Patch& patch, const Geometry& g)
 {
     const auto d = patch.shape->description();
@@ -90,7 +100,7 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
     for (const auto& wall : g.walls)
     {
         out += fmt::format("    {} {{", wall.name);
-        if (wall.wets) out += fmt::format(" contactAngle {};", wall.contactAngle);
+        out += anglesText(wall);
         out += fmt::format(" velocity {};", text(wall.velocity));
         if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
         out += " }\n";
@@ -110,7 +120,10 @@ Geometry readWalls(const Dictionary& dict, double reach)
     const auto walls = dict.subDict("walls");
     for (const auto& name : walls.keys())
     {
-        g.walls.push_back(readWallProperties(walls.subDict(name), true));
+        const auto wall = walls.subDict(name);
+        g.walls.push_back(readWallProperties(wall, true));
+        const std::string at = wall.get("anglesAt", "");
+        if (const auto colon = at.rfind(':'); colon != std::string::npos) g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
         names.push_back(name);
     }
     for (const auto& patch : dict.dictionaries("patches"))

@@ -6,7 +6,7 @@
 ///     dimension  3;
 ///     domain     { min (0 0 0); max (1e-3 1e-3 1e-3); periodic (x y z); }
 ///     reach      2.6e-4;                      kernel support for which the walls were checked [m]
-///     walls      { floor { contactAngle 30; velocity (0 0 0); } }
+///     walls      { floor { contactAngle 30; anglesAt "constant/geometry:14"; velocity (0 0 0); } }
 ///     patches    ( { wall floor; type plane; point (0 0 0); normal (0 1 0); } ... )
 ///
 /// Patches are single shapes in the words of constant/geometry, before periodic repetition; boxes with fluid inside and beds of

@@ -17,7 +17,9 @@ const ListOf<std::string> periodic{"periodic", std::vector<std::string>{}, "dire
 const SubDictionary walls{"walls", notGiven, "the walls"};
 const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
 const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
-                          between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"), "of the first phase on the wall"};
+                          between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"), "of two phases, through the first of them"};
+const PairValues contactAngles{"contactAngles", "contact angle", degrees, between(0, 180).saying("a contact angle must be between 0 and 180 degrees, not {}"),
+                               "of pairs of phases, each through the first-named of its pair; as many as tell all others, one less than phases"};
 const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"},
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
@@ -58,8 +60,12 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     WallProperties wall;
     wall.name = dict.keyword();
     wall.where = dict.location();
-    wall.wets = entry::contactAngle.given(dict);
+    const bool one = entry::contactAngle.given(dict), pairs = entry::contactAngles.given(dict);
+    wall.wets = one || pairs;
     wall.contactAngle = entry::contactAngle(dict, wall.contactAngle);
+    for (const auto& [first, second, angle] : entry::contactAngles(dict)) wall.contactAngles.push_back({first, second, angle});
+    if (one && pairs) entry::contactAngles.error(dict, "contactAngle and contactAngles say the same of a wall: leave out the one or the other");
+    if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
     if (mayTurn)
     {
@@ -69,6 +75,14 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     return wall;
 }
 
+std::optional<double> WallProperties::angleOf(const std::string& first, const std::string& second) const
+{
+    for (const auto& pair : contactAngles)
+        if (pair.first == first && pair.second == second) return pair.angle;
+        else if (pair.first == second && pair.second == first) return 180 - pair.angle;
+    return {};
+}
+
 EntryList geometryEntries()
 {
     auto types = shapes();
@@ -76,7 +90,7 @@ EntryList geometryEntries()
         if (isSingleShape(type.word)) entries += {entry::omega, entry::origin};
     return {entry::dimension,
             {entry::domain, {entry::min, entry::max, entry::periodic}},
-            {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::velocity}}}}};
+            {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity}}}}};
 }
 
 Geometry readGeometry(const Dictionary& dict, double reach)

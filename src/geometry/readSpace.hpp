@@ -8,7 +8,7 @@ namespace sph
 /// Entries `dimension` and `domain { min; max; periodic; }`.
 void readSpace(const Dictionary&, Geometry&);
 
-/// Entries contactAngle and velocity, and omega and origin where the wall may turn.
+/// Entries contactAngle or contactAngles and velocity, and omega and origin where the wall may turn.
 WallProperties readWallProperties(const Dictionary& wall, bool mayTurn);
 
 }

@@ -63,7 +63,11 @@ std::string vtpText(const Geometry& g, const std::vector<TriangleSurface>& surfa
         all.points.size(), all.triangles.size());
     fmt::format_to(to, "<CellData Scalars=\"wall\">\n");
     array("Int32", "Name=\"wall\"", wallOf.size(), [&](std::size_t i) { return wallOf[i]; });
-    array("Float64", "Name=\"contactAngle\"", wallOf.size(), [&](std::size_t i) { return g.walls[wallOf[i]].contactAngle; });
+    array("Float64", "Name=\"contactAngle\"", wallOf.size(), [&](std::size_t i)
+    {
+        const auto& wall = g.walls[wallOf[i]];
+        return wall.contactAngles.empty() ? wall.contactAngle : wall.contactAngles.front().angle;
+    });
     fmt::format_to(to, "</CellData>\n<Points>\n");
     array("Float64", "NumberOfComponents=\"3\"", all.points.size(),
           [&](std::size_t i) { return fmt::format("{:.9g} {:.9g} {:.9g}", all.points[i].x, all.points[i].y, all.points[i].z); });

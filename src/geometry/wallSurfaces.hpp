@@ -14,7 +14,8 @@ std::vector<TriangleSurface> wallSurfaces(const Geometry&, double margin, double
 /// ascii STL with a region `solid <name>` for each wall, normals into the fluid.
 std::string stlText(const Geometry&, const std::vector<TriangleSurface>&);
 
-/// ascii VTK XML PolyData with cell arrays `wall` (number in the order of constant/geometry) and `contactAngle`.
+/// ascii VTK XML PolyData with cell arrays `wall` (number in the order of constant/geometry) and `contactAngle`,
+/// of several the first.
 std::string vtpText(const Geometry&, const std::vector<TriangleSurface>&);
 
 }

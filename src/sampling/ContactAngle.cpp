@@ -15,7 +15,7 @@ namespace sph
 
 namespace entry
 {
-const Scalar angle{"angle", degrees, byScene("the wall's contactAngle, turned round for other phases than the first"),
+const Scalar angle{"angle", degrees, byScene("the wall's of two phases, turned round for the second"),
                    between(0, 180).saying("a contact angle lies between 0 and 180 degrees"), "the exact one"},
     above{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "height above the wall from which on the surface is fitted"};
 }
@@ -44,7 +44,13 @@ std::vector<Vector<3>> directions(int dimension)
 
 ContactAngle::ContactAngle(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
     : phase_(readPhase(d, entry::phase, phases)), angle_(entry::angle(d, -1)), above_(entry::above(d))
-{}
+{
+    if (phases.size() > 2 && angle_ < 0)
+        entry::angle.error(d, "is needed where there are more than two phases: the angle through a drop depends on what lies around it");
+    if (phases.size() < 2) return;
+    name_ = phases[phase_];
+    around_ = phases[phase_ == 0 ? 1 : 0];
+}
 
 EntryList ContactAngle::entries() { return {entry::phase, entry::angle, entry::above}; }
 
@@ -65,8 +71,10 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
                                             : "a particle of the drop has no position";
         return result;
     }
-    const double ofWall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall)).contactAngle;
-    result.reference = angle_ >= 0 ? angle_ : phase_ == 0 ? ofWall : 180 - ofWall;
+    const auto& wall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall));
+    const double ofWall = wall.contactAngles.empty() ? (phase_ == 0 ? wall.contactAngle : 180 - wall.contactAngle)
+                                                     : wall.angleOf(name_, around_).value_or(std::numeric_limits<double>::quiet_NaN());
+    result.reference = angle_ >= 0 ? angle_ : ofWall;
 
     const double farthest = most(view.n, [&](std::size_t i)
                                  { return phaseOf(view, i) == phase_ ? mag(displacement(view, drop.centre, position(view, i))) : 0; });

@@ -15,6 +15,7 @@ namespace sph
 class ContactAngle
 {
     std::size_t phase_;
+    std::string name_, around_; ///< of two phases
     double angle_, above_; ///< [degrees], negative: that of the wall; [spacings]
 
 public:

@@ -8,6 +8,7 @@
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
 #include "LiquidBridge.hpp"
+#include "LiquidLens.hpp"
 #include "MigrationBalance.hpp"
 #include "VortexDecay.hpp"
 #include "WallDropTime.hpp"
@@ -51,6 +52,8 @@ const std::vector<Entry>& catalogue()
         {"capillaryRise", measure<CapillaryRise>, CapillaryRise::entries},
         {"bridgeNeck", measure<BridgeNeck>, BridgeNeck::entries},
         {"bridgePressure", measure<BridgePressure>, BridgePressure::entries},
+        {"lensAngle", measure<LensAngle>, LensAngle::entries},
+        {"lensRadius", measure<LensRadius>, LensRadius::entries},
         {"migrationBalance", measure<MigrationBalance>, MigrationBalance::entries},
         {"wallDropTime", measure<WallDropTime>, WallDropTime::entries},
     };

@@ -19,6 +19,7 @@ struct ParticleView
     std::vector<std::string> phases;
     std::vector<double> restDensity, soundSpeed, viscosity; ///< of each phase [kg/m^3], [m/s], [Pa s]
     double surfaceTension = 0;                              ///< of the first pair of phases [N/m]; 0 where there is none
+    std::vector<double> surfaceTensions;                    ///< of each pair, phases x phases [N/m]
     Vector<3> g;                                            ///< gravity or driving acceleration [m/s^2]
     double spacing = 0, support = 0;                        ///< [m]
     std::string kernel;

@@ -49,6 +49,34 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
     if (radius > 0) most.consider(std::sqrt(gamma/(rho*radius)), "the capillary pressure at the expected radius");
     return most;
 }
+
+/// gamma_kl of each pair of phases: where one pair has a value all must, for a pair left out by mistake would mix.
+void readSurfaceTension(const Dictionary& dict, Coefficients& c)
+{
+    const std::size_t n = c.phases.size();
+    c.surfaceTension.assign(n*n, 0.0);
+    const auto before = dict.diagnostics().errors();
+    const auto pairs = entry::sigma(dict);
+    std::vector<bool> given(n*n, false);
+    for (const auto& [first, second, value] : pairs)
+    {
+        const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
+        for (const auto& [found, word] : {std::pair(a, first), std::pair(b, second)})
+            if (found == c.phases.end())
+                entry::sigma.error(dict, fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
+        if (a == c.phases.end() || b == c.phases.end()) continue;
+        const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
+        c.surfaceTension[k*n + l] = c.surfaceTension[l*n + k] = value;
+        given[k*n + l] = given[l*n + k] = true;
+    }
+    if (pairs.empty() || dict.diagnostics().errors() > before) return;
+    std::vector<std::string> missing;
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t l = k + 1; l < n; ++l)
+            if (!given[k*n + l]) missing.push_back(fmt::format("({} {})", c.phases[k], c.phases[l]));
+    if (!missing.empty())
+        entry::sigma.error(dict, fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
+}
 }
 
 EntryList phaseEntries()
@@ -74,20 +102,7 @@ void readPhases(const Case& theCase, Settings& settings)
     }
     c.bodyForce = entry::bodyForce(dict);
 
-    const std::size_t n = c.phases.size();
-    c.surfaceTension.assign(n*n, 0.0);
-    for (const auto& [first, second, value] : entry::sigma(dict))
-    {
-        const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
-        for (const auto& [found, word] : {std::pair(a, first), std::pair(b, second)})
-            if (found == c.phases.end())
-                entry::sigma.error(dict, fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
-        if (value < 0) entry::sigma.error(dict, fmt::format("surface tension of {} and {} must not be negative", first, second));
-        if (a == c.phases.end() || b == c.phases.end()) continue;
-        const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
-        if (k == l) entry::sigma.error(dict, fmt::format("\"{}\" has no surface tension with itself", first));
-        c.surfaceTension[k*n + l] = c.surfaceTension[l*n + k] = value;
-    }
+    readSurfaceTension(dict, c);
     for (const auto& name : c.phases)
     {
         const auto phase = dict.subDict(name);

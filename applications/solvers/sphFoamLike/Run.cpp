@@ -240,6 +240,7 @@ ParticleView Run::view() const
     v.soundSpeed = c.soundSpeed;
     v.viscosity = c.viscosity;
     v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
+    v.surfaceTensions = c.surfaceTension;
     v.g = c.g + c.bodyForce/c.restDensity[0];
     v.spacing = c.spacing;
     v.support = c.support;

@@ -1,6 +1,8 @@
 #include "tension.hpp"
 #include "WallTension.hpp"
 #include "WettingAngles.hpp"
+#include "YoungsLaw.hpp"
+#include "phaseCurvatureTerms.hpp"
 #include "tensionTerms.hpp"
 #include "wettingLaws.hpp"
 #include <algorithm>
@@ -15,8 +17,9 @@ namespace sph
 namespace entry
 {
 const Choice surfaceTension{"surfaceTension",
-                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of two phases"}, "none"},
-                            byScene("curvature; interfaceStress with scheme paper, more phases, or contactAngle wallStress; none without sigma"),
+                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of each interface"}, "none"},
+                            byScene("curvature; interfaceStress with scheme paper, contactAngle wallStress, or more than three phases whose sigmas are no sums of a share of each; none "
+                                    "without sigma"),
                             "form of the surface tension"},
     contactAngle{"contactAngle",
                  {{"wallStress", "tension of the wall, with interfaceStress"},
@@ -34,38 +37,51 @@ bool hasTension(const Coefficients& c)
     return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
 }
 
-/// gamma_sk of each wall, by Young's law gamma_sg - gamma_sl = gamma cos(theta) (eq. 14 of Barker et al. 2012 has the other sign), shared
-/// by density: gamma_sl = -gamma cos(theta) rho_l/(rho_l + rho_g), gamma_sg = gamma cos(theta) rho_g/(rho_l + rho_g). Half and half at
-/// equal densities; at 1000:1 half of it on the gas would accelerate it a thousand times as much and limit the step tenfold.
-void setContactAngles(const Geometry& geometry, Coefficients& c)
+/// gamma_sk of each wall, by Young's law from its contact angles. None where every angle is 90 degrees.
+void setContactAngles(const Reading& reading, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
-    const bool wets = std::any_of(geometry.walls.begin(), geometry.walls.end(), [](const WallProperties& w) { return w.wets && w.contactAngle != 90; });
-    if (n < 2 || !hasTension(c) || !wets) return;
-    for (const auto& wall : geometry.walls)
-        for (std::size_t k = 0; k < n; ++k)
-        {
-            const std::size_t other = k == 0 ? 1 : 0;
-            const double share = c.restDensity[k]/(c.restDensity[k] + c.restDensity[other]);
-            c.wallTension.push_back((k == 0 ? -1 : 1)*share*c.surfaceTension[k*n + other]*wall.cosine());
-        }
+    if (n < 2 || !reading.geometry.wets()) return;
+    WettingAngles angles;
+    std::vector<double> tensions;
+    bool neutral = true;
+    for (const auto& wall : reading.geometry.walls)
+    {
+        const auto complain = [&](const std::string& what) { reading.theCase.diagnostics().error(wall.anglesAt, fmt::format("wall \"{}\": {}", wall.name, what)); };
+        const auto known = phaseAngles(wall, c, complain);
+        for (const auto& pair : known) neutral = neutral && pair.angle == 90;
+        for (double tension : wallTensions(known, c, complain)) tensions.push_back(tension);
+        angles.cosine.push_back(n == 2 && !known.empty() ? cosineThroughFirst(known.front()) : 0);
+    }
+    if (!hasTension(c) || neutral) return;
+    c.wallTension = tensions;
+    c.set(angles);
 }
 
-/// Between two phases the curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed); it goes with
-/// the wall potential. More phases have the stress form alone, and so have the walls' stresses.
+/// Whether the tensions of more than two phases are sums of a share of each, as the curvature form has them; those of three always are.
+bool haveShares(const Coefficients& c)
+{
+    const double roundOff = 1e-9;
+    return c.phases.size() < 4 || missedByShares(c) < roundOff;
+}
+
+/// The curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed, liquidLens); it goes with the wall potential. The
+/// walls' stresses go with the stress form alone.
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     const auto& dict = reading.schemes;
-    setContactAngles(reading.geometry, c);
+    setContactAngles(reading, c);
     const bool tension = hasTension(c);
-    const bool stress = reading.paper() || c.phases.size() > 2 || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
+    const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
     settings.surfaceTension = form != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
     if (settings.surfaceTension && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
-    if (form == "curvature" && c.phases.size() != 2) entry::surfaceTension.error(dict, "curvature is between two phases; take interfaceStress");
+    else if (form == "curvature" && !haveShares(c))
+        settings.reasons.push_back(fmt::format("surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
+                                               "has them exactly", c.phases.size(), missedByShares(c)));
 }
 
 void readAngles(const Reading& reading)
@@ -114,18 +130,18 @@ void read(const Reading& reading)
     }
     if (settings.has("surfaceTension", "interfaceStress") || by("wallStress"))
         select(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence");
-    if (settings.has("surfaceTension", "curvature"))
+    if (settings.has("surfaceTension", "curvature") && c.phases.size() > 2)
+    {
+        const bool even = !apart && settings.has("pressureGradient", "huAdams");
+        for (const auto& term : definePhaseCurvature(settings, {.even = even, .adhering = by("wallAdhesion")})) select(term);
+    }
+    else if (settings.has("surfaceTension", "curvature"))
     {
         select(!apart && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce");
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
     if (by("wallAdhesion"))
-    {
-        WettingAngles angle;
-        for (const auto& wall : reading.geometry.walls) angle.cosine.push_back(wall.cosine());
-        c.set(angle);
         settings.continuesInterfaces = true;
-    }
     if (by("wallPotential")) select("wallPotential");
     if (!apart) return;
     if (settings.slowTerms.empty())

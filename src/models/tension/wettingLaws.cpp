@@ -1,4 +1,5 @@
 #include "wettingLaws.hpp"
+#include "NearestWall.hpp"
 #include "WallAdhesion.hpp"
 #include "WallPotential.hpp"
 #include "WallTension.hpp"
@@ -8,7 +9,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> wettingLaws()
 {
-    return catalogue<dim, WallTension, WallPotential, WallAdhesion>();
+    return catalogue<dim, WallTension, WallPotential, WallAdhesion, WallNextTo>();
 }
 
 template Catalogue<2> wettingLaws<2>();

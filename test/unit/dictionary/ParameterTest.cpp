@@ -16,7 +16,7 @@ const Text title{"title", "", "above the picture"};
 const ListOf<double> sizes{"sizes", std::vector<double>{1, 2}, "some sizes"};
 const Choices formats{"formats", "formats", {"vtp", "stl"}, std::vector<std::string>{"vtp"}, "what is written"};
 const SubDictionary box{"box", notGiven, "a box"};
-const PairValues sigma{"sigma", units::surfaceTension, "surface tension of two phases"};
+const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative, "surface tension of two phases"};
 const AutomaticScalar sound{"sound", units::mPerS, byScene("10 x the largest velocity"), positive, "speed of sound"};
 }
 

@@ -28,6 +28,30 @@ TEST(ReadGeometry, readsWallsAndTheirProperties)
     EXPECT_EQ(g.wallVelocity(1, {1, 0, 0.5}), (Vector<3>{1, 0, -1.5}));
 }
 
+// Pairs of words, whatever the phases are called.
+TEST(ReadGeometry, readsContactAnglesOfPairs)
+{
+    const std::string plane = square + "walls { floor { type plane; point (0 0 0); normal (0 1 0);\n";
+    const auto [g, errors] = read(plane + "contactAngles ( (water air) 30 (oil air) 60 ); } }");
+    EXPECT_EQ(errors, "");
+    EXPECT_TRUE(g.walls[0].wets);
+    ASSERT_EQ(g.walls[0].contactAngles.size(), 2u);
+    EXPECT_EQ(g.walls[0].angleOf("oil", "air"), 60);
+    EXPECT_EQ(g.walls[0].angleOf("air", "water"), 150);
+    EXPECT_FALSE(g.walls[0].angleOf("oil", "water"));
+    EXPECT_EQ(toString(g.walls[0].anglesAt), "constant/geometry:3");
+    const auto expect = [&](const std::string& words, const std::string& what)
+    {
+        const auto found = read(plane + words + " } }").errors;
+        EXPECT_NE(found.find("constant/geometry:3: " + what), std::string::npos) << found;
+    };
+    expect("contactAngles ( (water air) 190 );", "a contact angle must be between 0 and 180 degrees, not 190");
+    expect("contactAngles ( (water water) 90 );", "\"water\" has no contact angle with itself");
+    expect("contactAngles ( (water air) 30 (air water) 150 );",
+           "the contact angle of air and water is there twice, (water air) 30 and (air water) 150: each pair has one");
+    expect("contactAngles ( (water air) 30 ); contactAngle 30;", "contactAngle and contactAngles say the same of a wall");
+}
+
 // No walls at all is a scene too.
 TEST(ReadGeometry, withoutWallsTheFluidIsEverywhere)
 {

@@ -13,7 +13,7 @@ TEST(Walls, surviveWritingAndReading)
     for (const auto& text :
          {domain3 + "walls { a { type plane; point (0.1 0 0); normal (1 2 0); contactAngle 33.3; velocity (0.1 0 0); omega (0 0 "
                     "1); origin (0.3 0 0); }"
-                    " b { type cylinder; point (0.3 0.3333333333333333 0); axis (0 0 1); radius 0.1; fluid outside; }"
+                    " b { type cylinder; point (0.3 0.3333333333333333 0); axis (0 0 1); radius 0.1; fluid outside; contactAngles ( (water air) 30.5 (oil air) 60 ); }"
                     " c { type torus; centre (0.5 0.5 0.5); axis (1 2 3); ringRadius 0.2; tubeRadius 0.05; fluid outside; }"
                     " d { type ellipsoid; centre (0.8 0.8 0.8); semiAxes (0.1 0.07 0.03); fluid outside; }"
                     " e { type box; min (0.1 0.7 0); max (0.2 0.9 1); fluid outside; }"
@@ -35,6 +35,7 @@ TEST(Walls, surviveWritingAndReading)
         EXPECT_EQ(again.patches.size(), g.patches.size());
         EXPECT_EQ(again.reach, g.reach);
         EXPECT_EQ(again.walls[0].wets, g.walls[0].wets);
+        EXPECT_EQ(toString(again.walls[0].anglesAt), toString(g.walls[0].anglesAt));
     }
 }
 

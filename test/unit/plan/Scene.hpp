@@ -82,13 +82,14 @@ template<int dim> struct Scene
     FieldStore<dim> store;
     Images<dim> images;
     NeighbourLists<dim> lists;
+    Catalogue<dim> catalogue = wholeCatalogue<dim>();
     std::optional<Plan<dim>> plan;
     std::size_t n = 0;
     std::vector<double> N; ///< of every particle and image, where the plain sums are to divide gradW by (N_i + N_j)/2
 
     /// A jittered lattice where the walls leave room. Phases in layers along y, with a wavy boundary.
     Scene(Geometry g, Coefficients numbers, const std::vector<std::string>& terms, bool integratedDensity = false,
-          unsigned seed = 1)
+          unsigned seed = 1, const Catalogue<dim>& more = {})
         : geometry((repeatPeriodically(g, 1.3 * numbers.support), std::move(g))),
           coefficients(std::move(numbers)),
           kernel("wendlandC2", coefficients.support),
@@ -96,7 +97,8 @@ template<int dim> struct Scene
     {
         std::set<std::string> given{"positions", "U", "m", "phase", "mu", "ghostWall", "dU", "dUTransport", "phi"};
         if (integratedDensity) given.insert("rho");
-        plan.emplace(wholeCatalogue<dim>(), terms, given);
+        catalogue.insert(catalogue.end(), more.begin(), more.end());
+        plan.emplace(catalogue, terms, given);
         plan->allocate(store);
         store.allocateState(Position{});
         store.allocateState(Velocity{});
@@ -138,10 +140,11 @@ template<int dim> struct Scene
         plan->evaluate(store, images, lists, kernel);
     }
 
-    template<class F> auto at(F, std::size_t i)
+    template<class F> auto at(F, std::size_t i) { return at(F{}, F::info.name, i); }
+    template<class F> auto at(F, const std::string& name, std::size_t i)
     {
         decltype(unwrap(At<F, dim>{})) q;
-        auto& arrays = store.fields().find(F::info.name)->second.component;
+        auto& arrays = store.fields().find(name)->second.component;
         fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
         return q;
     }

@@ -4,6 +4,7 @@
 /// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
 #include "Scene.hpp"
+#include "phaseCurvatureTerms.hpp"
 #include "reduce.hpp"
 #include <array>
 #include <functional>
@@ -1002,6 +1003,67 @@ template<int dim> void curvatureForm(const Terms& first, const std::string& ofJu
                 1e-11);
         });
 }
+/// Three phases, each against the other two: colours and forces by plain sums, the latter from the curvatures that the terms have found; gradients and
+/// curvatures are those of two phases under other names.
+template<int dim> void curvatureOfThreePhases(bool even)
+{
+    onEveryGeometry<dim>(
+        [&](Geometry g)
+        {
+            Settings settings;
+            settings.coefficients = coefficients<dim>(3);
+            const auto forces = definePhaseCurvature(settings, {.even = even});
+            const auto terms = with(with(summed, rawGradient), forces);
+            Scene<dim> s(std::move(g), settings.coefficients, terms, false, 1, settings.ownTerms<dim>());
+            Plain<dim> plain(s);
+            const auto& c = s.coefficients;
+            const auto phase = [&](std::size_t i) { return int(s.at(Phase{}, i)); };
+            for (int k = 0; k < 3; ++k)
+            {
+                const auto name = "colour." + c.phases[std::size_t(k)];
+                double worst = 0;
+                for (std::size_t i = 0; i < s.n; ++i)
+                {
+                    double colour = 0;
+                    overPairs(s, i, [&](std::size_t j, auto, double, double W, auto) { colour += phase(j) == k ? plain.V[j] * W : 0; });
+                    worst = std::fmax(worst, std::abs(colour - s.at(SmoothedColour{}, name, i)));
+                }
+                EXPECT_LT(worst, 1e-12);
+                Images<dim>::template refresh<Curvature>(s.images, s.store, "kappa." + c.phases[std::size_t(k)]);
+            }
+            const auto& sigma = c.surfaceTension; // 0.03, 0.02, 0.07: shares -0.01, 0.04, 0.03
+            const double half = 0.5 * (sigma[1] + sigma[2] + sigma[5]);
+            const double share[3]{half - sigma[5], half - sigma[2], half - sigma[1]};
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double, auto gradW)
+                              {
+                                  const int k = phase(i), l = phase(j);
+                                  if (k == l) return;
+                                  const auto kappa = [&](int of)
+                                  {
+                                      const auto name = "kappa." + c.phases[std::size_t(of)];
+                                      return 0.5 * (s.at(Curvature{}, name, i) + s.at(Curvature{}, name, j));
+                                  };
+                                  const double weight = even ? 1 : 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
+                                  force += (share[k] * kappa(k) - share[l] * kappa(l)) * weight * 0.5 * (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
+                              });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-11);
+        });
+}
+TEST(PlainLoop, CurvatureOfThreePhasesIn2D)
+{
+    curvatureOfThreePhases<2>(true);
+    curvatureOfThreePhases<2>(false);
+}
+TEST(PlainLoop, CurvatureOfThreePhasesIn3D) { curvatureOfThreePhases<3>(true); }
+
 TEST(PlainLoop, CurvatureFormIn2D) { curvatureForm<2>(rawGradient); }
 TEST(PlainLoop, CurvatureFormWithNormalisedGradientIn2D) { curvatureForm<2>(normalisedGradient); }
 TEST(PlainLoop, CurvatureFormIn3D) { curvatureForm<3>(rawGradient); }

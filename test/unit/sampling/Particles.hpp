@@ -18,6 +18,7 @@ struct Particles
     double spacing = 0, supportInSpacings = 3, time = 0;
     std::string kernel = "wendlandC2";
     double surfaceTension = 0;
+    std::vector<double> surfaceTensions;
     Vector<3> g;
 
     /// A square or cubic lattice of cell centres that fills the domain, at rest, of density 1000.
@@ -84,6 +85,7 @@ struct Particles
         v.viscosity = {1e-3, 2e-5};
         v.soundSpeed = {10, 10};
         v.surfaceTension = surfaceTension;
+        v.surfaceTensions = surfaceTensions;
         v.g = g;
         v.spacing = spacing;
         v.support = supportInSpacings * spacing;

@@ -7,6 +7,7 @@
 #include "TransportVelocity.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -166,6 +167,90 @@ TEST(Settings, SurfaceTensionOfUnknownPhases)
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid liquid) 1"),
                 "\"liquid\" has no surface tension with itself");
     expectError(edited(dropCase(), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) -1"), "must not be negative");
+}
+
+/// A third phase, oil, in the drop's case.
+Files threePhaseCase(const std::string& sigma)
+{
+    auto files = edited(dropCase(), "constant/phaseProperties", "phases (liquid gas);", "phases (liquid gas oil);");
+    files["constant/phaseProperties"] += "oil { rho 0.8; mu 0.05; soundSpeed 20; }\n";
+    return edited(files, "constant/phaseProperties", "sigma ( (liquid gas) 1 );", sigma);
+}
+
+// A pair left out would mix, and of two values the last would count: neither without a word.
+TEST(Settings, EachPairOfPhasesHasOneSurfaceTension)
+{
+    EXPECT_EQ(reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 );")).errors, "");
+    EXPECT_EQ(reading(threePhaseCase("")).errors, "");
+    expectError(threePhaseCase("sigma ( (liquid gas) 1 );"),
+                "constant/phaseProperties:4: sigma of (liquid oil), (gas oil) is missing: each pair of phases has a surface tension, 0 for none");
+    expectError(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 (gas liquid) 2 );"),
+                "constant/phaseProperties:4: the surface tension of gas and liquid is there twice, (liquid gas) 1 and (gas liquid) 2: each pair has one");
+}
+
+// Each phase against all others: one force for each, and none of the terms of two phases; of four phases whose tensions are no sums of a share of each the
+// interface stress, which needs none.
+TEST(Settings, MoreThanTwoPhasesHaveACurvatureEach)
+{
+    const auto has = [](const Reading& r, const std::string& term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
+    const auto three = reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );"));
+    EXPECT_EQ(three.errors, "");
+    for (const char* phase : {"liquid", "gas", "oil"}) EXPECT_EQ(has(three, std::string("curvatureForce of ") + phase), 1);
+    EXPECT_EQ(has(three, "evenCurvatureForce") + has(three, "curvatureForce") + has(three, "interfaceStress"), 0);
+    EXPECT_EQ(has(reading(dropCase()), "curvatureForce of liquid"), 0);
+
+    const auto four = [](double last)
+    {
+        auto files = edited(threePhaseCase(fmt::format("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.7 (tar liquid) 0.9 (tar gas) 0.7 (tar oil) {} );", last)),
+                            "constant/phaseProperties", "gas oil);", "gas oil tar);");
+        files["constant/phaseProperties"] += "tar { rho 0.8; mu 0.05; soundSpeed 20; }\n";
+        return files;
+    };
+    EXPECT_EQ(has(reading(four(0.4)), "curvatureForce of tar"), 1); // shares 0.6, 0.4, 0.1, 0.3
+    EXPECT_EQ(has(reading(four(0.5)), "interfaceStress"), 1);
+    auto files = four(0.5);
+    files["system/sphSchemes"] += "surfaceTension curvature;\n";
+    const auto asked = reading(files);
+    EXPECT_EQ(asked.errors, "");
+    EXPECT_EQ(has(asked, "curvatureForce of tar"), 1);
+    const auto& reasons = asked.settings.reasons;
+    EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return r.find("by a share of each: where three meet") != std::string::npos; }));
+}
+
+// With file and line of constant/geometry, from where meshToGhost has carried them.
+TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
+{
+    const auto read = [](const Files& files, const std::vector<WallProperties::PhaseAngle>& angles)
+    {
+        const TestCase folder(files);
+        const Case c(folder.folder());
+        auto g = channelGeometry();
+        g.walls[1].name = "top";
+        g.walls[1].wets = true;
+        g.walls[1].contactAngle = 60;
+        g.walls[1].contactAngles = angles;
+        g.walls[1].anglesAt = {"constant/geometry", 6};
+        Reading r{readSettings(c, g), ""};
+        try { c.diagnostics().throwIfAny(); }
+        catch (const CaseError& e) { r.errors = e.what(); }
+        return r;
+    };
+    const auto three = threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );");
+    const auto expect = [](const std::string& errors, const std::string& what) { EXPECT_NE(errors.find(what), std::string::npos) << errors; };
+    expect(read(three, {}).errors, "constant/geometry:6: wall \"top\": contactAngle 60 is of two phases, and here are 3");
+    expect(read(three, {{"liquid", "gas", 60}}).errors, "constant/geometry:6: wall \"top\": its contact angles do not connect the phases (liquid gas), (oil)");
+    expect(read(three, {{"liquid", "gas", 30}, {"gas", "oil", 60}}).errors, "no angle of (liquid oil) goes with the others");
+    const auto good = read(three, {{"liquid", "gas", 60}, {"oil", "gas", 80}});
+    EXPECT_EQ(good.errors, "");
+    const auto& tension = good.settings.coefficients.wallTension;
+    ASSERT_EQ(tension.size(), 6u); // walls x phases
+    EXPECT_EQ(tension[0], 0);
+    EXPECT_NEAR(tension[4] - tension[3], 0.5, 1e-14);
+    EXPECT_TRUE(std::count(good.settings.terms.begin(), good.settings.terms.end(), "wallPotential") > 0);
+
+    const auto plain = read(dropCase(), {}).settings, named = read(dropCase(), {{"gas", "liquid", 120}}).settings;
+    ASSERT_EQ(named.coefficients.wallTension.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(plain.coefficients.wallTension[k], named.coefficients.wallTension[k], 1e-15);
 }
 
 TEST(Settings, WrongDimensionsAndSigns)

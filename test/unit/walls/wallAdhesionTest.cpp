@@ -17,11 +17,7 @@ template<int dim> void nearestWallOfEach()
     const auto points = atHeights<dim>({0.02, 0.2, 0.249, 0.251, 0.45});
     Channel<dim> channel(points, WallNormal{}, 7); // what was there before is forgotten
     channel.store.allocate(WallCosine{});
-    channel.geometry.walls[0].wets = true;
-    channel.geometry.walls[0].contactAngle = 60;
-    WettingAngles angles;
-    for (const auto& wall : channel.geometry.walls) angles.cosine.push_back(wall.cosine());
-    channel.coefficients.set(angles);
+    channel.coefficients.set(WettingAngles{{0.5, 0}});
     const auto directions = [&](double support)
     {
         channel.coefficients.support = support;

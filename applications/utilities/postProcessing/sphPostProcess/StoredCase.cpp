@@ -76,6 +76,7 @@ ParticleView StoredCase::load(const std::string& time)
     v.soundSpeed = c.soundSpeed;
     v.viscosity = c.viscosity;
     v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
+    v.surfaceTensions = c.surfaceTension;
     v.g = c.g + c.bodyForce / c.restDensity[0];
     v.spacing = c.spacing;
     v.support = c.support;

@@ -24,6 +24,15 @@ std::string table(const std::vector<Row>& rows)
     return out;
 }
 
+std::string angles(const sph::WallProperties& wall)
+{
+    if (!wall.wets) return "-";
+    if (wall.contactAngles.empty()) return fmt::format("{:.4g}", wall.contactAngle);
+    std::string all;
+    for (const auto& [first, second, angle] : wall.contactAngles) all += fmt::format("{}{} {} {:.4g}", all.empty() ? "" : ", ", first, second, angle);
+    return all;
+}
+
 std::string motion(const sph::WallProperties& wall)
 {
     const auto text = [](const sph::Vector<3>& a) { return fmt::format("({:.4g} {:.4g} {:.4g})", a.x, a.y, a.z); };
@@ -61,7 +70,7 @@ std::string report(const sph::Geometry& g, const sph::GeometryReport& report, do
             row.insert(row.end(), {length(wall.smallestRadius), length(wall.smallestRadius / H), length(gap.width),
                                    std::isfinite(gap.width) ? fmt::format("{:.3g}", gap.width / H) : "> 2",
                                    gap.wall >= 0 ? g.walls[gap.wall].name : "-", fmt::format("{}", wall.contacts),
-                                   g.walls[w].wets ? fmt::format("{:.4g}", g.walls[w].contactAngle) : "-", motion(g.walls[w])});
+                                   angles(g.walls[w]), motion(g.walls[w])});
         }
         rows.push_back(row);
     }
