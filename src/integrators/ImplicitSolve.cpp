@@ -160,13 +160,16 @@ template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& pa
     // Share of the residual: of the velocity, or with pressure, whose forces balance one another, of what they were before.
     const auto residual = [&] { return withPressure_ ? std::sqrt(now.rz/start) : std::sqrt(now.rr/now.vv); };
     const auto converged = [&] { return withPressure_ ? now.rz <= sqr(settings.tolerance)*start : now.rr <= sqr(settings.tolerance)*now.vv; };
+    std::string history;
     for (iterations_ = 0; !converged(); ++iterations_)
     {
         if (iterations_ == settings.maxIter || !std::isfinite(now.rz))
-            throw DivergedError(fmt::format("the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}. Choose a "
+            throw DivergedError(fmt::format("the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
                                             "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
                                             withPressure_ ? "pressure" : "viscosity", iterations_, residual(),
-                                            withPressure_ ? "forces" : "velocity", settings.tolerance));
+                                            withPressure_ ? "forces" : "velocity", settings.tolerance, history));
+        if (iterations_ > 0 && iterations_ % std::max(1, settings.maxIter/4) == 0)
+            history += fmt::format("; after {} it was {:.3g}", iterations_, residual());
         particles.evaluate(ofSolver);
         // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
         for (const auto& response : {Lp, Kp})

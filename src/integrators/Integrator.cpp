@@ -108,6 +108,8 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     auto& integration = settings.integration;
     integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.1 : 1e-6);
     integration.maxIter = entry::maxIter(dict);
+    if (integration.solvesPressure && integration.tolerance >= 1)
+        entry::tolerance.error(dict, "is a share of the forces, below 1: at 1 nothing would be solved for");
     if (integration.solvesPressure)
         settings.reasons.push_back(fmt::format("pressure and viscosity at the end of the step, by conjugate gradients to {:.3g} of the forces", integration.tolerance));
     else if (integration.moves)

@@ -377,6 +377,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     expectError(with("; } pressureGradient monaghan; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
     expectError(with("; } density continuity; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
     expectError(with("; tolerance -1"), "tolerance");
+    expectError(with("; tolerance 1"), "is a share of the forces, below 1");
 }
 
 // Where surface tension would allow steps 1.5 times as long as sound and stiffness do, an implicit step is the default; a form without an energy, which

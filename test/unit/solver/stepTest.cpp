@@ -157,6 +157,20 @@ void expectNoConvergence(const std::string& integrator, const std::string& what)
         EXPECT_NE(std::string(e.what()).find("the implicit " + what + " has not converged in 1 iterations"), std::string::npos) << e.what();
     }
 }
+// With how the residual went.
+TEST(Step, ASolveThatDoesNotConvergeTellsItsHistory)
+{
+    try
+    {
+        left("semiImplicit; maxIter 8; tolerance 1e-30", 1e-8);
+        FAIL() << "eight iterations to 1e-30";
+    }
+    catch (const DivergedError& e)
+    {
+        for (const char* part : {"; after 2 it was", "; after 4 it was", "; after 6 it was"})
+            EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+}
 TEST(Step, SemiImplicitSaysThatItHasNotConverged) { expectNoConvergence("semiImplicit; theta 0.5", "viscosity"); }
 TEST(Step, ImplicitSaysThatItHasNotConverged) { expectNoConvergence("implicit", "pressure"); }
 
