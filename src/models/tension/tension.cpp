@@ -93,6 +93,9 @@ void readAngles(const Reading& reading)
     if (form == "paper" && !byStress)
         entry::contactAngle.error(dict, fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                                                "{}; take wallStress or wallPotential", settings.chosen.at("surfaceTension")));
+    if (form == "wallPotential" && byStress && reading.geometry.wets())
+        dict.diagnostics().warning(entry::contactAngle.where(dict), "wallPotential asks the interface to bend beside the wall, which interfaceStress does not: contact angles are 7 to 9 "
+                                                                    "degrees off (tutorials/verification/contactAngle). Take surfaceTension curvature, or contactAngle wallStress");
     if (form == "wallAdhesion" && byStress)
         entry::contactAngle.error(dict, "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
     if (entry::contactAngle.given(dict) && (!settings.surfaceTension || !reading.geometry.wets()))

@@ -406,20 +406,32 @@ TEST(Settings, ChooseAnImplicitStepWhereItPays)
     expectError(nothing, "there must be at least one phase");
 }
 
+std::vector<std::string> warningsOf(Files files, const std::string& schemes, const Geometry& geometry = channelGeometry())
+{
+    files["system/sphSchemes"] += schemes + "\n";
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    readSettings(c, geometry);
+    return c.diagnostics().warnings();
+}
+
 TEST(Settings, AFormWithoutAnEnergyIsWarnedOf)
 {
-    const auto warnings = [](Files files)
-    {
-        files["system/sphSchemes"] += "pressureGradient densityWeighted;\n";
-        const TestCase folder(files);
-        const Case c(folder.folder());
-        readSettings(c, channelGeometry());
-        return c.diagnostics().warnings();
-    };
-    const auto found = warnings(dropCase());
+    const auto found = warningsOf(dropCase(), "pressureGradient densityWeighted;");
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NE(found[0].find("system/sphSchemes:3: densityWeighted has no energy between phases of densities 1 : 2"), std::string::npos) << found[0];
-    EXPECT_TRUE(warnings(edited(dropCase(), "constant/phaseProperties", "rho 0.5", "rho 1")).empty());
+    EXPECT_TRUE(warningsOf(edited(dropCase(), "constant/phaseProperties", "rho 0.5", "rho 1"), "pressureGradient densityWeighted;").empty());
+}
+
+TEST(Settings, APotentialOfWallsBesideTheInterfaceStressIsWarnedOf)
+{
+    auto geometry = channelGeometry();
+    geometry.walls[0].contactAngle = 60;
+    geometry.walls[0].wets = true;
+    const auto found = warningsOf(dropCase(), "surfaceTension interfaceStress; contactAngle wallPotential;", geometry);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find("system/sphSchemes:3: wallPotential asks the interface to bend"), std::string::npos) << found[0];
+    EXPECT_TRUE(warningsOf(dropCase(), "contactAngle wallPotential;", geometry).empty());
 }
 
 TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
