@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <fmt/format.h>
+#include <iostream>
 
 namespace sph
 {
@@ -117,16 +119,24 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         return fail(withSingleDashes(error.what()), fmt::format("See '{} -help' for usage\n", name));
     }
 
+    // An error comes behind what has been printed before it, also where both go to one file.
+    const auto flush = []
+    {
+        std::cout.flush();
+        std::fflush(stdout);
+    };
     try
     {
         return body(caseFolder);
     }
     catch (const CaseError& error)
     {
+        flush();
         return fail(error.what());
     }
     catch (const std::exception& error)
     {
+        flush();
         return fail(fmt::format("{} stopped unexpectedly: {}", name, error.what()));
     }
 }

@@ -99,7 +99,7 @@ void prepare(const Reading& reading)
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
     if (integration.maxSubSteps > 1) integration.factors.capillary *= 0.5;
     if (integration.maxSubSteps > 1 && integration.solves)
-        entry::maxSubSteps.error(dict, "goes with explicit integration: with semiImplicit a drop was less exact by it, and no faster (src/integrators/README.md)");
+        entry::maxSubSteps.error(dict, "goes with explicit integration: an implicit step is limited by surface tension alone, and with semiImplicit a drop was less exact by parts, and no faster");
 }
 
 void readSolve(const Reading& reading, const Dictionary& dict)

@@ -33,7 +33,7 @@ void read(const Reading& reading)
     if (C > 0 && !settings.integration.moves)
         entry::shifting.error(dict, "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
     if (transport > 0 && settings.integration.solves)
-        entry::transportVelocity.error(dict, "goes with steps that sound limits; semiImplicit may take longer ones, in which particles are thrown apart");
+        entry::transportVelocity.error(dict, "goes with steps that sound limits; semiImplicit and implicit take longer ones, in which particles are thrown apart");
     if (C > 0)
     {
         reading.select(tangential ? "surfaceShifting" : "particleShifting");

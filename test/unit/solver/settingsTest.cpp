@@ -378,6 +378,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     expectError(with("; } density continuity; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
     expectError(with("; tolerance -1"), "tolerance");
     expectError(with("; tolerance 1"), "is a share of the forces, below 1");
+    expectError(edited(openCase(), "system/sphSchemes", "semiImplicit", "implicit"), "needs steps that sound limits: integration scheme implicit takes longer ones");
 }
 
 // Where surface tension would allow steps 1.5 times as long as sound and stiffness do, an implicit step is the default; a form without an energy, which
