@@ -53,9 +53,10 @@ std::string nameOf(const Coefficients& c, std::size_t a, std::size_t b) { return
 
 std::string impossible(const Coefficients& c, std::size_t a, std::size_t b, const Implied& implied)
 {
-    return fmt::format("no angle of {} goes with the others: by Young's law its cosine is {:.4g}, the wall's tensions with the two being {:.4g} N/m apart and their "
-                       "own only {:.4g}. Possible with a sigma of {} of at least {:.4g} N/m, or with other angles",
-                       nameOf(c, a, b), implied.cosine, std::abs(implied.difference), implied.gamma, nameOf(c, a, b), std::abs(implied.difference));
+    const auto cosine = implied.gamma > 0 ? fmt::format(": by Young's law its cosine is {:.4g},", implied.cosine) : std::string(" by Young's law,");
+    return fmt::format("no angle of {} goes with the others{} the wall's tensions with the two being {:.4g} N/m apart and their own only {:.4g}. Possible with a sigma of "
+                       "{} of at least {:.4g} N/m, or with other angles",
+                       nameOf(c, a, b), cosine, std::abs(implied.difference), implied.gamma, nameOf(c, a, b), std::abs(implied.difference));
 }
 
 void checkConnected(const Connected& tensions, const Coefficients& c, const Complain& complain)
