@@ -89,6 +89,9 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
 {
     const auto fail = [&](const std::string& what, const std::string& hint = "")
     {
+        // An error comes behind what has been printed before it, also where both go to one file.
+        std::cout.flush();
+        std::fflush(stdout);
         fmt::print(stderr, "--> FATAL ERROR\n{}\n{}", what, hint);
         return 1;
     };
@@ -119,24 +122,16 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         return fail(withSingleDashes(error.what()), fmt::format("See '{} -help' for usage\n", name));
     }
 
-    // An error comes behind what has been printed before it, also where both go to one file.
-    const auto flush = []
-    {
-        std::cout.flush();
-        std::fflush(stdout);
-    };
     try
     {
         return body(caseFolder);
     }
     catch (const CaseError& error)
     {
-        flush();
         return fail(error.what());
     }
     catch (const std::exception& error)
     {
-        flush();
         return fail(fmt::format("{} stopped unexpectedly: {}", name, error.what()));
     }
 }

@@ -54,7 +54,7 @@ private:
     void checkEnergy();
     /// Adds up, for some steps after that warning, the work of each operation, and then says which feeds the run.
     void traceEnergy(double deltaT);
-    /// "the largest work of an operation since ...".
+    /// Which operation has done the most work since then, and what the others have.
     std::string sourceOfEnergy() const;
     void noteLeaks();
     void reportLeaks() const;

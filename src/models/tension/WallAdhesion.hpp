@@ -12,35 +12,20 @@
 /// spacings between two walls, whose interface no direction fits, are calmer with WallPotential: in the bed of
 /// tutorials/heapLeaching/bccBed, at 24 spacings a period, water and air have 2.5 times the kinetic energy of it after 2.5 ms.
 #pragma once
-#include "Coefficients.hpp"
+#include "NearestWall.hpp"
 #include "WettingAngles.hpp"
-#include "fieldTags.hpp"
 
 namespace sph
 {
 
-struct WallAdhesion
+struct WallAdhesion : NextToWall
 {
-    static constexpr bool atWalls = true;
     static constexpr auto name = "wallAdhesion";
     using Provides = Fields<WallNormal, WallCosine>;
-    template<int dim> struct SoFar
-    {
-        bool found = false;
-        double nearest = 0;   ///< [m]
-        Vector<dim> n_w{};
-        double cosTheta = 0;
-    };
     const double* cosTheta;   ///< of each wall
-    double reach;             ///< [m]
 
-    explicit WallAdhesion(const Coefficients& c) : cosTheta(c.of<WettingAngles>().cosine.data()), reach(5.0/6*c.support) {}
-    template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const
-    {
-        if (foot.distance >= (soFar.found ? soFar.nearest : reach)) return soFar;
-        return {true, foot.distance, foot.normal, cosTheta[foot.wall]};
-    }
-    template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {q.cosTheta}}; }
+    explicit WallAdhesion(const Coefficients& c) : NextToWall(c), cosTheta(c.of<WettingAngles>().cosine.data()) {}
+    template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {q.found ? cosTheta[q.wall] : 0.0}}; }
 };
 
 }

@@ -3,6 +3,7 @@
 #include "Plane.hpp"
 #include "Sphere.hpp"
 #include "particles.hpp"
+#include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vtkFeatureEdges.h>
@@ -81,7 +82,7 @@ TEST(Walls, ThePlainSumFallsToOneHalfOnTheWall)
         for (int k = 0; k < cap.grid.nodes[2]; ++k)
             for (int i = 0; i < cap.grid.nodes[0]; ++i)
                 if (const auto x = cap.grid.node(i, 40, k); x.z == 0 && std::fabs(x.x) < 8)
-                    largest = std::max(largest, cap.colour[cap.grid.index(i, 40, k)]);
+                    Larger{}(largest, cap.colour[cap.grid.index(i, 40, k)]);
         return largest;
     };
     EXPECT_NEAR(below(plain), 0.5, 0.05);
