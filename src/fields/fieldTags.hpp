@@ -8,9 +8,9 @@ namespace sph
 {
 
 /// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); ruled: by the rule of the field `ofRule`, without one copied;
-/// ruledChange: what that rule makes of a change; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
+/// ruledChange: what that rule makes of a change; ruledGradient: what it makes of a gradient of such values; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
 /// image is rather than what its source has, written when images are moved and never refreshed.
-enum class Image { copied, mirrored, ruled, ruledChange, interface, placed };
+enum class Image { copied, mirrored, ruled, ruledChange, ruledGradient, interface, placed };
 
 /// What a particle of a wall layer has: by its pair, whatever each particle of the fluid sees in it; or one value of its own, a mean over the fluid
 /// within sight (WallLayers.hpp).
@@ -65,6 +65,7 @@ struct VolumeStiffness     { static constexpr FieldInfo info{"volumeStiffness", 
 struct Displacement        { static constexpr FieldInfo info{"displacement", "m/s", Image::mirrored};   template<int dim> struct At { Vector<dim> u; }; };
 struct CompressionChange   { static constexpr FieldInfo info{"compressionOfChange", "N m^4"};         template<int dim> struct At { double q; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };
+struct ViscousGradient     { static constexpr FieldInfo info{"viscousGradient", "1/s", Image::ruledGradient, nullptr, "U"};       template<int dim> struct At { Tensor<dim> G; }; };
 struct PowderFraction      { static constexpr FieldInfo info{"phi", "1"};                               template<int dim> struct At { double phi; }; };
 struct PowderRate          { static constexpr FieldInfo info{"dphidt", "1/s"};                          template<int dim> struct At { double dphidt; }; };
 struct ShearRate           { static constexpr FieldInfo info{"gammaDot", "1/s"};                        template<int dim> struct At { double gammaDot; }; };

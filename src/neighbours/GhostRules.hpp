@@ -1,7 +1,7 @@
 /// How the value of an image beyond a wall follows from that of its source, where the field's tag says that there is a rule: one for each field,
 /// of the field's type, for mirror images and particles of wall layers alike.
 #pragma once
-#include "Vector.hpp"
+#include "values.hpp"
 #include <cstddef>
 
 namespace sph
@@ -37,6 +37,21 @@ public:
     virtual Value change(Value dq, const Reflection<dim>&) const = 0;
 };
 template<int dim> using GhostVelocity = GhostRule<Vector<dim>, dim>;
+/// The gradient G_ab = dv_a/dx_b beyond a wall, L G R: the rule's linear part L at a mirror image, of a field that the reflection R has turned.
+template<int dim> Tensor<dim> gradientBeyond(const GhostVelocity<dim>& rule, Tensor<dim> G, Reflection<dim> mirror)
+{
+    mirror.ratio = 1;
+    const auto& n = mirror.normal;
+    const auto turned = G - 2*outer(G*n, n);
+    Tensor<dim> beyond;
+    for (int b = 0; b < dim; ++b)
+    {
+        Vector<dim> e;
+        fetch(e, [&](int c) { return c == b ? 1.0 : 0.0; });
+        beyond += outer(rule.change(turned*e, mirror), e);
+    }
+    return beyond;
+}
 template<int dim> using GhostPressure = GhostRule<double, dim>;
 
 }

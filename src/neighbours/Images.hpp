@@ -144,7 +144,8 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         if (store.has(F::info.ofGhosts))
             for (std::size_t c = 0; c < p.size(); ++c) ofGhosts[c] = store.component(F::info.ofGhosts, int(c));
     [[maybe_unused]] const auto position = store.pointers(Position{});
-    [[maybe_unused]] const auto* const rule = images.template rule<Value>(F::info.ofRule);
+    constexpr bool ofGradient = F::info.image == Image::ruledGradient;
+    [[maybe_unused]] const auto* const rule = images.template rule<std::conditional_t<ofGradient, Vector<dim>, Value>>(F::info.ofRule);
     const std::size_t n = images.entries_.size(), owned = images.owned_;
     #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < n; ++k)
@@ -170,7 +171,8 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                     const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, images.geometry_->patches[e.patch[r]].wall,
                                                      in3D(foot)};
                     x = foot - feet[r].distance*feet[r].normal;
-                    if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);
+                    if constexpr (ofGradient) q = gradientBeyond(*rule, q, reflection);
+                    else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);
                     else q = rule->change(q, reflection);
                 }
             }

@@ -181,7 +181,16 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const GhostV
                 if (image == Image::ruled) return continued(*rule, q, (*rule)(q, i, at[0], walls.size() == 1));
                 if (image == Image::ruledChange) return continued(*rule, q, rule->change(q, at[0]));
             }
-            for (std::size_t k = 0; k < walls.size(); ++k) q = mirrored(q, at[k].normal);
+            for (std::size_t k = 0; k < walls.size(); ++k)
+            {
+                if constexpr (std::same_as<decltype(q), Tensor<dim>>)
+                    if (image == Image::ruledGradient)
+                    {
+                        q = gradientBeyond(*rule, q, at[k]);
+                        continue;
+                    }
+                q = mirrored(q, at[k].normal);
+            }
             return q;
         };
         int column = 0;

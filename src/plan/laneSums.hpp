@@ -1,4 +1,4 @@
-/// Sum of f(0) ... f(n - 1) in vector lanes, of any value with up to 13 numbers (a tensor, a vector and a scalar).
+/// Sum of f(0) ... f(n - 1) in vector lanes, of any value with up to 15 numbers (two tensors, one of them symmetric).
 ///
 /// Each number is a scalar of its own, since GCC 12 reduces scalars, and arrays at a loss of a factor 2; those that a value does not have are
 /// never added to, and go. A struct of the loop's body whose address is taken, as `store` does, keeps the loop from being vectorised: `numbers`
@@ -27,9 +27,10 @@ template<class Value> constexpr Numbers<components<Value>> numbers(const Value v
 template<class Value, class F> Value sum(int n, const F& f)
 {
     constexpr int count = components<Value>;
-    static_assert(count <= 13, "a term sums up to 13 numbers at once");
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0;
-    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12)
+    static_assert(count <= 15, "a term sums up to 15 numbers at once");
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0,
+           s13 = 0, s14 = 0;
+    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14)
     for (int t = 0; t < n; ++t)
     {
         const auto q = detail::numbers<Value>(f(t));
@@ -46,8 +47,10 @@ template<class Value, class F> Value sum(int n, const F& f)
         if constexpr (count > 10) s10 += q.number[10];
         if constexpr (count > 11) s11 += q.number[11];
         if constexpr (count > 12) s12 += q.number[12];
+        if constexpr (count > 13) s13 += q.number[13];
+        if constexpr (count > 14) s14 += q.number[14];
     }
-    const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12};
+    const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14};
     return [&]<std::size_t... c>(std::index_sequence<c...>) { return Value{all[c]...}; }(std::make_index_sequence<count>{});
 }
 

@@ -9,8 +9,8 @@ namespace sph
 namespace entry
 {
 const Choice viscosity{"viscosity",
-                       {{"harmonic", "div(mu grad v), harmonic mean of a pair"}, {"cleary", "the whole stress, along the line of centres"}, "none"},
-                       byScene("harmonic where a phase has mu"),
+                       {{"newtonian", "the whole stress, mu (grad v + (grad v)^T)"}, {"harmonic", "div(mu grad v), harmonic mean of a pair"}, {"cleary", "the whole stress, along the line of centres"}, "none"},
+                       byScene("newtonian between phases of unequal mu, else harmonic where a phase has mu"),
                        "form of the viscous acceleration"};
 const Scalar artificialViscosity{"artificialViscosity", units::none, 0, nonNegative, "alpha of Monaghan and Gingold, about 0.02 for free surfaces"};
 }
@@ -28,9 +28,15 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
-    const auto& form = reading.choose(entry::viscosity, viscous ? "harmonic" : "none");
+    const bool unequal = std::any_of(c.viscosity.begin(), c.viscosity.end(), [&](double mu) { return mu != c.viscosity[0]; });
+    const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : unequal && !reading.paper() ? "newtonian" : "harmonic");
     const bool variable = settings.variableViscosity, central = form == "cleary";
-    if (form == "harmonic") reading.select(variable ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (form == "harmonic" || form == "newtonian") reading.select(variable ? "harmonicViscosity" : "singlePhaseViscosity");
+    if (form == "newtonian")
+    {
+        reading.select(variable ? "viscousGradient" : "singlePhaseViscousGradient");
+        reading.select(variable ? "transposedViscosity" : "singlePhaseTransposedViscosity");
+    }
     if (central) reading.select(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (settings.multiphase() && form != "none") reading.select("viscosityOfPhase");
     const std::string name = central ? variable ? "cleary" : "singlePhaseCleary" : variable ? "harmonicViscous" : "singlePhaseViscous";

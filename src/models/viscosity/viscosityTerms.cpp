@@ -1,6 +1,6 @@
 #include "viscosityTerms.hpp"
 #include "ArtificialViscosity.hpp"
-#include "Viscosity.hpp"
+#include "TransposedViscosity.hpp"
 
 namespace sph
 {
@@ -9,7 +9,7 @@ template<int dim> Catalogue<dim> viscosityTerms()
 {
     return catalogue<dim, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse, SinglePhaseRate, HarmonicRate,
                      SinglePhaseClearyViscosity, ClearyViscosity, SinglePhaseClearyResponse, ClearyResponse, SinglePhaseClearyRate, ClearyRate,
-                     ViscosityOfPhase, ArtificialViscosity>();
+                     ViscousGradientOfPhases, TransposedViscosity, SinglePhaseViscousGradient, SinglePhaseTransposedViscosity, ViscosityOfPhase, ArtificialViscosity>();
 }
 
 template Catalogue<2> viscosityTerms<2>();

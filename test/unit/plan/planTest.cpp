@@ -155,6 +155,7 @@ TEST(Plan, ConservesLinearMomentumWithoutWalls)
                                                     {"harmonicViscosity"},
                                                     {"singlePhaseClearyViscosity"},
                                                     {"clearyViscosity"},
+                                                    {"transposedViscosity", "viscousGradient"},
                                                     {"transportStress"},
                                                     {"interfaceStress", "stressDivergence"},
                                                     {"interfaceStress", "densityWeightedStressDivergence"}};
