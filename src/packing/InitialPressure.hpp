@@ -13,7 +13,7 @@ namespace entry
 {
 const Text pressure{
     "pressure", byScene("that of the positions"),
-    "at the start [Pa], \"1000*9.81*(0.1 - $y)\"; $x, $y, $z are the position [m]; goes with `density continuity;` in system/sphSchemes"};
+    "at the start [Pa], \"1000*9.81*(0.1 - $y)\", above the background pressure; $x, $y, $z are the position [m]"};
 }
 
 PressureField readPressure(const Dictionary&);

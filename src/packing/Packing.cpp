@@ -81,23 +81,26 @@ void checkDistances(const PackingPlan& plan, const Packing& packing)
                                     r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
 }
 
-/// The phase of each place, and the velocity that its rule gives.
+/// The phase of each place, and the velocity and pressure that a rule gives.
 struct Occupation
 {
     std::vector<int> phase;
     std::vector<const Vector<3>*> U;
+    std::vector<const double*> p;
 };
 
 Occupation occupy(const PackingPlan& plan, const Points& places)
 {
     const std::size_t n = places.size();
-    Occupation o{std::vector<int>(n, plan.fill.empty() ? 0 : FillRule::noPhase), std::vector<const Vector<3>*>(n, nullptr)};
+    Occupation o{std::vector<int>(n, plan.fill.empty() ? 0 : FillRule::noPhase), std::vector<const Vector<3>*>(n, nullptr),
+                 std::vector<const double*>(n, nullptr)};
     for (std::size_t i = 0; i < n; ++i)
         for (const auto& rule : plan.fill)
             if (rule.region(places[i]))
             {
                 o.phase[i] = rule.phase;
                 if (rule.U) o.U[i] = &*rule.U;
+                if (rule.p) o.p[i] = &*rule.p;
             }
     return o;
 }
@@ -149,6 +152,7 @@ Packing pack(const PackingPlan& plan)
 
     const Points places = std::move(packing.points);
     packing.points = {};
+    const bool pressed = plan.pressure || std::any_of(plan.fill.begin(), plan.fill.end(), [](const FillRule& rule) { return rule.p.has_value(); });
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         const int phase = occupation.phase[i];
@@ -158,6 +162,7 @@ Packing pack(const PackingPlan& plan)
         packing.phase.push_back(phase);
         packing.rho.push_back(rho);
         packing.mass.push_back(mass);
+        if (pressed) packing.p.push_back(occupation.p[i] ? *occupation.p[i] : plan.pressure ? (*plan.pressure)(places[i]) : 0);
         Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
         if (g.dimension == 2) U.z = 0;
         packing.velocity.add(U);

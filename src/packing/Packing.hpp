@@ -21,13 +21,14 @@ struct PhaseToPack
     Location where;
 };
 
-/// `{ region ..; phase ..; U (..); }`: the last rule that contains a particle decides.
+/// `{ region ..; phase ..; U (..); p ..; }`: the last rule that contains a particle decides on its phase, the last that has U or p on those.
 struct FillRule
 {
     static constexpr int noPhase = -1; ///< `phase none`: no particle there (free surface)
     Region region;
     int phase;
     std::optional<Vector<3>> U;
+    std::optional<double> p;
 };
 
 /// All that the dictionaries say, checked.
@@ -75,6 +76,7 @@ struct Packing
     std::vector<double> mass;  ///< [kg]
     std::vector<double> rho;
     Points velocity;
+    std::vector<double> p;     ///< [Pa] above the background; empty where no pressure at the start is given
 
     FluidVolume volume;        ///< of the space between the walls
     double particleVolume = 0; ///< the same for all: volume over places
@@ -96,7 +98,7 @@ Packing pack(const PackingPlan&);
 std::string report(const PackingPlan&, const Packing&);
 
 /// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. Without rho where the
-/// pressure at the start is given: the solver finds it by the state equation.
+/// pressure at the start is given: the solver finds it, or with a number density the masses that make it, by the state equation.
 void writePacking(const Case&, const std::string& time, const PackingPlan&, const Packing&, const WriteOptions&);
 
 }

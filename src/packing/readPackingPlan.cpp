@@ -12,6 +12,7 @@ namespace entry
 {
 const DictionaryList fill{"fill", byScene("all of the first phase"), "regions and what is in them; the last that contains a particle decides"};
 const Word fillPhase{"phase", required, "phase in the region, or none"};
+const Scalar p{"p", units::pressure, byScene("that of pressure"), "pressure in the region, above the background pressure"};
 const VectorParameter U{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
 const Word lattice{"lattice", byScene("cubic"), "cubic; hexagonal in 2-D, fcc and bcc in 3-D"};
 const Scalar jitter{"jitter", Unit{units::none, "spacings"}, 0,
@@ -55,7 +56,7 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
     phaseNames.push_back("none");
     for (const auto& d : entry::fill(dict))
     {
-        FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d)};
+        FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d), entry::p.ifGiven(d)};
         const auto phase = std::find(phaseNames.begin(), phaseNames.end(), entry::fillPhase.among(d, phaseNames)) - phaseNames.begin();
         if (phase < long(phaseNames.size()) - 1) rule.phase = int(phase);
         rules.push_back(std::move(rule));
@@ -95,7 +96,7 @@ EntryList packingEntries()
             entry::jitter,
             entry::seed,
             entry::allowEmpty,
-            {entry::fill, regionEntries() + EntryList{entry::fillPhase, entry::U}},
+            {entry::fill, regionEntries() + EntryList{entry::fillPhase, entry::U, entry::p}},
             {entry::saturation, saturationEntries()},
             {entry::velocity, velocityEntries()},
             entry::pressure,
@@ -135,13 +136,7 @@ PackingPlan readPackingPlan(const Case& c)
     if (entry::saturation.given(dict))
         plan.saturation = readSaturation(entry::saturation(dict), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
     if (entry::velocity.given(dict)) plan.velocity = readVelocity(entry::velocity(dict));
-    if (entry::pressure.given(dict))
-    {
-        plan.pressure = readPressure(dict);
-        if (!schemes.isWord("density", "continuity"))
-            entry::pressure.error(dict, "a pressure at the start goes with `density continuity;` in system/sphSchemes: "
-                                   "else the positions decide it");
-    }
+    if (entry::pressure.given(dict)) plan.pressure = readPressure(dict);
     if (entry::relax.given(dict)) plan.relaxation = readRelaxation(entry::relax(dict));
     dict.reportUnused();
     geometry.reportUnused();

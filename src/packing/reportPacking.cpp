@@ -101,15 +101,14 @@ void writePacking(const Case& c, const std::string& time, const PackingPlan& pla
     const bool isFlat = plan.geometry.dimension == 2;
     const auto& x = packing.points;
     const auto& U = packing.velocity;
-    std::vector<double> p(x.size(), 0.0);
-    if (plan.pressure)
-        for (std::size_t i = 0; i < x.size(); ++i) p[i] = (*plan.pressure)(x[i]);
+    auto p = packing.p;
+    p.resize(x.size());
     const FieldView positions{"positions", FieldClass::vector, {x.x.data(), x.y.data(), isFlat ? nullptr : x.z.data()}};
     std::vector<FieldView> fields{{"U", FieldClass::vector, {U.x.data(), U.y.data(), isFlat ? nullptr : U.z.data()}},
                                   {"p", FieldClass::scalar, {p.data()}},
                                   {"m", FieldClass::scalar, {packing.mass.data()}},
                                   {"phase", FieldClass::label, {packing.phase.data()}}};
-    if (!plan.pressure) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
+    if (packing.p.empty()) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
     writeCloud(folder, "sph", x.size(), positions, fields, options);
 
     const auto &low = plan.geometry.low, &high = plan.geometry.high;

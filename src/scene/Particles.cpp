@@ -119,7 +119,13 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
             for (std::size_t c = 0; c < loading.values.size(); ++c)
                 std::copy(found->second.component[c].begin(), found->second.component[c].end(), loading.values[c]);
         else if (evolving.missing) evolving.missing(loading);
+        if (evolving.loaded) evolving.loaded(loading);
         if (evolving.check) evolving.check(loading);
+    }
+    if (const auto onDisk = cloud.fields.find(Mass::info.name); onDisk != cloud.fields.end() && owned_ > 0)
+    {
+        const double *m = store_.component(Mass::info.name, 0), *m_0 = onDisk->second.component[0].data();
+        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i]/m_0[i]; })/double(owned_);
     }
     for (const auto& rate : settings_.keptRates())
         if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
@@ -287,7 +293,7 @@ template<int dim> std::size_t Particles<dim>::bytes() const
     return n;
 }
 
-/// Scales the number density so that its mean is exact: the kernel sum over a packing is 0.7 to 1 % off by itself. Where some particles lack
+/// Scales the number density so that its mean is exact, that at rest or what a pressure at the start has made of it: the kernel sum over a packing is 0.7 to 1 % off by itself. Where some particles lack
 /// neighbours a square or cubic lattice stands for the packing.
 template<int dim> void Particles<dim>::normaliseDensity()
 {
@@ -306,7 +312,7 @@ template<int dim> void Particles<dim>::normaliseDensity()
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);
     const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
     coefficients_.densityScale *=
-        double(owned_)/sum(owned_, [&](std::size_t i) { return m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i]; });
+        startCompression_*double(owned_)/sum(owned_, [&](std::size_t i) { return m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i]; });
     bind();
     evaluate();
 }

@@ -94,6 +94,7 @@ private:
     std::vector<int> held_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0, maxSpeed_ = 0, observedAcceleration_ = 0;
+    double startCompression_ = 1;   ///< mean of density over that at rest which a pressure at the start asks for
     long rebuilds_ = 0;
     bool predicted_ = false;
 

@@ -50,6 +50,7 @@ struct Evolving
     bool written = true;                       ///< into time folders; what is not follows from the rest
     std::string onDisk = {};                   ///< where the file has another name
     std::function<void(const Loading&)> missing = {};   ///< where the time folder has no such field; default 0
+    std::function<void(const Loading&)> loaded = {};    ///< what other fields of the time folder make of it
     std::function<void(const Loading&)> check = {};     ///< throws CaseError where a value cannot be
     std::function<double(const Dictionary&)> inlet = {};   ///< of what comes in, from the dictionary of its opening; default 0
     std::string amount = {};                   ///< what openings call sum q m/rho_0 [m^3] of a fraction q, and count

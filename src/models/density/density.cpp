@@ -27,21 +27,32 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 
 namespace
 {
-/// By Tait's law, the other way round, where the time folder gives the pressure; else that at rest.
+/// Density over that at rest which has the pressure of the time folder's file [Pa, above the background's], by Tait's law the other way round;
+/// 1 without such a file.
+double compressionAtStart(std::size_t i, const Loading& loading)
+{
+    const auto given = loading.cloud.fields.find("p");
+    if (given == loading.cloud.fields.end()) return 1;
+    const auto& c = loading.coefficients;
+    const auto k = std::size_t(loading.phaseOf(i));
+    const double p = given->second.component[0][i], ratio = 1 + p/c.stiffness[k];
+    if (ratio <= 0)
+        throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.particle(i), p,
+                                    c.phases[k]));
+    return std::pow(ratio, 1/c.exponent[k]);
+}
+
 void densityAtStart(const Loading& loading)
 {
-    const auto& c = loading.coefficients;
-    const auto given = loading.cloud.fields.find("p");
     for (std::size_t i = 0; i < loading.size(); ++i)
-    {
-        const auto k = std::size_t(loading.phaseOf(i));
-        const double p = given != loading.cloud.fields.end() ? given->second.component[0][i] - c.backgroundPressure : 0;
-        const double ratio = 1 + p/c.stiffness[k];
-        if (ratio <= 0)
-            throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.particle(i), p,
-                                        c.phases[k]));
-        loading.values[0][i] = c.restDensity[k]*std::pow(ratio, 1/c.exponent[k]);
-    }
+        loading.values[0][i] = loading.coefficients.restDensity[std::size_t(loading.phaseOf(i))]*compressionAtStart(i, loading);
+}
+
+/// Where the positions decide the density, masses make the pressure at the start: of a folder without rho, which packParticles writes.
+void massesAtStart(const Loading& loading)
+{
+    if (loading.restarted || loading.cloud.fields.contains("rho")) return;
+    for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] *= compressionAtStart(i, loading);
 }
 
 void readDiffusion(const Reading& reading)
@@ -67,7 +78,12 @@ void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     settings.integratedDensity = reading.choose(entry::density) == "continuity";
-    if (!settings.integratedDensity) return;
+    if (!settings.integratedDensity)
+    {
+        for (auto& evolving : settings.state)
+            if (evolving.value.name == std::string(Mass::info.name)) evolving.loaded = massesAtStart;
+        return;
+    }
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
     rho.missing = densityAtStart;
     rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };

@@ -191,15 +191,12 @@ TEST(Packing, setsVelocitiesByFormulaAndByExpression)
         EXPECT_NEAR(channel.velocity.x[i], 12*channel.points.y[i]/0.1*(1 - channel.points.y[i]/0.1), 1e-12);
 }
 
-// A pressure at the start is written in the place of a density, which the solver makes of it; with a density that the positions decide it is a
-// mistake.
+// A pressure at the start is written in the place of a density: the solver makes that of it, or masses where the positions decide the density.
 TEST(Packing, writesThePressureOfTheStart)
 {
     CaseFolder c;
     c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; }\n");
     c.write("system/packParticlesDict", "pressure \"3*$y - $x\";\n");
-    EXPECT_THROW(c.pack(), CaseError);
-    c.write("system/sphSchemes", "resolution { spacing 0.01; }\ndensity continuity;\n");
     const Case theCase(c.path());
     const auto plan = readPackingPlan(theCase);
     const auto packing = pack(plan);
@@ -208,6 +205,10 @@ TEST(Packing, writesThePressureOfTheStart)
     EXPECT_FALSE(cloud.fields.contains("rho"));
     const auto& p = cloud.fields.at("p").component[0];
     for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(p[i], 3*cloud.y[i] - cloud.x[i], 1e-15);
+    c.write("system/packParticlesDict", "pressure \"3*$y\";\nfill ( { region all; phase water; } { region box; min (0 0 0); max (0.05 0.05 0); phase water; p 7; } );\n");
+    const auto inRegion = c.pack();
+    for (std::size_t i = 0; i < inRegion.points.size(); ++i)
+        ASSERT_NEAR(inRegion.p[i], inRegion.points.x[i] <= 0.05 && inRegion.points.y[i] <= 0.05 ? 7 : 3*inRegion.points.y[i], 1e-15);
     c.write("system/packParticlesDict", "pressure \"vector(1, 2, 3)\";\n");
     EXPECT_THROW(c.pack(), CaseError);
 }

@@ -235,6 +235,29 @@ TEST(State, SaysWhatAMissingFileMeansAndWhatCannotBe)
     EXPECT_EQ(errorOf(settings, cloud), "particle 3 at (0.025 0.175 0) has no charge");
 }
 
+// A pressure at the start, by masses where the positions decide the density: it is there before the first step, above the background's.
+TEST(State, HasThePressureOfTheStart)
+{
+    for (const char* density : {"numberDensity", "continuity"})
+    {
+        auto files = channelCase();
+        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; }\nbackgroundPressure 70;\ndensity ") + density + ";\n";
+        files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; }\n";
+        files.erase("constant/g");
+        const auto settings = settingsOf(files);
+        auto cloud = vortex();
+        auto& p = cloud.fields["p"].component;
+        p.assign(1, {});
+        for (std::size_t i = 0; i < cloud.size(); ++i) p[0].push_back(500 + 300 * cloud.y[i]);
+        cloud.fields["m"].component.assign(1, std::vector<double>(cloud.size(), 1000 * 0.05 * 0.05));
+        const auto g = periodicSquare();
+        const auto simulation = makeSimulation(settings, g, cloud, {});
+        const auto found = simulation->field("p"), x = simulation->field("positions");
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+            ASSERT_NEAR(found.component[0][i], 570 + 300 * x.component[1][i], 1e-3 * 500) << density;
+    }
+}
+
 // A rate that nobody gives is an error that names the term which reads the field, and a term of an unknown name one that names the terms.
 TEST(State, NeedsTermsThatAreDefined)
 {

@@ -281,6 +281,19 @@ TEST(Settings, ChooseTheSoundSpeedAndSayWhy)
     expectError(edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", ""), "\"soundSpeed\" of water is missing");
 }
 
+// Where viscosities differ the surface of the more viscous phase is free of stress only by the whole of it; elsewhere the transpose does nothing.
+TEST(Settings, PhasesOfUnequalViscosityHaveTheWholeStress)
+{
+    const auto form = [](const Files& files) { return reading(files).settings.chosen.at("viscosity"); };
+    const auto unequal = edited(dropCase(), "constant/phaseProperties", "rho 0.5; mu 0.05", "rho 0.5; mu 0.01");
+    EXPECT_EQ(form(unequal), "newtonian");
+    EXPECT_EQ(form(dropCase()), "harmonic");
+    EXPECT_EQ(form(channelCase()), "harmonic");
+    EXPECT_EQ(form(edited(unequal, "system/sphSchemes", "integration", "viscosity harmonic;\nintegration")), "harmonic");
+    const auto terms = reading(unequal).settings.terms;
+    for (const char* term : {"harmonicViscosity", "viscousGradient", "transposedViscosity"}) EXPECT_EQ(std::count(terms.begin(), terms.end(), term), 1) << term;
+}
+
 // nu (laplacian v + 2 grad div v): compression is resisted three times as much as shear. Measured without: plane Poiseuille flow diverges.
 TEST(Settings, ViscosityAlongTheLineOfCentresTakesAThirdOfTheStep)
 {
