@@ -48,6 +48,18 @@ std::string inWords(const StateNumbers& state)
     return text;
 }
 
+std::string inWords(const Histories& histories)
+{
+    std::string text;
+    for (const auto& [name, values] : histories)
+    {
+        text += name + " (";
+        for (const double value : values) text += " " + shortestText(value);
+        text += " );\n";
+    }
+    return text;
+}
+
 }
 
 EntryList RunTime::entries()
@@ -123,6 +135,8 @@ void RunTime::restore(const Case& c)
     if (controls_.adjustTimeStep) deltaT_ = stored.get<double>("deltaT", deltaT_);
     const auto state = c.dictionaryIfPresent(stateFile);
     for (const auto& key : state.keys()) restored_[key] = state.get<double>(key);
+    const auto seen = c.dictionaryIfPresent(startName_ + "/uniform/functionObjects");
+    for (const auto& key : seen.keys()) histories_[key] = seen.get<std::vector<double>>(key);
 }
 
 std::string RunTime::name() const
@@ -200,7 +214,7 @@ bool RunTime::writeTime() const
     return scheduled_ || !running();
 }
 
-void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state)
+void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state, const Histories& histories)
 {
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
     if (written_.empty()) removePartialFolders(caseFolder_);
@@ -216,6 +230,7 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                     createFolders(folder / "uniform");
                     writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
                     writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
+                    if (!histories.empty()) writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
                 });
     named_[time] = value_;
     std::erase(written_, time);

@@ -16,6 +16,9 @@ namespace sph
 /// `<time>/uniform/sphState` (whatever the solver adds, in shortest round-trip form).
 using StateNumbers = std::map<std::string, double>;
 
+/// What those who look at a run have seen and go on needing, kept in `<time>/uniform/functionObjects` where there is any.
+using Histories = std::map<std::string, std::vector<double>>;
+
 class RunTime
 {
 public:
@@ -54,11 +57,12 @@ public:
 
     /// Writes into `<name>.partial/` beside the final name and renames when `fill` has returned, then purges. `fill` gets the folder
     /// to write into. A failure (full disk) leaves no folder of that name and the last good one whole, and throws CaseError.
-    void write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers&);
+    void write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers&, const Histories& = {});
     WriteOptions writeOptions() const { return controls_.writeOptions; }
 
     /// The numbers stored with the folder that the run started from; empty at a fresh start.
     const StateNumbers& restored() const { return restored_; }
+    const Histories& restoredHistories() const { return histories_; }
 
     /// Looks at controlDict again (runTimeModifiable; by size and modification time) and says in words what changed, or "".
     /// A file with mistakes changes nothing, and the words say so.
@@ -111,6 +115,7 @@ private:
     /// What purgeWrite counts, oldest first.
     std::vector<std::string> written_;
     StateNumbers restored_;
+    Histories histories_;
 };
 
 }

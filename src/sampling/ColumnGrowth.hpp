@@ -23,6 +23,7 @@ public:
     static EntryList entries();
     ColumnGrowth(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&);
+    std::vector<std::vector<double>*> lists() { return history_.lists(); }
 };
 
 }

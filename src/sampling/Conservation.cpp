@@ -79,6 +79,29 @@ void Conservation::execute(const ParticleView& view)
     table_->row(view.time, cells);
 }
 
+Histories Conservation::histories() const
+{
+    if (!first_) return {};
+    const auto& p = first_->momentum;
+    return {{"firstMass", first_->mass},
+            {"first", {p.x, p.y, p.z, first_->kineticEnergy, first_->potentialEnergy, first_->momentumScale, largestKinetic_}}};
+}
+
+void Conservation::restore(const Histories& stored)
+{
+    const auto first = stored.find("first"), mass = stored.find("firstMass");
+    if (first == stored.end() || mass == stored.end() || first->second.size() != 7) return;
+    const auto& q = first->second;
+    Sums sums;
+    sums.momentum = {q[0], q[1], q[2]};
+    sums.kineticEnergy = q[3];
+    sums.potentialEnergy = q[4];
+    sums.momentumScale = q[5];
+    sums.mass = mass->second;
+    first_ = sums;
+    largestKinetic_ = q[6];
+}
+
 std::string Conservation::report() const
 {
     if (!first_) return "";

@@ -42,6 +42,8 @@ public:
     Conservation(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;
+    Histories histories() const override;
+    void restore(const Histories&) override;
 
 private:
     std::optional<Sums> first_;

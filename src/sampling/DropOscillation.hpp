@@ -28,6 +28,7 @@ public:
     static EntryList entries();
     DropOscillation(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Rates operator()(const ParticleView&);
+    std::vector<std::vector<double>*> lists() { return history_.lists(); }
 };
 
 /// 2 pi/Im s [s]
@@ -37,6 +38,7 @@ struct DropPeriod
     static EntryList entries() { return DropOscillation::entries(); }
     DropPeriod(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
     Measurement operator()(const ParticleView&);
+    std::vector<std::vector<double>*> lists() { return drop.lists(); }
 };
 
 /// -Re s [1/s]
@@ -46,6 +48,7 @@ struct DropDecay
     static EntryList entries() { return DropOscillation::entries(); }
     DropDecay(const Dictionary& d, const Geometry& g, const std::vector<std::string>& phases) : drop(d, g, phases) {}
     Measurement operator()(const ParticleView&);
+    std::vector<std::vector<double>*> lists() { return drop.lists(); }
 };
 
 }

@@ -82,6 +82,7 @@ void Errors::readComparison(const Dictionary& d)
     if (const auto measure = readMeasure(name, reference, context_.geometry, context_.phases, context_.output.caseFolder(context_.name)))
     {
         const bool relative = readsRelative(d);
+        measures_.push_back(measure);
         comparisons_.push_back([=](const ParticleView& view) { return compareMeasure(name, measure(view), relative); });
         return;
     }
@@ -96,6 +97,27 @@ void Errors::readComparison(const Dictionary& d)
                                                       : component == "x" ? Vector<3>{v.x, 0, 0}
                                                                          : v;
                                            }));
+}
+
+void Errors::eachList(const std::function<void(const std::string&, std::vector<double>&)>& f) const
+{
+    for (std::size_t m = 0; m < measures_.size(); ++m)
+    {
+        const auto lists = measures_[m].lists();
+        for (std::size_t k = 0; k < lists.size(); ++k) f(fmt::format("{}.{}", m, k), *lists[k]);
+    }
+}
+
+Histories Errors::histories() const
+{
+    Histories all;
+    eachList([&](const std::string& name, const std::vector<double>& list) { if (!list.empty()) all[name] = list; });
+    return all;
+}
+
+void Errors::restore(const Histories& stored)
+{
+    eachList([&](const std::string& name, std::vector<double>& list) { if (const auto found = stored.find(name); found != stored.end()) list = found->second; });
 }
 
 void Errors::execute(const ParticleView& view)

@@ -1,5 +1,6 @@
 #pragma once
 #include "FieldComparison.hpp"
+#include "Measurement.hpp"
 
 namespace sph
 {
@@ -25,9 +26,12 @@ class Errors : public FunctionObject
 {
     FunctionContext context_;
     std::vector<std::function<std::optional<ErrorRow>(const ParticleView&)>> comparisons_;
+    std::vector<Measure> measures_;
     std::optional<OutputTable> table_;
     std::string report_;
 
+    /// Calls f(name, list) for each list of each measure.
+    void eachList(const std::function<void(const std::string&, std::vector<double>&)>& f) const;
     void readComparison(const Dictionary&);
 
 public:
@@ -35,6 +39,8 @@ public:
     Errors(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override { return report_; }
+    Histories histories() const override;
+    void restore(const Histories&) override;
 };
 
 }

@@ -35,6 +35,8 @@ public:
     Filling(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;
+    Histories histories() const override { return fillTime_ ? Histories{{"fillTime", {*fillTime_}}} : Histories{}; }
+    void restore(const Histories& stored) override { if (const auto found = stored.find("fillTime"); found != stored.end() && !found->second.empty()) fillTime_ = found->second[0]; }
 };
 
 }

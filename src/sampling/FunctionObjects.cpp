@@ -95,6 +95,37 @@ FunctionObjects::FunctionObjects(const Dictionary& functions, const Geometry& ge
                                  const RunTime& time)
 {
     for (const auto& name : functions.keys()) read(functions, geometry, phases, outputOf(time), name, time.value());
+    restore(time.restoredHistories());
+}
+
+namespace
+{
+constexpr const char* writeTimes = "writeTimes";
+}
+
+Histories FunctionObjects::histories() const
+{
+    Histories all;
+    for (const auto& entry : entries_)
+    {
+        for (auto& [list, values] : entry.object->histories()) all[entry.name + "." + list] = std::move(values);
+        if (entry.control == Entry::Control::writeTime && entry.interval > 1) all[entry.name + "." + writeTimes] = {entry.next};
+    }
+    return all;
+}
+
+void FunctionObjects::restore(const Histories& all)
+{
+    for (auto& entry : entries_)
+    {
+        Histories own;
+        const auto prefix = entry.name + ".";
+        for (const auto& [name, values] : all)
+            if (name.starts_with(prefix)) own[name.substr(prefix.size())] = values;
+        // The time folder's own sample is taken again when the run starts.
+        if (const auto counted = own.find(writeTimes); counted != own.end() && !counted->second.empty()) entry.next = counted->second[0] - 1;
+        if (!own.empty()) entry.object->restore(own);
+    }
 }
 
 FunctionObjects::FunctionObjects(const Dictionary& functions, const Geometry& geometry, const std::vector<std::string>& phases,

@@ -14,6 +14,7 @@
 #include "WallDropTime.hpp"
 #include <algorithm>
 #include <concepts>
+#include <memory>
 
 namespace sph
 {
@@ -31,10 +32,17 @@ struct Entry
 template<class M>
 Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases, const std::filesystem::path& folder)
 {
+    std::shared_ptr<M> made;
     if constexpr (std::constructible_from<M, const Dictionary&, const std::vector<std::string>&, const std::filesystem::path&>)
-        return M(d, phases, folder);
+        made = std::make_shared<M>(d, phases, folder);
     else
-        return M(d, geometry, phases);
+        made = std::make_shared<M>(d, geometry, phases);
+    return {[made](const ParticleView& view) { return (*made)(view); },
+            [made]() -> std::vector<std::vector<double>*>
+            {
+                if constexpr (requires { made->lists(); }) return made->lists();
+                else return {};
+            }};
 }
 
 const std::vector<Entry>& catalogue()

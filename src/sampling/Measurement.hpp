@@ -16,8 +16,14 @@ struct Measurement
     std::string note;
 };
 
-/// A measure of a rate keeps what it has seen, and is asked in the order of time.
-using Measure = std::function<Measurement(const ParticleView&)>;
+/// A measure of a rate keeps what it has seen, and is asked in the order of time. `lists` are those of a restart, in their order.
+struct Measure
+{
+    std::function<Measurement(const ParticleView&)> take;
+    std::function<std::vector<std::vector<double>*>()> lists;
+    explicit operator bool() const { return bool(take); }
+    Measurement operator()(const ParticleView& view) const { return take(view); }
+};
 
 std::vector<std::string> measureNames();
 /// The measures with their entries.

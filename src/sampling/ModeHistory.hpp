@@ -10,7 +10,7 @@ namespace entry
 const Scalar from{"from", units::s, 0, nonNegative, "time from which on samples add to the fit"};
 }
 
-/// Amplitudes of a mode as a run goes on, from the time `from` on. A run that is restarted begins a new history: rates need no common origin.
+/// Amplitudes of a mode as a run goes on, from the time `from` on.
 struct ModeHistory
 {
     double from; ///< [s]
@@ -20,9 +20,15 @@ struct ModeHistory
     void add(double time, double amplitude)
     {
         if (time < from) return;
+        if (!times.empty() && time <= times.back()) // a restarted run samples the time of its folder again
+        {
+            amplitudes.back() = amplitude;
+            return;
+        }
         times.push_back(time);
         amplitudes.push_back(amplitude);
     }
+    std::vector<std::vector<double>*> lists() { return {&times, &amplitudes}; }
 };
 
 }

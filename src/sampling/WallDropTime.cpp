@@ -58,8 +58,12 @@ Measurement WallDropTime::operator()(const ParticleView& view)
         result.note = "of the three rows of particles beside the wall one is empty";
         return result;
     }
-    times_.push_back(view.time);
-    values_.push_back(value);
+    if (!times_.empty() && view.time <= times_.back()) values_.back() = value; // a restarted run samples the time of its folder again
+    else
+    {
+        times_.push_back(view.time);
+        values_.push_back(value);
+    }
     const double way = values_.back() - values_.front();
     for (std::size_t k = 1; k < times_.size() && way != 0; ++k)
     {

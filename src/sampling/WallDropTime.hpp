@@ -27,6 +27,7 @@ public:
     static EntryList entries();
     WallDropTime(const Dictionary&, const Geometry&, const std::vector<std::string>& phases);
     Measurement operator()(const ParticleView&);
+    std::vector<std::vector<double>*> lists() { return {&times_, &values_}; }
 };
 
 }

@@ -51,6 +51,22 @@ template<int dim> void EnergyBalance<dim>::addWork(double work)
     mostWork_ = std::max(mostWork_, work_);
 }
 
+template<int dim> void EnergyBalance<dim>::save(Numbers& numbers) const
+{
+    numbers["energyGiven"] = given_;
+    numbers["work"] = work_;
+    numbers["mostWork"] = mostWork_;
+}
+
+template<int dim> void EnergyBalance<dim>::restore(const Numbers& numbers)
+{
+    const auto given = numbers.find("energyGiven"), work = numbers.find("work"), most = numbers.find("mostWork");
+    if (given == numbers.end() || work == numbers.end() || most == numbers.end()) return;
+    given_ = given->second;
+    work_ = work->second;
+    mostWork_ = most->second;
+}
+
 template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& particles) const
 {
     const auto& c = settings_.coefficients;

@@ -13,7 +13,8 @@
 ///
 ///   A_kl = sum_(i of k, j of l) V_i V_j/(2 H^3/3) in 2-D, /(pi H^4/4) in 3-D
 ///
-/// exact for plane interfaces, and rising with every particle that strays into the other phase. A restarted run begins a new account.
+/// exact for plane interfaces, and rising with every particle that strays into the other phase. A restarted run goes on with the account of
+/// the time folder, where the forces are those that it was written with; else it begins a new one.
 #pragma once
 #include "Particles.hpp"
 #include "Simulation.hpp"
@@ -34,6 +35,9 @@ public:
     /// At the start of a run. The settings must outlive it.
     EnergyBalance(const Particles<dim>&, const Settings&, const Geometry&, const Summary&);
     void addWork(double work);
+    /// The account, for a restart.
+    void save(Numbers&) const;
+    void restore(const Numbers&);
     Energy at(const Particles<dim>& particles, const Summary& summary) const
     {
         return {summary.kineticEnergy + interfaces(particles), given_ + mostWork_};

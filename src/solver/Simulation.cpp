@@ -28,6 +28,7 @@ template<int dim> class Simulation final : public AnySimulation
     Catalogue<dim> terms_;
     Particles<dim> particles_;
     Schedule<dim> schedule_;
+    bool goesOn_ = false;                      ///< a restart with the forces that its time folder was written with
     Summary summary_;
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
@@ -62,6 +63,7 @@ template<int dim> class Simulation final : public AnySimulation
             summary.maxAcceleration = std::max(summary.maxAcceleration, observed);
             return summary;
         }
+        goesOn_ = !restored.empty();
         restore("maxAcceleration", summary.maxAcceleration);
         restore("maxSlowAcceleration", summary.maxSlowAcceleration);
         restore("power", summary.power);
@@ -88,6 +90,7 @@ public:
           schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(restored)),
           energy_(particles_, settings_, geometry, summary_)
     {
+        if (goesOn_) energy_.restore(restored);
         integratorOf(settings.integration.scheme).stages(schedule_);
     }
 
@@ -159,6 +162,7 @@ public:
         numbers[lastName("observedAcceleration")] = particles_.observedAcceleration();
         if (summary_.maxSlowAcceleration > 0) numbers[lastName("maxSlowAcceleration")] = summary_.maxSlowAcceleration;
         numbers[lastName("power")] = summary_.power;
+        if (settings_.integration.moves) energy_.save(numbers);
         for (const auto& [name, value] : summary_.columns) numbers[lastName(name)] = value;
         for (const auto& part : particles_.parts()) part->save(numbers);
         return numbers;

@@ -264,7 +264,7 @@ void Run::write()
 {
     time_.write([&](const std::filesystem::path& folder)
                 { writeCloud(folder, "sph", simulation_->size(), simulation_->positions(), simulation_->fields(), time_.writeOptions()); },
-                simulation_->state());
+                simulation_->state(), functions_->histories());
 }
 
 void Run::noteLeaks()
@@ -313,10 +313,10 @@ void Run::solve()
             simulation_->settle();
             check(limit);
             checkEnergy();
-            write();
         }
         else if (time_.index()%energySteps == 0) checkEnergy();
         sample(writeTime, end);
+        if (writeTime) write();
         // Steps are many and cheap: one report a second, and one for each time folder.
         if (const double now = clock_.clockTime(); writeTime || end || now - lastReport >= 1)
         {

@@ -28,7 +28,7 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
     findExtents(opening, geometry, spacing);
     if (lines_.empty()) return;
     rowSpacing_ = std::pow(spacing, dimension_)*double(lines_.size())/area_;
-    if (opening.developed) developProfile();
+    if (opening.developed) developProfile(opening.where);
 }
 
 void Section::findExtents(const Opening& opening, const Geometry& geometry, double spacing)
@@ -104,7 +104,7 @@ int Section::lineAt(const Vector<3>& x) const
     return site(at[0], at[1]);
 }
 
-void Section::developProfile()
+void Section::developProfile(const Location& where)
 {
     // Without walls nothing holds the flow back.
     bool walls = false;
@@ -139,6 +139,7 @@ void Section::developProfile()
                 largest = std::max(largest, u);
             }
     }
+    if (!(change <= 1e-12*largest)) throw CaseError(where, "the profile of developed flow in this section has not converged; take `profile uniform;`");
     double mean = 0;
     for (const auto& line : lines_) mean += line.profile/double(lines_.size());
     for (auto& line : lines_) line.profile /= mean;

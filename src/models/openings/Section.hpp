@@ -49,7 +49,7 @@ private:
     Vector<3> at(double a, double b) const { return point_ + a*across_[0] + b*across_[1]; }
     int site(int i, int k) const;
     void findExtents(const Opening&, const Geometry&, double spacing);
-    void developProfile();
+    void developProfile(const Location& where);
 };
 
 }

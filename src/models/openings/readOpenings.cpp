@@ -13,7 +13,7 @@ const FreeName opening{"<opening>", "dictionary", "an opening of the case's own 
 const Choice type{"type", {"inlet", "outlet"}, required, "of the opening"},
     profile{"profile",
             {{"uniform", "the same velocity everywhere"}, {"developed", "that of developed flow in the section"}},
-            "uniform",
+            "developed",
             "of the velocity"};
 const VectorParameter point{"point", units::m, required, "a point of the plane"},
     min{"min", units::m, byScene("endless"), "the plane is open within this box alone, to a spacing"},

@@ -56,6 +56,7 @@ void read(const Reading& reading)
 std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& measured)
 {
     const auto& c = settings.coefficients;
+    if (settings.has("viscosity", "none")) return {};
     const double h = 0.5*c.support;
     double nu = 0;
     for (std::size_t k = 0; k < c.phases.size(); ++k)

@@ -90,17 +90,19 @@ TEST(Restart, givesBackTheExactNumbers)
     const TemporaryCase c;
     std::filesystem::create_directories(c.folder() / "0");
     control(c, "1", "writeControl none;");
+    const Histories histories{{"growth.0.0", {0.1 + 0.2, -1e-300, 3}}, {"fill.fillTime", {7}}};
     const StateNumbers state{{"inletVolume", 0.1 + 0.2}, {"shift", -1e-300}, {"steps", 12345678901234567.0}};
     {
         RunTime time{Case(c.folder())};
         EXPECT_TRUE(time.restored().empty());
         time.advance(1.0 / 3);
         EXPECT_EQ(time.name(), "0.333333");
-        time.write([](const auto&) {}, state);
+        time.write([](const auto&) {}, state, histories);
     }
     const Case theCase(c.folder());
     const RunTime time(theCase);
     EXPECT_EQ(messages(theCase.diagnostics()), "");
+    EXPECT_EQ(time.restoredHistories(), histories);
     EXPECT_EQ(time.startName(), "0.333333");
     EXPECT_EQ(time.value(), 1.0 / 3);
     EXPECT_EQ(time.startTime(), 1.0 / 3);

@@ -364,6 +364,33 @@ TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
     EXPECT_NEAR(m.reference, std::sqrt(999.0 / 1001 * 2 * pi * std::tanh(pi)), 2e-2);
 }
 
+// A measure that goes on with another's lists gives what that would have given.
+TEST(InterfaceGrowth, goesOnWithWhatItHasSeen)
+{
+    Particles particles(2, {-0.5, 0, 0}, {0.5, 1, 0}, 0.1);
+    particles.geometry.periodic[0] = true;
+    particles.phases = {"water", "air"};
+    particles.g = {0, -1, 0};
+    particles.setPhase([](Vector<3> x) { return x.y > 0.5 ? 0 : 1; });
+    const auto made = [&]
+    { return readMeasure("interfaceGrowth", Dictionary::parse("depth 0.5;", "system/controlDict", std::make_shared<Diagnostics>()), particles.geometry, particles.phases, {}); };
+    const auto whole = made(), first = made(), second = made();
+    const auto x = particles.x;
+    Measurement expected, found;
+    for (int k = 0; k < 100; ++k)
+    {
+        particles.time = 0.02 * k;
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            particles.x[i] = x[i] - 1e-3 / pi * std::sinh(1.2 * particles.time) * std::sin(2 * pi * x[i]);
+        expected = whole(particles.view());
+        if (k <= 50) first(particles.view());
+        if (k == 50)
+            for (std::size_t list = 0; list < first.lists().size(); ++list) *second.lists()[list] = *first.lists()[list];
+        if (k >= 50) found = second(particles.view()); // the time of the restart is sampled again
+    }
+    EXPECT_EQ(found.value, expected.value);
+}
+
 TEST(ColumnGrowth, isFittedToTheVolumeAlongTheColumn)
 {
     Particles particles(3, {-0.3, -0.3, -0.5}, {0.3, 0.3, 0.5}, 0.05);

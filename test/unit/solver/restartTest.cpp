@@ -65,6 +65,15 @@ TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
     stress["system/sphSchemes"] += "surfaceTension interfaceStress;\n";
     restartEqualsTheWhole(stress);
 }
+// What function objects have seen is in the folder that is compared: a fit over the whole run, the first sums, a count of write times.
+TEST(Restart, OfWhatFunctionObjectsHaveSeen)
+{
+    auto files = dropCase();
+    files["system/controlDict"] += "functions\n{\n"
+        "    drift { type conservation; executeInterval 2; }\n"
+        "    period { type errors; executeControl timeStep; executeInterval 3; reference { type formula; name dropPeriod; radius 0.4; } }\n}\n";
+    restartEqualsTheWhole(files);
+}
 TEST(Restart, OfATransportVelocity)
 {
     for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler"})

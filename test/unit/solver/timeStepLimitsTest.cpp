@@ -61,6 +61,8 @@ TEST(StepLimit, ByViscosity)
     auto s = quiet();
     s.coefficients.viscosity = {5000};
     expectLimit(s, 0.125 * 0.25 / 5, "viscosity");
+    s.chosen["viscosity"] = "none"; // leaves it out, and with it its limit
+    expectLimit(s, 0.4 * 0.5 / 2, "sound");
 }
 TEST(StepLimit, ByTheViscosityOfAPairOverTheLighterDensity)
 {
