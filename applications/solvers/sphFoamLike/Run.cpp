@@ -1,6 +1,7 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
 #include "Walls.hpp"
+#include "viewOfScene.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
@@ -223,9 +224,7 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
 
 ParticleView Run::view() const
 {
-    ParticleView v;
-    const auto& c = settings_.coefficients;
-    v.dimension = geometry_.dimension;
+    auto v = viewOfScene(settings_.coefficients, settings_.resolution.kernel, geometry_);
     v.n = simulation_->size();
     const auto x = simulation_->positions();
     v.x = x.component[0];
@@ -235,17 +234,6 @@ ParticleView Run::view() const
     v.mass = simulation_->field("m").component[0];
     v.volume = simulation_->field("V").component[0];
     v.phase = simulation_->field("phase").component[0];
-    v.phases = c.phases;
-    v.restDensity = c.restDensity;
-    v.soundSpeed = c.soundSpeed;
-    v.viscosity = c.viscosity;
-    v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
-    v.surfaceTensions = c.surfaceTension;
-    v.g = c.g + c.bodyForce/c.restDensity[0];
-    v.spacing = c.spacing;
-    v.support = c.support;
-    v.kernel = settings_.resolution.kernel;
-    v.geometry = &geometry_;
     v.time = time_.value();
     v.deltaT = time_.deltaT();
     v.executionTime = Clock::executionTime();

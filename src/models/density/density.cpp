@@ -98,6 +98,7 @@ void read(const Reading& reading)
     if (!integrated && volume == "continuity") entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
     reading.select(integrated ? "continuity" : "summedDensity");
+    if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
     const bool normalises = reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
     settings.normaliseDensity = volume == "numberDensity" && normalises;

@@ -1,6 +1,9 @@
 /// A run that was stopped and started again ends with the same bytes as one that was not; so does a run on two threads.
 #include "smallCases.hpp"
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace sph::test
 {
@@ -104,6 +107,63 @@ TEST(Restart, OfWallsByLayers)
 }
 TEST(Restart, OfASceneWithAnInletAndAnOutlet) { restartEqualsTheWhole(openCase()); }
 TEST(Restart, OfABedInThreeDimensions) { restartEqualsTheWhole(bedCase(), "0.04", "0.02"); }
+
+/// The numbers of a table, without the rows of time 0 in one with times.
+std::vector<double> numbersOf(const std::string& table, bool ofTimes)
+{
+    std::istringstream in(table);
+    std::vector<double> all;
+    for (std::string line; std::getline(in, line);)
+    {
+        if (line.starts_with("#") || (ofTimes && line.starts_with("0\t"))) continue;
+        std::replace_if(line.begin(), line.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
+        std::istringstream cells(line);
+        for (double q; cells >> q;) all.push_back(q);
+    }
+    return all;
+}
+void expectSameNumbers(const std::string& found, const std::string& expected, bool ofTimes, const std::string& name)
+{
+    const auto a = numbersOf(found, ofTimes), b = numbersOf(expected, ofTimes);
+    ASSERT_EQ(a.size(), b.size()) << name;
+    ASSERT_FALSE(b.empty()) << name;
+    const double largest = std::abs(*std::max_element(b.begin(), b.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
+    for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14*largest) << name;
+}
+
+// What sphPostProcess makes of a stored time is what the run made of it, but for the round-off of V = m/rho, also where the volume is not that.
+TEST(StoredTimes, GiveTheTablesOfTheRun)
+{
+    auto continuity = grainCase();
+    continuity["system/sphSchemes"] += "volume numberDensity;\n";
+    for (auto files : {dropCase(), continuity})
+    {
+        files["system/controlDict"] += "functions\n{\n"
+            "    sums { type conservation; angularMomentum yes; }\n"
+            "    mean { type volFieldValue; operation volAverage; fields (p rho); min (0.1 0.2 0); max (0.9 0.8 0); }\n"
+            "    bins { type profile; start (0 0 0); end (0 1 0); bins 10; fields (p U); }\n"
+            "    line { type profile; start (0.1 0.1 0); end (0.9 0.9 0); nPoints 7; fields (p U); }\n}\n";
+        const TestCase c(files);
+        prepare(c);
+        c.runWell("sphFoamLike");
+        std::filesystem::rename(c.folder() / "postProcessing", c.folder() / "ofTheRun");
+        c.runWell("sphPostProcess", "-time 0.02:");
+        const auto run = c.files("ofTheRun"), stored = c.files("postProcessing");
+        for (const std::string table : {"sums/*/conservation.dat", "mean/*/volFieldValue.dat"})
+        {
+            const auto at = [&](const std::string& time) { return std::string(table).replace(table.find('*'), 1, time); };
+            expectSameNumbers(stored.at(at("0.02")), run.at(at("0")), true, table);
+        }
+        int profiles = 0;
+        for (const auto& [name, text] : stored)
+            if (name.ends_with(".xy"))
+            {
+                ++profiles;
+                expectSameNumbers(text, run.at(name), false, name);
+            }
+        EXPECT_EQ(profiles, 2 * 4);
+    }
+}
 
 // Written as text a time folder loses nothing either: the shortest decimals read back to the same numbers.
 TEST(Restart, FromTextFiles)

@@ -1,5 +1,6 @@
 #include "StoredCase.hpp"
 #include "Walls.hpp"
+#include "viewOfScene.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -44,9 +45,7 @@ ParticleView StoredCase::load(const std::string& time)
     cloud_ = readCloud(case_.folder(), time, cloudName, case_.diagnostics());
     case_.diagnostics().throwIfAny();
     const auto& c = settings_.coefficients;
-
-    ParticleView v;
-    v.dimension = geometry_.dimension;
+    auto v = viewOfScene(c, settings_.resolution.kernel, geometry_);
     v.n = cloud_.size();
     v.x = cloud_.x.data();
     v.y = cloud_.y.data();
@@ -58,10 +57,14 @@ ParticleView StoredCase::load(const std::string& time)
         v.fields.push_back(std::move(f));
     }
     v.mass = scalarField(cloud_, time, "m");
-    const auto* rho = scalarField(cloud_, time, "rho");
-    volume_.resize(v.n);
-    for (std::size_t i = 0; i < v.n; ++i) volume_[i] = v.mass[i] / rho[i];
-    v.volume = volume_.data();
+    if (cloud_.fields.contains("V")) v.volume = scalarField(cloud_, time, "V");
+    else
+    {
+        const auto* rho = scalarField(cloud_, time, "rho");
+        volume_.resize(v.n);
+        for (std::size_t i = 0; i < v.n; ++i) volume_[i] = v.mass[i] / rho[i];
+        v.volume = volume_.data();
+    }
     if (c.phases.size() > 1)
     {
         v.phase = scalarField(cloud_, time, "phase");
@@ -71,17 +74,6 @@ ParticleView StoredCase::load(const std::string& time)
                                 fmt::format("particle {} has phase {}, but constant/phaseProperties names {}", i, v.phase[i],
                                             c.phases.size()));
     }
-    v.phases = c.phases;
-    v.restDensity = c.restDensity;
-    v.soundSpeed = c.soundSpeed;
-    v.viscosity = c.viscosity;
-    v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
-    v.surfaceTensions = c.surfaceTension;
-    v.g = c.g + c.bodyForce / c.restDensity[0];
-    v.spacing = c.spacing;
-    v.support = c.support;
-    v.kernel = settings_.resolution.kernel;
-    v.geometry = &geometry_;
     v.time = std::stod(time);
     v.executionTime = std::numeric_limits<double>::quiet_NaN();
     return v;

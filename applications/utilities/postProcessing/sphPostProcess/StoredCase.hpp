@@ -32,7 +32,7 @@ public:
     std::vector<std::string> times() const;
 
     /// The particles of a time folder, valid until the next call. Needs the fields rho, m and, where there are several phases,
-    /// phase. V_i = m_i/rho_i. What it cost to compute is not on disk: executionTime is NaN.
+    /// phase. V_i = m_i/rho_i where the folder does not say otherwise. What it cost to compute is not on disk: executionTime is NaN.
     ParticleView load(const std::string& time);
 };
 

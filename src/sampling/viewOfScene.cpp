@@ -1,0 +1,24 @@
+#include "viewOfScene.hpp"
+
+namespace sph
+{
+
+ParticleView viewOfScene(const Coefficients& c, const std::string& kernel, const Geometry& geometry)
+{
+    ParticleView v;
+    v.dimension = geometry.dimension;
+    v.phases = c.phases;
+    v.restDensity = c.restDensity;
+    v.soundSpeed = c.soundSpeed;
+    v.viscosity = c.viscosity;
+    v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
+    v.surfaceTensions = c.surfaceTension;
+    v.g = c.g + c.bodyForce/c.restDensity[0];
+    v.spacing = c.spacing;
+    v.support = c.support;
+    v.kernel = kernel;
+    v.geometry = &geometry;
+    return v;
+}
+
+}

@@ -1,0 +1,12 @@
+/// The one way in which a view gets what does not change from time to time: for a run, and for times that are looked at afterwards.
+#pragma once
+#include "Coefficients.hpp"
+#include "ParticleView.hpp"
+
+namespace sph
+{
+
+/// Without particles, and without a time. The geometry must outlive it.
+ParticleView viewOfScene(const Coefficients&, const std::string& kernel, const Geometry&);
+
+}
