@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "reduce.hpp"
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -16,6 +17,17 @@ namespace
 constexpr double skinInSpacings = 0.3;
 
 std::string at(Vector<3> x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
+
+/// The numbers of a file (readCloud sees to its class), each to its place.
+void copyNumbers(const CloudField& field, const ValueType& type, const std::vector<double*>& values)
+{
+    assert(field.type == type.fieldClass);
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+        const auto& numbers = field.component[std::size_t(type.place[c])];
+        std::copy(numbers.begin(), numbers.end(), values[c]);
+    }
+}
 
 std::vector<Group> groupsOf(const Settings& settings)
 {
@@ -42,8 +54,6 @@ template<int dim> std::map<std::string, std::vector<FieldUse<dim>>> rulesOf(cons
     return rules;
 }
 }
-
-std::string Loading::particle(std::size_t i) const { return fmt::format("particle {} at {}", i, at({cloud.x[i], cloud.y[i], cloud.z[i]})); }
 
 template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
@@ -98,32 +108,29 @@ template<int dim> void Particles<dim>::allocateState()
 template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
 {
     store_.resize(owned_ + 1, owned_);
-    const auto& phases = coefficients_.phases;
-    const auto phaseField = cloud.fields.find("phase");
-    const auto phaseOf = [&](std::size_t i) { return phaseField == cloud.fields.end() ? 0 : int(phaseField->second.component[0][i]); };
-    for (std::size_t i = 0; i < owned_; ++i)
-        if (const int k = phaseOf(i); k < 0 || k >= int(phases.size()))
-            throw CaseError(fmt::format("particle {} at {} has phase {}, but constant/phaseProperties lists {} phase{}", i,
-                                        at({cloud.x[i], cloud.y[i], cloud.z[i]}), k, phases.size(), phases.size() == 1 ? "" : "s"));
+    const auto phases = phasesOf(cloud, coefficients_.phases.size());
+    const auto arraysOf = [&](const StateField& field)
+    {
+        std::vector<double*> arrays;
+        for (int c = 0; c < field.in(dim); ++c) arrays.push_back(store_.component(field.name, c));
+        return arrays;
+    };
     const auto x = store_.pointers(Position{});
     std::copy(cloud.x.begin(), cloud.x.end(), x[0]);
     std::copy(cloud.y.begin(), cloud.y.end(), x[1]);
     if constexpr (dim == 3) std::copy(cloud.z.begin(), cloud.z.end(), x[2]);
     for (const auto& evolving : settings_.state)
     {
-        Loading loading{cloud, coefficients_, restarted, {}, phaseOf};
-        for (int c = 0; c < evolving.value.in(dim); ++c) loading.values.push_back(store_.component(evolving.value.name, c));
+        const Loading loading{cloud, coefficients_, phases, restarted, arraysOf(evolving.value)};
         const auto found = cloud.fields.find(evolving.fileName());
         if (evolving.value.name == Position::info.name) continue;
-        if (evolving.written && found != cloud.fields.end())
-            for (std::size_t c = 0; c < loading.values.size(); ++c)
-                std::copy(found->second.component[c].begin(), found->second.component[c].end(), loading.values[c]);
+        if (evolving.written && found != cloud.fields.end()) copyNumbers(found->second, evolving.value.type(dim), loading.values);
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.check) evolving.check(loading);
     }
     for (const auto& rate : settings_.keptRates())
         if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
-            for (int c = 0; c < rate.in(dim); ++c) std::copy_n(found->second.component[std::size_t(c)].begin(), owned_, store_.component(rate.name, c));
+            copyNumbers(found->second, rate.type(dim), arraysOf(rate));
 }
 
 template<int dim> void Particles<dim>::rebuild()

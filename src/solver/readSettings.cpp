@@ -26,7 +26,7 @@ State stateOfAll(const Settings& settings)
     const double volume = std::pow(c.spacing, c.dimension);
     m.missing = [volume](const Loading& loading)
     {
-        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = loading.coefficients.restDensity[std::size_t(loading.phaseOf(i))]*volume;
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)]*volume;
     };
     m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
     State state{x, v, m};
@@ -34,14 +34,14 @@ State stateOfAll(const Settings& settings)
     return state;
 }
 
-std::set<std::string> knownFields(const Settings& settings)
+std::map<std::string, FieldClass> knownFields(const Settings& settings)
 {
-    std::set<std::string> names{"coordinates"}; // OpenFOAM's, beside the positions
-    for (const auto& evolving : settings.state) names.insert(evolving.value.name);
+    std::map<std::string, FieldClass> classes{{"coordinates", FieldClass::vector}}; // OpenFOAM's, beside the positions
+    for (const auto& evolving : settings.state) classes[evolving.value.name] = evolving.value.type(3).fieldClass;
     for (const auto& term : allTerms<3>())
         for (const auto* fields : {&term.results, &term.reads, &term.readsOwn})
-            for (const auto& field : *fields) names.insert(field.name);
-    return names;
+            for (const auto& field : *fields) classes[field.name] = field.type.fieldClass;
+    return classes;
 }
 
 void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coefficients& c)
@@ -70,7 +70,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
     settings.state = stateOfAll(settings);
-    settings.fieldNames = knownFields(settings);
+    settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();
     checkPeriods(dict, geometry, c);
 

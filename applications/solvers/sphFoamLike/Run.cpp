@@ -86,7 +86,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics());
+    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses());
     case_.diagnostics().throwIfAny();
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';

@@ -34,11 +34,11 @@ void densityAtStart(const Loading& loading)
     const auto given = loading.cloud.fields.find("p");
     for (std::size_t i = 0; i < loading.size(); ++i)
     {
-        const auto k = std::size_t(loading.phaseOf(i));
+        const auto k = loading.phaseOf(i);
         const double p = given != loading.cloud.fields.end() ? given->second.component[0][i] - c.backgroundPressure : 0;
         const double ratio = 1 + p/c.stiffness[k];
         if (ratio <= 0)
-            throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.particle(i), p,
+            throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.cloud.particle(i), p,
                                         c.phases[k]));
         loading.values[0][i] = c.restDensity[k]*std::pow(ratio, 1/c.exponent[k]);
     }

@@ -18,7 +18,7 @@ namespace
 {
 
 /// `phases (water air);`, or one phase where the case names none.
-std::vector<std::string> phasesOf(const Case& folder)
+std::vector<std::string> phaseNames(const Case& folder)
 {
     const auto phases = entry::phases(folder.dictionaryIfPresent("constant/phaseProperties"), {});
     return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
@@ -28,7 +28,7 @@ SurfaceCase describe(const Case& folder, double spacing, int dimension)
 {
     SurfaceCase scene;
     scene.spacing = spacing;
-    scene.phases = phasesOf(folder);
+    scene.phases = phaseNames(folder);
     const auto gravity = entry::gravity(folder.dictionaryIfPresent("constant/g"), {});
     if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity / mag(gravity);
     return scene;
@@ -171,10 +171,10 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
 TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pictures) const
 {
     auto& diagnostics = case_.diagnostics();
-    const auto cloud = readCloud(case_.folder(), time, settings_.cloud, diagnostics);
+    const auto cloud = readCloud(case_.folder(), time, settings_.cloud, diagnostics,
+                                 {{"phase", FieldClass::label}, {"m", FieldClass::scalar}, {"rho", FieldClass::scalar}});
     diagnostics.throwIfAny();
     const double uniformVolume = std::pow(scene_.spacing, geometry_.dimension);
-    const auto folder = fmt::format("{}/lagrangian/{}", time, settings_.cloud);
     const auto& picture = settings_.picture;
 
     TimeResult result;
@@ -183,8 +183,7 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
         std::vector<double> colour;
         if (surfaces || (pictures && picture.surface))
         {
-            const auto particles = phaseParticles(cloud, phase, uniformVolume, folder, diagnostics);
-            diagnostics.throwIfAny();
+            const auto particles = phaseParticles(cloud, phase, scene_.phases.size(), uniformVolume);
             result.surfaces.push_back(reconstruct(particles, phase, time, surfaces, colour, result.written));
         }
         if (!pictures) continue;
