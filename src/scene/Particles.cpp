@@ -55,6 +55,16 @@ template<int dim> std::map<std::string, std::vector<FieldUse<dim>>> rulesOf(cons
 }
 }
 
+void Loading::checkScale(const std::string& name, const std::string& unit, double least, double most,
+                         const std::function<double(std::size_t)>& atRest) const
+{
+    for (std::size_t i = 0; i < size(); ++i)
+        if (const double value = values[0][i], rest = atRest(i); !(value >= least*rest && value <= most*rest))
+            throw CaseError({cloud.fields.contains(name) ? cloud.folder + "/" + name : cloud.folder, 0},
+                            fmt::format("{} has {} = {:.6g} {}: at rest it has {:.6g} {}, and {:.3g} to {:.3g} times that can be computed with",
+                                        cloud.particle(i), name, value, unit, rest, unit, least, most));
+}
+
 template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
     : settings_(settings), geometry_(geometry), catalogue_(catalogue), coefficients_(settings.coefficients),

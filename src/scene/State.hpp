@@ -39,6 +39,8 @@ struct Loading
 
     std::size_t size() const { return cloud.size(); }
     std::size_t phaseOf(std::size_t i) const { return std::size_t(phases[i]); }
+    /// Throws CaseError, with file and particle, where a value of the file `name` is not within factors of that of a particle at rest.
+    void checkScale(const std::string& name, const std::string& unit, double least, double most, const std::function<double(std::size_t)>& atRest) const;
 };
 
 struct Evolving

@@ -24,10 +24,12 @@ State stateOfAll(const Settings& settings)
     const auto& c = settings.coefficients;
     Evolving x{stateField(Position{})}, v{stateField(Velocity{}), stateField(Acceleration{})}, m{stateField(Mass{})};
     const double volume = std::pow(c.spacing, c.dimension);
-    m.missing = [volume](const Loading& loading)
+    const auto massOf = [volume](const Loading& loading, std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]*volume; };
+    m.missing = [massOf](const Loading& loading)
     {
-        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)]*volume;
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = massOf(loading, i);
     };
+    m.check = [massOf](const Loading& loading) { loading.checkScale("m", "kg", 1e-3, 1e3, [&](std::size_t i) { return massOf(loading, i); }); };
     m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
     State state{x, v, m};
     if (settings.multiphase()) state.push_back({stateField(Phase{})});

@@ -137,6 +137,41 @@ TEST(Particles, OfAnUnknownPhase)
     c.isRefused("sphFoamLike", {cloud + "phase: particle 0", "phase 3", "constant/phaseProperties"});
 }
 
+// A mass or an integrated density that no particle of the scene can have would be divided by, or weigh nothing: the file is to blame, not the step.
+TEST(Particles, OfAnImpossibleMass)
+{
+    for (const char* mass : {"0", "-1", "1e-300", "1e300"})
+    {
+        SCOPED_TRACE(mass);
+        auto c = inText();
+        c.write(cloud + "m", std::string("FoamFile { version 2.0; format ascii; class scalarField; }\n400{") + mass + "}\n");
+        c.isRefused("sphFoamLike", {cloud + "m: particle 0 at (", ") has m = ", "at rest it has 2.5 kg"});
+    }
+    auto c = inText();
+    const auto head = c.read(cloud + "m");
+    std::string masses = head.substr(0, head.find('}') + 1) + "\n400\n(\n";
+    for (int i = 0; i < 400; ++i) masses += i == 7 ? "-2.5\n" : "2.5\n";
+    c.write(cloud + "m", masses + ")\n");
+    c.isRefused("sphFoamLike", {cloud + "m: particle 7 at (", ") has m = -2.5 kg"});
+}
+
+TEST(Particles, OfAnImpossibleDensity)
+{
+    static const auto made = []
+    {
+        auto files = channelCase();
+        files["system/sphSchemes"] += "density continuity;\n";
+        return firstWriteOf(files, "ascii");
+    }();
+    for (const char* density : {"0", "-1", "1e-300", "0.5", "5000", "1e300"})
+    {
+        SCOPED_TRACE(density);
+        Damaged c(*made);
+        c.write(cloud + "rho", std::string("FoamFile { version 2.0; format ascii; class scalarField; }\n400{") + density + "}\n");
+        c.isRefused("sphFoamLike", {cloud + "rho: particle 0 at (", ") has rho = ", "at rest it has 1000 kg/m^3"});
+    }
+}
+
 // Two particles at one place attract nobody's attention in the sums (x_ij = 0), but they never part again.
 TEST(Particles, TwoAtOnePlace)
 {

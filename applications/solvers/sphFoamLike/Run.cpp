@@ -19,9 +19,6 @@ namespace
 volatile std::sig_atomic_t stopRequested = 0;
 void requestStop(int) { stopRequested = 1; }
 
-/// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
-/// packing within two.
-constexpr double mostCompression = 4;
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
 

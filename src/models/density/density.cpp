@@ -27,6 +27,9 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 
 namespace
 {
+/// Density over rest density in a time folder, at the least.
+constexpr double leastDensity = 1e-3;
+
 /// By Tait's law, the other way round, where the time folder gives the pressure; else that at rest.
 void densityAtStart(const Loading& loading)
 {
@@ -70,6 +73,10 @@ void prepare(const Reading& reading)
     if (!settings.integratedDensity) return;
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
     rho.missing = densityAtStart;
+    rho.check = [](const Loading& loading)
+    {
+        loading.checkScale("rho", "kg/m^3", leastDensity, mostCompression, [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
+    };
     rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
     settings.state.push_back(rho);
 }
