@@ -110,11 +110,12 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
     return out + ");\n";
 }
 
-Geometry readWalls(const Dictionary& dict, double reach)
+Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
 {
     Geometry g;
     readSpace(dict, g);
-    g.reach = std::max(reach, dict.get("reach", units::m));
+    checkFit(g, resolution, dict.diagnostics());
+    g.reach = std::max(supportsOfSolver*resolution.H(), dict.get("reach", units::m));
     wallsStamp(dict);
     std::vector<std::string> names;
     const auto walls = dict.subDict("walls");

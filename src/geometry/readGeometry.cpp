@@ -55,6 +55,22 @@ void readSpace(const Dictionary& dict, Geometry& g)
     }
 }
 
+void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diagnostics)
+{
+    const auto before = diagnostics.errors();
+    for (int k = 0; k < g.dimension; ++k)
+    {
+        const double least = resolution.H() + resolution.spacing;
+        if (resolution.spacing > g.length(k)*(1 + 1e-6))
+            diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m is larger than the domain, {:.4g} m along {}", resolution.spacing, g.length(k),
+                                                            coordinateNames[k]));
+        else if (g.periodic[k] && g.length(k) < least)
+            diagnostics.error(resolution.where, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
+                                                            g.length(k), coordinateNames[k], least));
+    }
+    if (diagnostics.errors() > before) diagnostics.throwIfAny();
+}
+
 WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
 {
     WallProperties wall;
@@ -93,11 +109,10 @@ EntryList geometryEntries()
             {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity}}}}};
 }
 
-Geometry readGeometry(const Dictionary& dict, double reach)
+namespace
 {
-    Geometry g;
-    g.reach = reach;
-    readSpace(dict, g);
+void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
+{
     const auto walls = entry::walls(dict);
     for (const auto& name : walls.keys())
     {
@@ -111,7 +126,26 @@ Geometry readGeometry(const Dictionary& dict, double reach)
         g.walls.push_back(readWallProperties(wall, isSingleShape(wall)));
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
     }
-    repeatPeriodically(g, reach);
+    repeatPeriodically(g, g.reach);
+}
+}
+
+Geometry readGeometry(const Dictionary& dict, double reach)
+{
+    Geometry g;
+    g.reach = reach;
+    readSpace(dict, g);
+    readWallsAndRepeat(dict, g);
+    return g;
+}
+
+Geometry readGeometry(const Dictionary& dict, const Resolution& resolution, double supports)
+{
+    Geometry g;
+    g.reach = supports*resolution.H();
+    readSpace(dict, g);
+    checkFit(g, resolution, dict.diagnostics());
+    readWallsAndRepeat(dict, g);
     return g;
 }
 

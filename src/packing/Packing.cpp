@@ -32,9 +32,6 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
         if (spacing > gap*(1 + 1e-6))
             throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
                                                         coordinateNames[k]));
-        if (g.periodic[k] && g.length(k) < plan.support + spacing)
-            throw CaseError(plan.spacingAt, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a "
-                                                        "spacing, {:.4g} m", g.length(k), coordinateNames[k], plan.support + spacing));
         places *= gap/spacing;
     }
     if (places > mostPlaces)

@@ -6,6 +6,7 @@
 #include "LeakGuard.hpp"
 #include "Part.hpp"
 #include "Plan.hpp"
+#include "Resolution.hpp"
 #include "State.hpp"
 #include <algorithm>
 #include <map>
@@ -15,16 +16,6 @@
 
 namespace sph
 {
-
-/// Resolution as all programs of the suite read it: system/sphSchemes, `resolution { spacing 1e-4; support 2.6; kernel wendlandC2; }`.
-struct Resolution
-{
-    double spacing = 1;      ///< [m]
-    double support = 2.6;    ///< H in spacings
-    std::string kernel = "wendlandC2";
-    double H() const { return support*spacing; }
-};
-Resolution readResolution(const Dictionary& sphSchemes);
 
 /// Fractions of the stability limits (how far from where steps fail: test/stability/README.md).
 struct StepFactors

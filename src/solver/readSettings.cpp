@@ -2,7 +2,6 @@
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
-#include "resolutionEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -45,20 +44,6 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
             for (const auto& field : *fields) classes[field.name] = field.type.fieldClass;
     return classes;
 }
-
-void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coefficients& c)
-{
-    for (int k = 0; k < geometry.dimension; ++k)
-        if (geometry.periodic[std::size_t(k)] && geometry.length(k) < c.support + c.spacing)
-            dict.error("resolution", fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
-                                                 geometry.length(k), "xyz"[k], c.support + c.spacing));
-}
-}
-
-Resolution readResolution(const Dictionary& sphSchemes)
-{
-    const auto dict = entry::resolution::dictionary(sphSchemes);
-    return {entry::resolution::spacing(dict), entry::resolution::support(dict), entry::resolution::kernel(dict)};
 }
 
 Settings readSettings(const Case& theCase, const Geometry& geometry)
@@ -74,7 +59,6 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();
-    checkPeriods(dict, geometry, c);
 
     const Reading reading{theCase, geometry, dict, settings, [](const Settings& s) { return stepLimits(s, {}); }};
     reading.choose(entry::scheme);

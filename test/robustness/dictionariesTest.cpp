@@ -109,16 +109,31 @@ TEST(Dictionaries, StaleWalls)
 }
 
 // A period shorter than the support would need a particle's second image, and one shorter than two supports makes a particle
-// its neighbour's neighbour twice.
+// its neighbour's neighbour twice. A spacing of many periods would repeat walls without end.
 TEST(Dictionaries, PeriodShorterThanTheSupport)
 {
-    Damaged c;
-    c.replace("constant/geometry", "max (1 1 0)", "max (0.1 1 0)");
-    c.run("meshToGhost");
-    c.run("packParticles");
-    c.write("system/controlDict", controls);
-    std::filesystem::remove_all(c.folder() / "0.02");
-    c.isRefused("sphFoamLike", {"periodic", "support"});
+    for (const char* spacing : {"0.3", "4", "1e3", "1e300"})
+    {
+        SCOPED_TRACE(spacing);
+        Damaged c;
+        c.replace("system/sphSchemes", "spacing 0.05", std::string("spacing ") + spacing);
+        for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike"})
+            c.isRefused(application, {"system/sphSchemes:1: ", spacing[1] == '.' ? "periodic length 1 m along x is less than the kernel support" : "larger than the domain, 1 m along x"});
+    }
+}
+
+// Without a spacing nothing else can be made of the case: it is asked for first.
+TEST(Dictionaries, NoReadableSpacing)
+{
+    for (const char* mistake : {"", "spacing;", "spacing ten;", "spacing 0;", "spacing -1;", "spacing [kg] 0.05;", "spcing 0.05;"})
+    {
+        SCOPED_TRACE(mistake);
+        Damaged c;
+        c.replace("constant/walls", "max (1 1 ", "max (1e-3 1 "); // 1 m for want of a spacing would be a thousand periods
+        c.replace("system/sphSchemes", "spacing 0.05;", mistake);
+        for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike", "sphPostProcess", "reconstructSurface"})
+            c.isRefused(application, {"system/sphSchemes:1: ", "spacing"});
+    }
 }
 
 }

@@ -284,7 +284,8 @@ TEST(PackingErrors, spacingAgainstGapAndSpace)
     // Too coarse for the channel, or for its period; a domain that is all solid; and a spacing that would make more particles than can be counted.
     CaseFolder c;
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.2;\n    support 2.6;\n}\n");
-    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the gap of 0.1 m along x");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along x\n"
+                         "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along y\n2 errors");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.03;\n    support 2.6;\n}\n");
     EXPECT_EQ(c.error(), "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");

@@ -4,7 +4,6 @@
 #include "PhaseCloud.hpp"
 #include "SurfaceWriter.hpp"
 #include "phaseEntries.hpp"
-#include "resolutionEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -40,10 +39,9 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
 {
     const auto geometryDict = folder.dictionary("constant/geometry");
     const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
-    const double spacing = entry::resolution::spacing(entry::resolution::dictionary(folder.dictionary("system/sphSchemes")));
-    folder.diagnostics().throwIfAny();
-    geometry_ = readGeometry(geometryDict, 3 * spacing);
-    scene_ = describe(folder, spacing, geometry_.dimension);
+    const auto resolution = readResolution(folder.dictionary("system/sphSchemes"));
+    geometry_ = readGeometry(geometryDict, resolution, 3 / resolution.support);
+    scene_ = describe(folder, resolution.spacing, geometry_.dimension);
     folder.diagnostics().throwIfAny();
     settings_ = readSurfaceSettings(dict, scene_, geometry_);
     dict.reportUnused();

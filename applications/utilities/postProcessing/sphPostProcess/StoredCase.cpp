@@ -13,9 +13,9 @@ namespace
 /// The walls that the solver saw, or, where meshToGhost has not made them, constant/geometry itself.
 Geometry loadGeometry(const Case& c)
 {
-    const double H = readResolution(c.dictionary("system/sphSchemes")).H();
-    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), 1.5 * H);
-    return readGeometry(c.dictionary("constant/geometry"), 1.5 * H);
+    const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
+    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), resolution);
+    return readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver);
 }
 
 }
