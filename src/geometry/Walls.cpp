@@ -122,7 +122,7 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
     for (const auto& name : walls.keys())
     {
         const auto wall = walls.subDict(name);
-        g.walls.push_back(readWallProperties(wall, true));
+        g.walls.push_back(readWallProperties(wall, g.dimension, true));
         const std::string at = wall.get("anglesAt", "");
         if (const auto colon = at.rfind(':'); colon != std::string::npos) g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
         names.push_back(name);

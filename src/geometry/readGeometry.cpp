@@ -71,7 +71,7 @@ void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diag
     if (diagnostics.errors() > before) diagnostics.throwIfAny();
 }
 
-WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
+WallProperties readWallProperties(const Dictionary& dict, int dimension, bool mayTurn)
 {
     WallProperties wall;
     wall.name = dict.keyword();
@@ -83,10 +83,13 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     if (one && pairs) entry::contactAngles.error(dict, "contactAngle and contactAngles say the same of a wall: leave out the one or the other");
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
+    entry::velocity.checkPlane(dict, wall.velocity, dimension);
     if (mayTurn)
     {
         wall.omega = entry::omega(dict);
         wall.origin = entry::origin(dict);
+        if (dimension == 2 && (wall.omega.x != 0 || wall.omega.y != 0))
+            entry::omega.error(dict, fmt::format("in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found {} and {}", wall.omega.x, wall.omega.y));
     }
     return wall;
 }
@@ -123,7 +126,7 @@ void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
         }
         const auto wall = walls.subDict(name);
         auto shapes = readShapes(wall, g);
-        g.walls.push_back(readWallProperties(wall, isSingleShape(wall)));
+        g.walls.push_back(readWallProperties(wall, g.dimension, isSingleShape(wall)));
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
     }
     repeatPeriodically(g, g.reach);

@@ -14,6 +14,6 @@ void readSpace(const Dictionary&, Geometry&);
 void checkFit(const Geometry&, const Resolution&, Diagnostics&);
 
 /// Entries contactAngle or contactAngles and velocity, and omega and origin where the wall may turn.
-WallProperties readWallProperties(const Dictionary& wall, bool mayTurn);
+WallProperties readWallProperties(const Dictionary& wall, int dimension, bool mayTurn);
 
 }

@@ -155,8 +155,9 @@ Packing pack(const PackingPlan& plan)
         packing.phase.push_back(phase);
         packing.rho.push_back(rho);
         packing.mass.push_back(mass);
-        Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
-        if (g.dimension == 2) U.z = 0;
+        const Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
+        if (g.dimension == 2 && U.z != 0)
+            throw CaseError({"system/packParticlesDict", 0}, fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(places[i])));
         packing.velocity.add(U);
     }
     packing.leftEmpty = places.size() - packing.points.size();

@@ -115,7 +115,9 @@ PackingPlan readPackingPlan(const Case& c)
     plan.geometry = readGeometry(geometry, resolution, reachPerSupport);
     if (wallsAreLayers(schemes)) plan.geometry.layers = makeWallLayers(plan.geometry, plan.support, spacing, c.diagnostics());
     if (c.diagnostics().ok()) plan.bedPeriod = bedPeriod(geometry);
-    const Vector<3> gravity = entry::gravity(c.dictionaryIfPresent("constant/g"), {});
+    const auto g = c.dictionaryIfPresent("constant/g");
+    const Vector<3> gravity = entry::gravity(g, {});
+    entry::gravity.checkPlane(g, gravity, plan.geometry.dimension);
     plan.g = mag(gravity);
 
     const auto properties = c.dictionary("constant/phaseProperties");

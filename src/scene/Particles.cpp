@@ -18,14 +18,25 @@ constexpr double skinInSpacings = 0.3;
 
 std::string at(Vector<3> x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 
-/// The numbers of a file (readCloud sees to its class), each to its place.
-void copyNumbers(const CloudField& field, const ValueType& type, const std::vector<double*>& values)
+/// The numbers of the file `name` (readCloud sees to its class), each to its place. Throws CaseError where one has no place in this scene: what a
+/// vector gives along z would come to nothing in 2-D.
+void copyNumbers(const Cloud& cloud, const std::string& name, const ValueType& type, const std::vector<double*>& values)
 {
+    const auto& field = cloud.fields.at(name);
     assert(field.type == type.fieldClass);
-    for (std::size_t c = 0; c < values.size(); ++c)
+    const auto names = componentNames(type.fieldClass);
+    for (std::size_t k = 0; k < field.component.size(); ++k)
     {
-        const auto& numbers = field.component[std::size_t(type.place[c])];
-        std::copy(numbers.begin(), numbers.end(), values[c]);
+        const auto& numbers = field.component[k];
+        const auto place = std::find(type.place.begin(), type.place.begin() + type.components, int(k)) - type.place.begin();
+        if (place < type.components)
+        {
+            std::copy(numbers.begin(), numbers.end(), values[std::size_t(place)]);
+            continue;
+        }
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (numbers[i] != 0)
+                throw CaseError({cloud.folder + "/" + name, 0}, fmt::format("{} has {}_{} = {}: in 2-D it must be 0", cloud.particle(i), name, names[k], numbers[i]));
     }
 }
 
@@ -132,15 +143,13 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
     for (const auto& evolving : settings_.state)
     {
         const Loading loading{cloud, coefficients_, phases, restarted, arraysOf(evolving.value)};
-        const auto found = cloud.fields.find(evolving.fileName());
         if (evolving.value.name == Position::info.name) continue;
-        if (evolving.written && found != cloud.fields.end()) copyNumbers(found->second, evolving.value.type(dim), loading.values);
+        if (evolving.written && cloud.fields.contains(evolving.fileName())) copyNumbers(cloud, evolving.fileName(), evolving.value.type(dim), loading.values);
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.check) evolving.check(loading);
     }
     for (const auto& rate : settings_.keptRates())
-        if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
-            copyNumbers(found->second, rate.type(dim), arraysOf(rate));
+        if (restarted && cloud.fields.contains(rate.name)) copyNumbers(cloud, rate.name, rate.type(dim), arraysOf(rate));
 }
 
 template<int dim> void Particles<dim>::rebuild()

@@ -136,5 +136,30 @@ TEST(Dictionaries, NoReadableSpacing)
     }
 }
 
+// In 2-D nothing moves along z: what a vector gives there is a mistake, wherever it stands.
+TEST(Dictionaries, ZComponentsIn2D)
+{
+    struct Place
+    {
+        std::string file, from, to;
+        std::vector<std::string> refusedBy, words;
+    };
+    const std::vector<Place> places{
+        {"constant/g", "(1 0 0)", "(0 0 -9.81)", {"packParticles", "sphFoamLike"}, {"constant/g:1: in 2-D the z component of \"value\"", "-9.81"}},
+        {"constant/phaseProperties", "phases (water);", "phases (water); bodyForce (1 0 2);", {"sphFoamLike"}, {"constant/phaseProperties:1: in 2-D", "\"bodyForce\""}},
+        {"constant/walls", "top { velocity (0 0 0);", "top { velocity (0 0 1);", {"sphFoamLike"}, {"constant/walls:", "\"velocity\""}},
+        {"constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); velocity (0 0 1);", {"packParticles", "meshToGhost"}, {"constant/geometry:5: in 2-D", "\"velocity\""}},
+        {"system/packParticlesDict", "type taylorGreen; U 1; L 1;", "type uniform; value (1 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}},
+        {"system/packParticlesDict", "phase water;", "phase water; U (0 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}}};
+    for (const auto& place : places)
+        for (const auto& application : place.refusedBy)
+        {
+            SCOPED_TRACE(place.file + " " + application);
+            Damaged c;
+            c.replace(place.file, place.from, place.to);
+            c.isRefused(application, place.words);
+        }
+}
+
 }
 }

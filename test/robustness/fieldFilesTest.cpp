@@ -115,6 +115,13 @@ TEST(FieldFiles, PowderOfAnotherClass)
     c.isRefused("sphFoamLike", {cloud + "phi:1", "vectorField", "scalarField"});
 }
 
+TEST(Particles, MovingOutOfThePlane)
+{
+    auto c = inText();
+    setLine(c, cloud + "U", firstValue(c, cloud + "U") + 5, "(0 0 0.1)");
+    c.isRefused("sphFoamLike", {cloud + "U: particle 5 at (", "U_z = 0.1: in 2-D it must be 0"});
+}
+
 TEST(Particles, BeyondAWall)
 {
     auto c = inText();
