@@ -31,9 +31,12 @@ struct CloudField
 /// A cloud in memory: one array per component of the positions, and the fields by name.
 struct Cloud
 {
+    std::string folder; ///< that it was read from, "0.1/lagrangian/sph"
     std::vector<double> x, y, z;
     std::map<std::string, CloudField> fields;
     std::size_t size() const { return x.size(); }
+    /// "particle 3 at (0 0 0)", for messages.
+    std::string particle(std::size_t i) const;
 };
 
 enum class WriteFormat
@@ -54,9 +57,20 @@ struct WriteOptions
 void writeCloud(const std::filesystem::path& timeFolder, const std::string& cloud, std::size_t n, const FieldView& positions,
                 const std::vector<FieldView>& fields, const WriteOptions&);
 
-/// Reads `positions` and every field file that is there. Everything that is wrong (unreadable, truncated, wrong class, unequal
-/// lengths, NaN or infinite) is recorded with file, line (ascii) and particle. `caseFolder` makes the paths in messages short.
-Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics&);
+/// Classes of fields by name.
+using FieldClasses = std::map<std::string, FieldClass>;
+
+/// Reads `positions` and every field file that is there. Everything that is wrong (unreadable, truncated, unequal lengths, NaN or infinite, a
+/// class that is none or, of a field that `wanted` names, not that one) is recorded with file, line (ascii) and particle. `caseFolder` makes the
+/// paths in messages short.
+Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics&,
+                const FieldClasses& wanted = {});
+
+/// The phase of each particle, 0 where the cloud has no field `phase`. Throws CaseError, with file and particle, where there is no such phase.
+std::vector<int> phasesOf(const Cloud&, std::size_t phases);
+
+/// The field V, or m/rho where there is none [m^3]. Throws CaseError, with file and particle, where a field is missing or a value is not positive.
+std::vector<double> volumesOf(const Cloud&);
 
 bool hasCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud);
 

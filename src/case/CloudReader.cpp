@@ -1,6 +1,8 @@
 #include "Cloud.hpp"
 #include "FieldFile.hpp"
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <system_error>
 
 namespace sph
@@ -30,11 +32,14 @@ std::string cloudFolder(const std::string& time, const std::string& cloud) { ret
 
 }
 
+std::string Cloud::particle(std::size_t i) const { return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", i, x[i], y[i], z[i]); }
+
 Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud,
-                Diagnostics& diagnostics)
+                Diagnostics& diagnostics, const FieldClasses& wanted)
 {
     const auto folder = cloudFolder(time, cloud);
     Cloud result;
+    result.folder = folder;
     auto positions = readPositions(caseFolder, folder + "/positions", diagnostics);
     // How long the fields must be is not known without positions.
     if (!positions) return result;
@@ -44,12 +49,48 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
     for (const auto& name : fieldsIn(caseFolder / folder))
     {
         const auto file = folder + "/" + name;
+        const auto its = wanted.find(name);
         if (name.ends_with(".gz"))
             diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
-        else if (auto field = readField(caseFolder, file, result.size(), diagnostics))
+        else if (auto field = readField(caseFolder, file, result.size(), its == wanted.end() ? std::nullopt : std::optional(its->second), diagnostics))
             result.fields[name] = std::move(*field);
     }
     return result;
+}
+
+std::vector<int> phasesOf(const Cloud& cloud, std::size_t phases)
+{
+    std::vector<int> result(cloud.size(), 0);
+    const auto found = cloud.fields.find("phase");
+    if (found == cloud.fields.end()) return result;
+    const auto& index = found->second.component[0];
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        if (!(index[i] >= 0 && index[i] < double(phases) && index[i] == std::floor(index[i])))
+            throw CaseError({cloud.folder + "/phase", 0}, fmt::format("{} has phase {}, but constant/phaseProperties lists {}", cloud.particle(i),
+                                                                      index[i], phases == 1 ? "1 phase, 0" : fmt::format("{} phases, 0 to {}", phases, phases - 1)));
+        result[i] = int(index[i]);
+    }
+    return result;
+}
+
+std::vector<double> volumesOf(const Cloud& cloud)
+{
+    const auto positive = [&](const std::string& name) -> const std::vector<double>&
+    {
+        const auto found = cloud.fields.find(name);
+        if (found == cloud.fields.end()) throw CaseError({cloud.folder + "/" + name, 0}, "is missing: volumes are m/rho");
+        const auto& values = found->second.component[0];
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+            if (!(values[i] > 0))
+                throw CaseError({cloud.folder + "/" + name, 0}, fmt::format("{} has {} {}, which must be positive", cloud.particle(i), name, values[i]));
+        return values;
+    };
+    if (cloud.fields.contains("V")) return positive("V");
+    const auto &m = positive("m"), &rho = positive("rho");
+    std::vector<double> volumes(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i) volumes[i] = m[i]/rho[i];
+    return volumes;
 }
 
 bool hasCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud)

@@ -73,14 +73,18 @@ Header readHeader(FoamScanner& in)
     return header;
 }
 
-FieldClass fieldClass(const Header& header)
+FieldClass fieldClass(const Header& header, const std::string& field, std::optional<FieldClass> wanted)
 {
     static const std::vector<std::string> known{"labelField", "scalarField", "vectorField", "symmTensorField", "tensorField"};
     const auto at = std::find(known.begin(), known.end(), header.className);
     if (at == known.end())
         throw ScanError(header.classLine, fmt::format("class \"{}\" is not a field of a cloud. {}", header.className,
                                                       suggestion(header.className, "classes", known)));
-    return FieldClass(at - known.begin());
+    const auto found = FieldClass(at - known.begin());
+    if (wanted && found != *wanted)
+        throw ScanError(header.classLine, fmt::format("class \"{}\" is not that of the field {}, {}", header.className, field,
+                                                      known[std::size_t(*wanted)]));
+    return found;
 }
 
 /// Reads `N ( value ... )`, `N { value }` or `( value ... )`, and sees to it that nothing follows.
@@ -128,7 +132,7 @@ private:
                                  double(count_) * double(bytes), in_.remaining()));
         reserve(count_);
         for (std::size_t i = 0; i < count_; ++i) append(i);
-        if (!in_.take(')')) in_.fail(fmt::format("expected ) after {} values, found {}", count_, in_.found()));
+        if (!in_.takeHere(')')) in_.fail(fmt::format("expected ) right after {} values, found {}", count_, in_.found()));
         return count_;
     }
 
@@ -202,12 +206,12 @@ double binaryLabel(FoamScanner& in, int bits)
     return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>());
 }
 
-CloudField parseField(std::string_view text, const std::string& name, std::size_t expected)
+CloudField parseField(std::string_view text, const std::string& name, std::size_t expected, std::optional<FieldClass> wanted)
 {
     FoamScanner in(text);
     const auto header = readHeader(in);
     CloudField field;
-    field.type = fieldClass(header);
+    field.type = fieldClass(header, name, wanted);
     const int components = componentsOf(field.type);
     const bool isLabel = field.type == FieldClass::label;
     field.component.resize(std::size_t(components));
@@ -260,7 +264,8 @@ Positions parsePositions(std::string_view text)
         if (in.remaining() < bytes) in.fail(fmt::format("the file is truncated in the position of particle {}", i));
         for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(binaryNumber(in, header.scalarBits, i));
         binaryLabel(in, header.labelBits);
-        if (!in.take(')')) in.fail(fmt::format("expected ) after the position of particle {}", i));
+        if (!in.takeHere(')')) in.fail(fmt::format("expected ) right after the position of particle {}", i));
+        in.skip();
     };
     const auto reserve = [&](std::size_t n)
     {
@@ -302,11 +307,11 @@ std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, 
 }
 
 std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
-                                    Diagnostics& diagnostics)
+                                    std::optional<FieldClass> wanted, Diagnostics& diagnostics)
 {
     const auto name = std::filesystem::path(file).filename().string();
     return guarded<CloudField>(caseFolder, file, diagnostics,
-                               [&](std::string_view text) { return parseField(text, name, expected); });
+                               [&](std::string_view text) { return parseField(text, name, expected, wanted); });
 }
 
 }

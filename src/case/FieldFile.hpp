@@ -17,8 +17,8 @@ struct Positions
 
 std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics&);
 
-/// `expected`: how many positions there are; a list of another length is an error.
+/// `expected`: how many positions there are; a list of another length is an error, and so is a class other than the wanted one.
 std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
-                                    Diagnostics&);
+                                    std::optional<FieldClass> wanted, Diagnostics&);
 
 }

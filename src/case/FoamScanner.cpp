@@ -23,8 +23,7 @@ std::string FoamScanner::found()
     if (peek() == '\0' && atEnd()) return "the end of the file";
     constexpr std::ptrdiff_t most = 20;
     std::string text = "\"";
-    for (auto p = at_; p != end_ && p - at_<most&& static_cast<unsigned char>(*p)> ' '; ++p)
-        text += static_cast<unsigned char>(*p) < 127 ? *p : '?';
+    for (auto p = at_; p != end_ && p - at_ < most && !isBlank(*p); ++p) text += *p > ' ' && *p < 127 ? *p : '?';
     return text + '"';
 }
 
@@ -41,7 +40,7 @@ std::string FoamScanner::word()
     }
     const auto start = at_;
     int depth = 0;
-    for (; at_ != end_ && static_cast<unsigned char>(*at_) > ' ' && !std::strchr(";{}", *at_); ++at_)
+    for (; at_ != end_ && !isBlank(*at_) && !std::strchr(";{}", *at_); ++at_)
     {
         if (*at_ == '(')
             ++depth;

@@ -21,6 +21,7 @@ class FoamScanner
     const char *begin_, *at_, *end_;
     bool inBinary_ = false;
 
+    static bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
     void skipComment();
 
 public:
@@ -36,10 +37,10 @@ public:
     int line() const;
     [[noreturn]] void fail(const std::string& what) const { throw ScanError(line(), what); }
 
-    /// White space and comments.
+    /// White space and comments; a NUL is neither: it is data, or what a crash has left of a file.
     void skip()
     {
-        while (at_ != end_ && (static_cast<unsigned char>(*at_) <= ' ' || *at_ == '/'))
+        while (at_ != end_ && (isBlank(*at_) || *at_ == '/'))
         {
             if (*at_ != '/')
                 ++at_;
@@ -59,6 +60,13 @@ public:
     bool take(char c)
     {
         if (peek() != c || at_ == end_) return false;
+        ++at_;
+        return true;
+    }
+    /// The same where nothing may stand before it, as behind binary data.
+    bool takeHere(char c)
+    {
+        if (at_ == end_ || *at_ != c) return false;
         ++at_;
         return true;
     }

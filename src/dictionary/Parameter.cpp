@@ -80,6 +80,11 @@ std::vector<std::string> ChoiceWords::words() const
     return all;
 }
 
+void Parameter::checkPlane(const Dictionary& d, const Vector<3>& value, int dimension) const
+{
+    if (dimension == 2 && value.z != 0) error(d, fmt::format("in 2-D the z component of \"{}\" must be 0, found {}", keyword(), value.z));
+}
+
 std::string written(double x) { return fmt::format("{}", x); }
 std::string written(int i) { return fmt::format("{}", i); }
 std::string written(bool b) { return b ? "yes" : "no"; }

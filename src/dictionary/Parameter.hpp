@@ -115,6 +115,8 @@ public:
     Location where(const Dictionary& d) const { return d.where(keyword()); }
     /// Records an error at the entry.
     void error(const Dictionary& d, const std::string& what) const { d.error(keyword(), what); }
+    /// Records an error where a vector points out of the plane of a 2-D scene: what it gives along z would come to nothing.
+    void checkPlane(const Dictionary& d, const Vector<3>& value, int dimension) const;
 };
 
 /// How a dictionary writes a value.

@@ -1,6 +1,7 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
 #include "EntryList.hpp"
+#include "Resolution.hpp"
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
@@ -128,6 +129,10 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 /// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic
 /// directions as far as `reach` [m] outside the domain.
 Geometry readGeometry(const Dictionary&, double reach);
+/// The same as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
+Geometry readGeometry(const Dictionary&, const Resolution&, double supports);
+/// What the solver's images reach, skin included.
+inline constexpr double supportsOfSolver = 1.5;
 /// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.
 double bedPeriod(const Dictionary& geometry);
 /// All types of walls and their entries.

@@ -110,18 +110,19 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
     return out + ");\n";
 }
 
-Geometry readWalls(const Dictionary& dict, double reach)
+Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
 {
     Geometry g;
     readSpace(dict, g);
-    g.reach = std::max(reach, dict.get("reach", units::m));
+    checkFit(g, resolution, dict.diagnostics());
+    g.reach = std::max(supportsOfSolver*resolution.H(), dict.get("reach", units::m));
     wallsStamp(dict);
     std::vector<std::string> names;
     const auto walls = dict.subDict("walls");
     for (const auto& name : walls.keys())
     {
         const auto wall = walls.subDict(name);
-        g.walls.push_back(readWallProperties(wall, true));
+        g.walls.push_back(readWallProperties(wall, g.dimension, true));
         const std::string at = wall.get("anglesAt", "");
         if (const auto colon = at.rfind(':'); colon != std::string::npos) g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
         names.push_back(name);

@@ -25,9 +25,9 @@ std::string geometryStamp(const std::filesystem::path& caseFolder, double spacin
 /// Text of constant/walls for geometry.originals, with geometry.reach.
 std::string wallsText(const Geometry&, const std::string& stamp);
 
-/// Reads constant/walls. Patches are repeated as far as `reach` [m] outside the domain, or as far as the file says where that is
-/// more.
-Geometry readWalls(const Dictionary&, double reach = 0);
+/// Reads constant/walls. Patches are repeated as far as the solver needs them, or as far as the file says where that is more. Throws CaseError
+/// where particles of this resolution do not fit the domain.
+Geometry readWalls(const Dictionary&, const Resolution&);
 
 /// The stamp in constant/walls, for comparison with geometryStamp.
 std::string wallsStamp(const Dictionary&);

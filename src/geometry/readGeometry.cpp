@@ -55,7 +55,23 @@ void readSpace(const Dictionary& dict, Geometry& g)
     }
 }
 
-WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
+void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diagnostics)
+{
+    const auto before = diagnostics.errors();
+    for (int k = 0; k < g.dimension; ++k)
+    {
+        const double least = resolution.H() + resolution.spacing;
+        if (resolution.spacing > g.length(k)*(1 + 1e-6))
+            diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m is larger than the domain, {:.4g} m along {}", resolution.spacing, g.length(k),
+                                                            coordinateNames[k]));
+        else if (g.periodic[k] && g.length(k) < least)
+            diagnostics.error(resolution.where, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
+                                                            g.length(k), coordinateNames[k], least));
+    }
+    if (diagnostics.errors() > before) diagnostics.throwIfAny();
+}
+
+WallProperties readWallProperties(const Dictionary& dict, int dimension, bool mayTurn)
 {
     WallProperties wall;
     wall.name = dict.keyword();
@@ -67,10 +83,13 @@ WallProperties readWallProperties(const Dictionary& dict, bool mayTurn)
     if (one && pairs) entry::contactAngles.error(dict, "contactAngle and contactAngles say the same of a wall: leave out the one or the other");
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
+    entry::velocity.checkPlane(dict, wall.velocity, dimension);
     if (mayTurn)
     {
         wall.omega = entry::omega(dict);
         wall.origin = entry::origin(dict);
+        if (dimension == 2 && (wall.omega.x != 0 || wall.omega.y != 0))
+            entry::omega.error(dict, fmt::format("in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found {} and {}", wall.omega.x, wall.omega.y));
     }
     return wall;
 }
@@ -93,11 +112,10 @@ EntryList geometryEntries()
             {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity}}}}};
 }
 
-Geometry readGeometry(const Dictionary& dict, double reach)
+namespace
 {
-    Geometry g;
-    g.reach = reach;
-    readSpace(dict, g);
+void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
+{
     const auto walls = entry::walls(dict);
     for (const auto& name : walls.keys())
     {
@@ -108,10 +126,29 @@ Geometry readGeometry(const Dictionary& dict, double reach)
         }
         const auto wall = walls.subDict(name);
         auto shapes = readShapes(wall, g);
-        g.walls.push_back(readWallProperties(wall, isSingleShape(wall)));
+        g.walls.push_back(readWallProperties(wall, g.dimension, isSingleShape(wall)));
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
     }
-    repeatPeriodically(g, reach);
+    repeatPeriodically(g, g.reach);
+}
+}
+
+Geometry readGeometry(const Dictionary& dict, double reach)
+{
+    Geometry g;
+    g.reach = reach;
+    readSpace(dict, g);
+    readWallsAndRepeat(dict, g);
+    return g;
+}
+
+Geometry readGeometry(const Dictionary& dict, const Resolution& resolution, double supports)
+{
+    Geometry g;
+    g.reach = supports*resolution.H();
+    readSpace(dict, g);
+    checkFit(g, resolution, dict.diagnostics());
+    readWallsAndRepeat(dict, g);
     return g;
 }
 

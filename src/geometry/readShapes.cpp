@@ -49,7 +49,7 @@ Shapes plane(const Dictionary& wall, const Geometry& g)
 {
     const auto point = entry::point(wall);
     const auto normal = entry::normal.asGiven(wall);
-    if (g.dimension == 2 && normal.z != 0) entry::normal.error(wall, "in 2-D the z component of a normal must be 0");
+    entry::normal.checkPlane(wall, normal, g.dimension);
     return {std::make_shared<Plane>(point, normal)};
 }
 

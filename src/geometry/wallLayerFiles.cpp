@@ -46,7 +46,7 @@ std::vector<LayerParticle> readWallLayers(const std::filesystem::path& caseFolde
                           "is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost, which makes it from constant/geometry");
         return {};
     }
-    const auto cloud = readCloud(caseFolder, "constant", cloudName, diagnostics);
+    const auto cloud = readCloud(caseFolder, "constant", cloudName, diagnostics, {{"wall", FieldClass::label}, {"volumeFactor", FieldClass::scalar}});
     const auto wall = cloud.fields.find("wall"), factor = cloud.fields.find("volumeFactor");
     for (const auto& [field, name] : {std::pair{wall, "wall"}, std::pair{factor, "volumeFactor"}})
         if (field == cloud.fields.end() && diagnostics.ok()) diagnostics.error({folder + name, 0}, "is missing: run meshToGhost again");

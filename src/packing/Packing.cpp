@@ -32,9 +32,6 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
         if (spacing > gap*(1 + 1e-6))
             throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
                                                         coordinateNames[k]));
-        if (g.periodic[k] && g.length(k) < plan.support + spacing)
-            throw CaseError(plan.spacingAt, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a "
-                                                        "spacing, {:.4g} m", g.length(k), coordinateNames[k], plan.support + spacing));
         places *= gap/spacing;
     }
     if (places > mostPlaces)
@@ -163,8 +160,9 @@ Packing pack(const PackingPlan& plan)
         packing.rho.push_back(rho);
         packing.mass.push_back(mass);
         if (pressed) packing.p.push_back(occupation.p[i] ? *occupation.p[i] : plan.pressure ? (*plan.pressure)(places[i]) : 0);
-        Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
-        if (g.dimension == 2) U.z = 0;
+        const Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
+        if (g.dimension == 2 && U.z != 0)
+            throw CaseError({"system/packParticlesDict", 0}, fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(places[i])));
         packing.velocity.add(U);
     }
     packing.leftEmpty = places.size() - packing.points.size();

@@ -97,7 +97,7 @@ Packing pack(const PackingPlan&);
 /// What the user is told.
 std::string report(const PackingPlan&, const Packing&);
 
-/// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. Without rho where the
+/// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. With V in place of rho where the
 /// pressure at the start is given: the solver finds it, or with a number density the masses that make it, by the state equation.
 void writePacking(const Case&, const std::string& time, const PackingPlan&, const Packing&, const WriteOptions&);
 

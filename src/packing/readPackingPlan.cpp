@@ -1,6 +1,5 @@
 #include "Packing.hpp"
 #include "phaseEntries.hpp"
-#include "resolutionEntries.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -107,19 +106,19 @@ PackingPlan readPackingPlan(const Case& c)
 {
     PackingPlan plan;
     const auto schemes = c.dictionary("system/sphSchemes");
-    const auto resolution = entry::resolution::dictionary(schemes);
-    const double spacing = entry::resolution::spacing(resolution);
-    plan.kernel = entry::resolution::kernel(resolution);
-    plan.support = entry::resolution::support(resolution)*spacing;
-    plan.spacingAt = entry::resolution::spacing.where(resolution);
-    // nothing below can be made of a spacing or a support that is not there
-    c.diagnostics().throwIfAny();
+    const auto resolution = readResolution(schemes);
+    const double spacing = resolution.spacing;
+    plan.kernel = resolution.kernel;
+    plan.support = resolution.H();
+    plan.spacingAt = resolution.where;
 
     const auto geometry = c.dictionary("constant/geometry");
-    plan.geometry = readGeometry(geometry, reachPerSupport*plan.support);
+    plan.geometry = readGeometry(geometry, resolution, reachPerSupport);
     if (wallsAreLayers(schemes)) plan.geometry.layers = makeWallLayers(plan.geometry, plan.support, spacing, c.diagnostics());
     if (c.diagnostics().ok()) plan.bedPeriod = bedPeriod(geometry);
-    const Vector<3> gravity = entry::gravity(c.dictionaryIfPresent("constant/g"), {});
+    const auto g = c.dictionaryIfPresent("constant/g");
+    const Vector<3> gravity = entry::gravity(g, {});
+    entry::gravity.checkPlane(g, gravity, plan.geometry.dimension);
     plan.g = mag(gravity);
 
     const auto properties = c.dictionary("constant/phaseProperties");

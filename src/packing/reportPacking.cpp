@@ -108,7 +108,9 @@ void writePacking(const Case& c, const std::string& time, const PackingPlan& pla
                                   {"p", FieldClass::scalar, {p.data()}},
                                   {"m", FieldClass::scalar, {packing.mass.data()}},
                                   {"phase", FieldClass::label, {packing.phase.data()}}};
+    const std::vector<double> V(packing.p.empty() ? 0 : x.size(), packing.particleVolume);
     if (packing.p.empty()) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
+    else fields.push_back({"V", FieldClass::scalar, {V.data()}});
     writeCloud(folder, "sph", x.size(), positions, fields, options);
 
     const auto &low = plan.geometry.low, &high = plan.geometry.high;

@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "reduce.hpp"
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -16,6 +17,28 @@ namespace
 constexpr double skinInSpacings = 0.3;
 
 std::string at(Vector<3> x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
+
+/// The numbers of the file `name` (readCloud sees to its class), each to its place. Throws CaseError where one has no place in this scene: what a
+/// vector gives along z would come to nothing in 2-D.
+void copyNumbers(const Cloud& cloud, const std::string& name, const ValueType& type, const std::vector<double*>& values)
+{
+    const auto& field = cloud.fields.at(name);
+    assert(field.type == type.fieldClass);
+    const auto names = componentNames(type.fieldClass);
+    for (std::size_t k = 0; k < field.component.size(); ++k)
+    {
+        const auto& numbers = field.component[k];
+        const auto place = std::find(type.place.begin(), type.place.begin() + type.components, int(k)) - type.place.begin();
+        if (place < type.components)
+        {
+            std::copy(numbers.begin(), numbers.end(), values[std::size_t(place)]);
+            continue;
+        }
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            if (numbers[i] != 0)
+                throw CaseError({cloud.folder + "/" + name, 0}, fmt::format("{} has {}_{} = {}: in 2-D it must be 0", cloud.particle(i), name, names[k], numbers[i]));
+    }
+}
 
 std::vector<Group> groupsOf(const Settings& settings)
 {
@@ -43,7 +66,15 @@ template<int dim> std::map<std::string, std::vector<FieldUse<dim>>> rulesOf(cons
 }
 }
 
-std::string Loading::particle(std::size_t i) const { return fmt::format("particle {} at {}", i, at({cloud.x[i], cloud.y[i], cloud.z[i]})); }
+void Loading::checkScale(const std::string& name, const std::string& unit, double least, double most,
+                         const std::function<double(std::size_t)>& atRest) const
+{
+    for (std::size_t i = 0; i < size(); ++i)
+        if (const double value = values[0][i], rest = atRest(i); !(value >= least*rest && value <= most*rest))
+            throw CaseError({cloud.fields.contains(name) ? cloud.folder + "/" + name : cloud.folder, 0},
+                            fmt::format("{} has {} = {:.6g} {}: at rest it has {:.6g} {}, and {:.3g} to {:.3g} times that can be computed with",
+                                        cloud.particle(i), name, value, unit, rest, unit, least, most));
+}
 
 template<int dim>
 Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
@@ -98,26 +129,22 @@ template<int dim> void Particles<dim>::allocateState()
 template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
 {
     store_.resize(owned_ + 1, owned_);
-    const auto& phases = coefficients_.phases;
-    const auto phaseField = cloud.fields.find("phase");
-    const auto phaseOf = [&](std::size_t i) { return phaseField == cloud.fields.end() ? 0 : int(phaseField->second.component[0][i]); };
-    for (std::size_t i = 0; i < owned_; ++i)
-        if (const int k = phaseOf(i); k < 0 || k >= int(phases.size()))
-            throw CaseError(fmt::format("particle {} at {} has phase {}, but constant/phaseProperties lists {} phase{}", i,
-                                        at({cloud.x[i], cloud.y[i], cloud.z[i]}), k, phases.size(), phases.size() == 1 ? "" : "s"));
+    const auto phases = phasesOf(cloud, coefficients_.phases.size());
+    const auto arraysOf = [&](const StateField& field)
+    {
+        std::vector<double*> arrays;
+        for (int c = 0; c < field.in(dim); ++c) arrays.push_back(store_.component(field.name, c));
+        return arrays;
+    };
     const auto x = store_.pointers(Position{});
     std::copy(cloud.x.begin(), cloud.x.end(), x[0]);
     std::copy(cloud.y.begin(), cloud.y.end(), x[1]);
     if constexpr (dim == 3) std::copy(cloud.z.begin(), cloud.z.end(), x[2]);
     for (const auto& evolving : settings_.state)
     {
-        Loading loading{cloud, coefficients_, restarted, {}, phaseOf};
-        for (int c = 0; c < evolving.value.in(dim); ++c) loading.values.push_back(store_.component(evolving.value.name, c));
-        const auto found = cloud.fields.find(evolving.fileName());
+        const Loading loading{cloud, coefficients_, phases, restarted, arraysOf(evolving.value)};
         if (evolving.value.name == Position::info.name) continue;
-        if (evolving.written && found != cloud.fields.end())
-            for (std::size_t c = 0; c < loading.values.size(); ++c)
-                std::copy(found->second.component[c].begin(), found->second.component[c].end(), loading.values[c]);
+        if (evolving.written && cloud.fields.contains(evolving.fileName())) copyNumbers(cloud, evolving.fileName(), evolving.value.type(dim), loading.values);
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.loaded) evolving.loaded(loading);
         if (evolving.check) evolving.check(loading);
@@ -128,8 +155,7 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
         startCompression_ = sum(owned_, [&](std::size_t i) { return m[i]/m_0[i]; })/double(owned_);
     }
     for (const auto& rate : settings_.keptRates())
-        if (const auto found = cloud.fields.find(rate.name); restarted && found != cloud.fields.end())
-            for (int c = 0; c < rate.in(dim); ++c) std::copy_n(found->second.component[std::size_t(c)].begin(), owned_, store_.component(rate.name, c));
+        if (restarted && cloud.fields.contains(rate.name)) copyNumbers(cloud, rate.name, rate.type(dim), arraysOf(rate));
 }
 
 template<int dim> void Particles<dim>::rebuild()

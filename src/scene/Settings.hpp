@@ -6,7 +6,9 @@
 #include "LeakGuard.hpp"
 #include "Part.hpp"
 #include "Plan.hpp"
+#include "Resolution.hpp"
 #include "State.hpp"
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -14,16 +16,6 @@
 
 namespace sph
 {
-
-/// Resolution as all programs of the suite read it: system/sphSchemes, `resolution { spacing 1e-4; support 2.6; kernel wendlandC2; }`.
-struct Resolution
-{
-    double spacing = 1;      ///< [m]
-    double support = 2.6;    ///< H in spacings
-    std::string kernel = "wendlandC2";
-    double H() const { return support*spacing; }
-};
-Resolution readResolution(const Dictionary& sphSchemes);
 
 /// Fractions of the stability limits (how far from where steps fail: test/stability/README.md).
 struct StepFactors
@@ -48,6 +40,10 @@ struct Integration
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
 };
 
+/// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
+/// packing within two.
+inline constexpr double mostCompression = 4;
+
 /// Which of the names of groups in a plan are whose.
 inline constexpr const char *ofEvaluation = "evaluate", *onceAStep = "evaluate what acts once a step", *ofSolver = "response";
 
@@ -71,7 +67,7 @@ struct Settings
 
     std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
-    std::set<std::string> fieldNames;          ///< of all fields that the models know, in this scene or not
+    std::map<std::string, FieldClass> fieldClasses;   ///< of all fields that the models know, in this scene or not
     std::set<std::string> separate;                ///< results that somebody wants by themselves
     std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 
@@ -94,6 +90,32 @@ struct Settings
         for (const auto& evolving : state)
             if (integration.keepsRates && evolving.rate && !evolving.advancedByModel) rates.push_back(*evolving.rate);
         return rates;
+    }
+    /// The fields of a time folder beside the positions: name, and that on disk.
+    std::vector<std::pair<std::string, std::string>> written() const
+    {
+        std::vector<std::pair<std::string, std::string>> all;
+        const auto add = [&](const std::string& name, const std::string& onDisk)
+        {
+            if (std::none_of(all.begin(), all.end(), [&](const auto& field) { return field.second == onDisk; })) all.emplace_back(name, onDisk);
+        };
+        for (const char* name : {"U", "rho", "p", "phase", "m"}) add(name, name);
+        for (const auto& evolving : state)
+            if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.fileName());
+        for (const auto& rate : keptRates()) add(rate.name, rate.name);
+        for (const auto& [name, onDisk] : shown) add(name, onDisk);
+        return all;
+    }
+    /// Their classes, by the names on disk.
+    std::map<std::string, FieldClass> writtenClasses() const
+    {
+        auto classes = fieldClasses;
+        for (const auto& evolving : state)
+            for (const auto* field : {&evolving.value, evolving.rate ? &*evolving.rate : nullptr})
+                if (field) classes[field->name] = field->type(coefficients.dimension).fieldClass;
+        std::map<std::string, FieldClass> onDisk;
+        for (const auto& [name, file] : written()) onDisk[file] = classes.at(name);
+        return onDisk;
     }
     bool has(const std::string& entry, const std::string& word) const
     {

@@ -33,13 +33,14 @@ struct Loading
 {
     const Cloud& cloud;
     const Coefficients& coefficients;
+    const std::vector<int>& phases;            ///< of the particles
     bool restarted;                            ///< the time folder was written by a run
     std::vector<double*> values;               ///< by component, of all particles
-    std::function<int(std::size_t)> phaseOf;
 
     std::size_t size() const { return cloud.size(); }
-    /// "particle 3 at (0 0 0)", for messages.
-    std::string particle(std::size_t i) const;
+    std::size_t phaseOf(std::size_t i) const { return std::size_t(phases[i]); }
+    /// Throws CaseError, with file and particle, where a value of the file `name` is not within factors of that of a particle at rest.
+    void checkScale(const std::string& name, const std::string& unit, double least, double most, const std::function<double(std::size_t)>& atRest) const;
 };
 
 struct Evolving

@@ -140,17 +140,11 @@ public:
     std::vector<FieldView> fields() const override
     {
         std::vector<FieldView> views;
-        for (const char* name : {"U", "rho", "p", "phase", "m"}) views.push_back(field(name));
-        const auto add = [&](const std::string& name, const std::string& onDisk)
+        for (const auto& [name, onDisk] : settings_.written())
         {
-            if (std::any_of(views.begin(), views.end(), [&](const auto& view) { return view.name == onDisk; })) return;
             views.push_back(field(name));
             views.back().name = onDisk;
-        };
-        for (const auto& evolving : settings_.state)
-            if (evolving.written && evolving.value.name != Position::info.name) add(evolving.value.name, evolving.fileName());
-        for (const auto& rate : settings_.keptRates()) add(rate.name, rate.name);
-        for (const auto& [name, onDisk] : settings_.shown) add(name, onDisk);
+        }
         return views;
     }
 

@@ -98,9 +98,11 @@ void readPhases(const Case& theCase, Settings& settings)
         const auto g = theCase.dictionary("constant/g");
         g.ignore(entry::dimensions.keyword());
         c.g = entry::gravity(g);
+        entry::gravity.checkPlane(g, c.g, c.dimension);
         g.reportUnused();
     }
     c.bodyForce = entry::bodyForce(dict);
+    entry::bodyForce.checkPlane(dict, c.bodyForce, c.dimension);
 
     readSurfaceTension(dict, c);
     for (const auto& name : c.phases)

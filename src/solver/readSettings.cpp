@@ -2,7 +2,6 @@
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
-#include "resolutionEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -24,39 +23,27 @@ State stateOfAll(const Settings& settings)
     const auto& c = settings.coefficients;
     Evolving x{stateField(Position{})}, v{stateField(Velocity{}), stateField(Acceleration{})}, m{stateField(Mass{})};
     const double volume = std::pow(c.spacing, c.dimension);
-    m.missing = [volume](const Loading& loading)
+    const auto massOf = [volume](const Loading& loading, std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]*volume; };
+    m.missing = [massOf](const Loading& loading)
     {
-        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = loading.coefficients.restDensity[std::size_t(loading.phaseOf(i))]*volume;
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = massOf(loading, i);
     };
+    m.check = [massOf](const Loading& loading) { loading.checkScale("m", "kg", 1e-3, 1e3, [&](std::size_t i) { return massOf(loading, i); }); };
     m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
     State state{x, v, m};
     if (settings.multiphase()) state.push_back({stateField(Phase{})});
     return state;
 }
 
-std::set<std::string> knownFields(const Settings& settings)
+std::map<std::string, FieldClass> knownFields(const Settings& settings)
 {
-    std::set<std::string> names{"coordinates"}; // OpenFOAM's, beside the positions
-    for (const auto& evolving : settings.state) names.insert(evolving.value.name);
+    std::map<std::string, FieldClass> classes{{"coordinates", FieldClass::vector}}; // OpenFOAM's, beside the positions
+    for (const auto& evolving : settings.state) classes[evolving.value.name] = evolving.value.type(3).fieldClass;
     for (const auto& term : allTerms<3>())
         for (const auto* fields : {&term.results, &term.reads, &term.readsOwn})
-            for (const auto& field : *fields) names.insert(field.name);
-    return names;
+            for (const auto& field : *fields) classes[field.name] = field.type.fieldClass;
+    return classes;
 }
-
-void checkPeriods(const Dictionary& dict, const Geometry& geometry, const Coefficients& c)
-{
-    for (int k = 0; k < geometry.dimension; ++k)
-        if (geometry.periodic[std::size_t(k)] && geometry.length(k) < c.support + c.spacing)
-            dict.error("resolution", fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
-                                                 geometry.length(k), "xyz"[k], c.support + c.spacing));
-}
-}
-
-Resolution readResolution(const Dictionary& sphSchemes)
-{
-    const auto dict = entry::resolution::dictionary(sphSchemes);
-    return {entry::resolution::spacing(dict), entry::resolution::support(dict), entry::resolution::kernel(dict)};
 }
 
 Settings readSettings(const Case& theCase, const Geometry& geometry)
@@ -70,9 +57,8 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
     settings.state = stateOfAll(settings);
-    settings.fieldNames = knownFields(settings);
+    settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();
-    checkPeriods(dict, geometry, c);
 
     const Reading reading{theCase, geometry, dict, settings, [](const Settings& s) { return stepLimits(s, {}); }};
     reading.choose(entry::scheme);

@@ -6,48 +6,12 @@
 namespace sph
 {
 
-namespace
-{
-
-const std::vector<double>* scalars(const Cloud& cloud, const std::string& name)
-{
-    const auto found = cloud.fields.find(name);
-    return found == cloud.fields.end() || componentsOf(found->second.type) != 1 ? nullptr : &found->second.component[0];
-}
-
-}
-
-PhaseParticles phaseParticles(const Cloud& cloud, int phase, double uniformVolume, const std::string& folder,
-                              Diagnostics& diagnostics)
+PhaseParticles phaseParticles(const Cloud& cloud, int phase, std::size_t phases, double uniformVolume)
 {
     PhaseParticles particles;
-    particles.position.resize(cloud.size());
-    for (std::size_t p = 0; p < cloud.size(); ++p) particles.position[p] = {cloud.x[p], cloud.y[p], cloud.z[p]};
-
-    particles.inPhase.assign(cloud.size(), phase == 0);
-    if (const auto* number = scalars(cloud, "phase"))
-        for (std::size_t p = 0; p < cloud.size(); ++p) particles.inPhase[p] = (*number)[p] == phase;
-
-    particles.volume.assign(cloud.size(), uniformVolume);
-    const auto *m = scalars(cloud, "m"), *rho = scalars(cloud, "rho");
-    if (!m) return particles;
-    if (!rho)
-    {
-        diagnostics.error({folder, 0}, "there is a mass m but no density rho: volumes are m/rho");
-        return particles;
-    }
-    for (std::size_t p = 0; p < cloud.size(); ++p)
-    {
-        if (!((*rho)[p] > 0) || !((*m)[p] > 0))
-        {
-            const bool wrongMass = !((*m)[p] > 0);
-            diagnostics.error({folder + (wrongMass ? "/m" : "/rho"), 0},
-                              fmt::format("particle {} has the {} {}, which must be positive", p, wrongMass ? "mass" : "density",
-                                          wrongMass ? (*m)[p] : (*rho)[p]));
-            break;
-        }
-        particles.volume[p] = (*m)[p] / (*rho)[p];
-    }
+    for (std::size_t p = 0; p < cloud.size(); ++p) particles.position.push_back({cloud.x[p], cloud.y[p], cloud.z[p]});
+    for (const int its : phasesOf(cloud, phases)) particles.inPhase.push_back(its == phase);
+    particles.volume = cloud.fields.contains("m") ? volumesOf(cloud) : std::vector<double>(cloud.size(), uniformVolume);
     return particles;
 }
 

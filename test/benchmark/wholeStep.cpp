@@ -45,7 +45,7 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
     const Case theCase(caseFolder);
     const auto plan = readPackingPlan(theCase);
     const auto resolution = readResolution(theCase.dictionary("system/sphSchemes"));
-    const Geometry geometry = readGeometry(theCase.dictionary("constant/geometry"), 1.5*resolution.H());
+    const Geometry geometry = readGeometry(theCase.dictionary("constant/geometry"), resolution, supportsOfSolver);
     const Settings settings = readSettings(theCase, geometry);
     theCase.diagnostics().throwIfAny();
     const auto simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});

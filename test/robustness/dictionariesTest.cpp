@@ -109,16 +109,56 @@ TEST(Dictionaries, StaleWalls)
 }
 
 // A period shorter than the support would need a particle's second image, and one shorter than two supports makes a particle
-// its neighbour's neighbour twice.
+// its neighbour's neighbour twice. A spacing of many periods would repeat walls without end.
 TEST(Dictionaries, PeriodShorterThanTheSupport)
 {
-    Damaged c;
-    c.replace("constant/geometry", "max (1 1 0)", "max (0.1 1 0)");
-    c.run("meshToGhost");
-    c.run("packParticles");
-    c.write("system/controlDict", controls);
-    std::filesystem::remove_all(c.folder() / "0.02");
-    c.isRefused("sphFoamLike", {"periodic", "support"});
+    for (const char* spacing : {"0.3", "4", "1e3", "1e300"})
+    {
+        SCOPED_TRACE(spacing);
+        Damaged c;
+        c.replace("system/sphSchemes", "spacing 0.05", std::string("spacing ") + spacing);
+        for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike"})
+            c.isRefused(application, {"system/sphSchemes:1: ", spacing[1] == '.' ? "periodic length 1 m along x is less than the kernel support" : "larger than the domain, 1 m along x"});
+    }
+}
+
+// Without a spacing nothing else can be made of the case: it is asked for first.
+TEST(Dictionaries, NoReadableSpacing)
+{
+    for (const char* mistake : {"", "spacing;", "spacing ten;", "spacing 0;", "spacing -1;", "spacing [kg] 0.05;", "spcing 0.05;"})
+    {
+        SCOPED_TRACE(mistake);
+        Damaged c;
+        c.replace("constant/walls", "max (1 1 ", "max (1e-3 1 "); // 1 m for want of a spacing would be a thousand periods
+        c.replace("system/sphSchemes", "spacing 0.05;", mistake);
+        for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike", "sphPostProcess", "reconstructSurface"})
+            c.isRefused(application, {"system/sphSchemes:1: ", "spacing"});
+    }
+}
+
+// In 2-D nothing moves along z: what a vector gives there is a mistake, wherever it stands.
+TEST(Dictionaries, ZComponentsIn2D)
+{
+    struct Place
+    {
+        std::string file, from, to;
+        std::vector<std::string> refusedBy, words;
+    };
+    const std::vector<Place> places{
+        {"constant/g", "(1 0 0)", "(0 0 -9.81)", {"packParticles", "sphFoamLike"}, {"constant/g:1: in 2-D the z component of \"value\"", "-9.81"}},
+        {"constant/phaseProperties", "phases (water);", "phases (water); bodyForce (1 0 2);", {"sphFoamLike"}, {"constant/phaseProperties:1: in 2-D", "\"bodyForce\""}},
+        {"constant/walls", "top { velocity (0 0 0);", "top { velocity (0 0 1);", {"sphFoamLike"}, {"constant/walls:", "\"velocity\""}},
+        {"constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); velocity (0 0 1);", {"packParticles", "meshToGhost"}, {"constant/geometry:5: in 2-D", "\"velocity\""}},
+        {"system/packParticlesDict", "type taylorGreen; U 1; L 1;", "type uniform; value (1 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}},
+        {"system/packParticlesDict", "phase water;", "phase water; U (0 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}}};
+    for (const auto& place : places)
+        for (const auto& application : place.refusedBy)
+        {
+            SCOPED_TRACE(place.file + " " + application);
+            Damaged c;
+            c.replace(place.file, place.from, place.to);
+            c.isRefused(application, place.words);
+        }
 }
 
 }

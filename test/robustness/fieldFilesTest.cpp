@@ -1,5 +1,6 @@
 /// Damaged field files and impossible particles.
 #include "refusal.hpp"
+#include <array>
 #include <unistd.h>
 
 namespace sph::test
@@ -89,6 +90,38 @@ TEST(FieldFiles, NotANumberAndInfinite)
     c.isRefused("sphFoamLike", {cloud + "positions:", "particle 3"});
 }
 
+// Each file is of one class, and the solver says of which, before it copies a component that is not there.
+TEST(FieldFiles, OfAnotherClass)
+{
+    for (const auto& [field, isClass, other, value] :
+         {std::array{"U", "vectorField", "scalarField", "1"}, {"U", "vectorField", "labelField", "1"}, {"U", "vectorField", "symmTensorField", "(1 2 3 4 5 6)"},
+          {"m", "scalarField", "vectorField", "(1 2 3)"}, {"phase", "labelField", "scalarField", "0.7"}})
+    {
+        SCOPED_TRACE(std::string(field) + " " + other);
+        auto c = inText();
+        c.write(cloud + field, std::string("FoamFile { version 2.0; format ascii; class ") + other + "; }\n400{" + value + "}\n");
+        c.write("system/controlDict", c.read("system/controlDict") + "functions { sums { type conservation; } }\n");
+        c.isRefused("sphFoamLike", {cloud + field + ":1", other, isClass});
+        c.isRefused("sphPostProcess", {cloud + field + ":1", other, isClass}, "-latestTime");
+    }
+}
+
+// Powder as a vector is no volume fraction, though it has a first component.
+TEST(FieldFiles, PowderOfAnotherClass)
+{
+    static const auto made = firstWriteOf(suspensionCase(), "ascii");
+    Damaged c(*made);
+    c.write(cloud + "phi", "FoamFile { version 2.0; format ascii; class vectorField; }\n400{(0.4 0 0)}\n");
+    c.isRefused("sphFoamLike", {cloud + "phi:1", "vectorField", "scalarField"});
+}
+
+TEST(Particles, MovingOutOfThePlane)
+{
+    auto c = inText();
+    setLine(c, cloud + "U", firstValue(c, cloud + "U") + 5, "(0 0 0.1)");
+    c.isRefused("sphFoamLike", {cloud + "U: particle 5 at (", "U_z = 0.1: in 2-D it must be 0"});
+}
+
 TEST(Particles, BeyondAWall)
 {
     auto c = inText();
@@ -108,7 +141,42 @@ TEST(Particles, OfAnUnknownPhase)
     auto c = inText();
     const auto head = c.read(cloud + "phase");
     c.write(cloud + "phase", head.substr(0, head.find('}') + 1) + "\n400{3}\n");
-    c.isRefused("sphFoamLike", {"particle 0", "phase 3", "constant/phaseProperties"});
+    c.isRefused("sphFoamLike", {cloud + "phase: particle 0", "phase 3", "constant/phaseProperties"});
+}
+
+// A mass or an integrated density that no particle of the scene can have would be divided by, or weigh nothing: the file is to blame, not the step.
+TEST(Particles, OfAnImpossibleMass)
+{
+    for (const char* mass : {"0", "-1", "1e-300", "1e300"})
+    {
+        SCOPED_TRACE(mass);
+        auto c = inText();
+        c.write(cloud + "m", std::string("FoamFile { version 2.0; format ascii; class scalarField; }\n400{") + mass + "}\n");
+        c.isRefused("sphFoamLike", {cloud + "m: particle 0 at (", ") has m = ", "at rest it has 2.5 kg"});
+    }
+    auto c = inText();
+    const auto head = c.read(cloud + "m");
+    std::string masses = head.substr(0, head.find('}') + 1) + "\n400\n(\n";
+    for (int i = 0; i < 400; ++i) masses += i == 7 ? "-2.5\n" : "2.5\n";
+    c.write(cloud + "m", masses + ")\n");
+    c.isRefused("sphFoamLike", {cloud + "m: particle 7 at (", ") has m = -2.5 kg"});
+}
+
+TEST(Particles, OfAnImpossibleDensity)
+{
+    static const auto made = []
+    {
+        auto files = channelCase();
+        files["system/sphSchemes"] += "density continuity;\n";
+        return firstWriteOf(files, "ascii");
+    }();
+    for (const char* density : {"0", "-1", "1e-300", "0.5", "5000", "1e300"})
+    {
+        SCOPED_TRACE(density);
+        Damaged c(*made);
+        c.write(cloud + "rho", std::string("FoamFile { version 2.0; format ascii; class scalarField; }\n400{") + density + "}\n");
+        c.isRefused("sphFoamLike", {cloud + "rho: particle 0 at (", ") has rho = ", "at rest it has 1000 kg/m^3"});
+    }
 }
 
 // Two particles at one place attract nobody's attention in the sums (x_ij = 0), but they never part again.

@@ -20,9 +20,6 @@ namespace
 volatile std::sig_atomic_t stopRequested = 0;
 void requestStop(int) { stopRequested = 1; }
 
-/// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
-/// packing within two.
-constexpr double mostCompression = 4;
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
 
@@ -75,7 +72,7 @@ Geometry Run::loadGeometry(const Case& theCase)
     const auto dict = theCase.dictionary("constant/walls");
     if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
         theCase.diagnostics().error({"constant/walls", 0}, "does not belong to the present constant/geometry and resolution: run meshToGhost again");
-    auto geometry = readWalls(dict, 1.5*resolution.H());
+    auto geometry = readWalls(dict, resolution);
     if (wallsAreLayers(schemes)) geometry.layers = readWallLayers(theCase.folder(), geometry.walls.size(), theCase.diagnostics());
     return geometry;
 }
@@ -87,7 +84,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics());
+    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses());
     case_.diagnostics().throwIfAny();
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';

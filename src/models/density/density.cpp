@@ -27,6 +27,9 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 
 namespace
 {
+/// Density over rest density in a time folder, at the least.
+constexpr double leastDensity = 1e-3;
+
 /// Density over that at rest which has the pressure of the time folder's file [Pa, above the background's], by Tait's law the other way round;
 /// 1 without such a file.
 double compressionAtStart(std::size_t i, const Loading& loading)
@@ -34,10 +37,10 @@ double compressionAtStart(std::size_t i, const Loading& loading)
     const auto given = loading.cloud.fields.find("p");
     if (given == loading.cloud.fields.end()) return 1;
     const auto& c = loading.coefficients;
-    const auto k = std::size_t(loading.phaseOf(i));
+    const auto k = loading.phaseOf(i);
     const double p = given->second.component[0][i], ratio = 1 + p/c.stiffness[k];
     if (ratio <= 0)
-        throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.particle(i), p,
+        throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.cloud.particle(i), p,
                                     c.phases[k]));
     return std::pow(ratio, 1/c.exponent[k]);
 }
@@ -45,7 +48,7 @@ double compressionAtStart(std::size_t i, const Loading& loading)
 void densityAtStart(const Loading& loading)
 {
     for (std::size_t i = 0; i < loading.size(); ++i)
-        loading.values[0][i] = loading.coefficients.restDensity[std::size_t(loading.phaseOf(i))]*compressionAtStart(i, loading);
+        loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)]*compressionAtStart(i, loading);
 }
 
 /// Where the positions decide the density, masses make the pressure at the start: of a folder without rho, which packParticles writes.
@@ -86,6 +89,10 @@ void prepare(const Reading& reading)
     }
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
     rho.missing = densityAtStart;
+    rho.check = [](const Loading& loading)
+    {
+        loading.checkScale("rho", "kg/m^3", leastDensity, mostCompression, [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
+    };
     rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
     settings.state.push_back(rho);
 }

@@ -54,7 +54,7 @@ Opening readOpening(const Dictionary& d, const Geometry& g, const Coefficients& 
     opening.inlet = entry::type(d) == "inlet";
     opening.point = entry::point(d);
     opening.normal = entry::normal(d);
-    if (g.dimension == 2 && opening.normal.z != 0) entry::normal.error(d, "in 2-D the z component of a normal must be 0");
+    entry::normal.checkPlane(d, opening.normal, g.dimension);
     for (int k = 0; k < g.dimension; ++k)
         if (g.periodic[k] && opening.normal.*component(k) != 0)
             entry::normal.error(d, fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace sph
 {
@@ -88,17 +89,18 @@ void checkName(const Dictionary& d, const Settings& settings, const std::vector<
     bool taken = false;
     for (const auto& own : {name, scalar.rateName(), name + "_0"})
     {
-        taken = taken || settings.fieldNames.contains(own);
+        taken = taken || settings.fieldClasses.contains(own);
         for (const auto& evolving : settings.state)
             taken = taken || own == evolving.value.name || own == evolving.startName() || (evolving.rate && own == evolving.rate->name);
         for (const auto& [field, onDisk] : settings.shown) taken = taken || own == onDisk;
         for (const auto& other : before) taken = taken || own == other.name || own == other.rateName() || own == other.name + "_0";
     }
+    const auto names = std::views::keys(settings.fieldClasses);
     if (taken)
         d.diagnostics().error(d.location(),
                               fmt::format("\"{}\" is the name of a field already, or that of its rate is: give the scalar another one. Names of "
                                           "fields: {}",
-                                          name, list(Words(settings.fieldNames.begin(), settings.fieldNames.end()))));
+                                          name, list(Words(names.begin(), names.end()))));
 }
 }
 

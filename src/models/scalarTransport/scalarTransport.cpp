@@ -40,17 +40,17 @@ Evolving evolving(const TransportedScalar& scalar)
             try
             {
                 const Vector<3> x{loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]};
-                loading.values[0][i] = evaluateAt(initial[std::size_t(loading.phaseOf(i))], x).scalar;
+                loading.values[0][i] = evaluateAt(initial[loading.phaseOf(i)], x).scalar;
             }
             catch (const ExpressionError& e)
             {
-                throw CaseError({"constant/scalarTransport", 0}, fmt::format("`initial` of {}, {}: {}", name, loading.particle(i), e.what()));
+                throw CaseError({"constant/scalarTransport", 0}, fmt::format("`initial` of {}, {}: {}", name, loading.cloud.particle(i), e.what()));
             }
     };
     c.check = [name = scalar.name](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
-            if (!std::isfinite(loading.values[0][i])) throw CaseError(fmt::format("{} has {} {}", loading.particle(i), name, loading.values[0][i]));
+            if (!std::isfinite(loading.values[0][i])) throw CaseError(fmt::format("{} has {} {}", loading.cloud.particle(i), name, loading.values[0][i]));
     };
     c.inlet = [name = scalar.name](const Dictionary& d) { return d.get(name, units::none); };
     return c;

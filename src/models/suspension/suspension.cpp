@@ -111,7 +111,7 @@ Evolving powderFraction(const Suspension& s)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
             if (const double phi = loading.values[0][i]; !(phi >= 0 && (phi < s.phiMax || loading.restarted)))
-                throw CaseError(fmt::format("{} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}", loading.particle(i),
+                throw CaseError(fmt::format("{} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}", loading.cloud.particle(i),
                                             phi, s.phiMax));
     };
     powder.inlet = [s](const Dictionary& d)

@@ -111,7 +111,7 @@ TEST(CloudErrors, nameATruncatedFile)
     EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2})),
               U + ": the file is truncated: 3 values need 24 bytes, 16 are there");
     EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3})),
-              U + ": expected ) after 3 values, found the end of the file");
+              U + ": expected ) right after 3 values, found the end of the file");
     EXPECT_EQ(ofPositions(header("Cloud<p>", "binary") + "9000000000000000000\n(\n"),
               P + ": the file is truncated: 9000000000000000000 values need 270000000000000000000 bytes, 1 are there");
 }
@@ -120,8 +120,62 @@ TEST(CloudErrors, nameWhatFollowsTheList)
 {
     EXPECT_EQ(ofField(header("scalarField") + "3{1}\n\n4{2}\n"), U + ":9: unexpected \"4{2}\" after the list");
     EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3}) + ")x"), U + ": unexpected \"x\" after the list");
-    EXPECT_EQ(start(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3, 4}) + ")"), U.size() + 27),
-              U + ": expected ) after 3 values");
+    EXPECT_EQ(start(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2, 3, 4}) + ")"), U.size() + 33),
+              U + ": expected ) right after 3 values");
+}
+
+// A longer list of zeros is NUL bytes behind the third value, and so is the end of a file that a crash has cut off: they are no blanks.
+TEST(CloudErrors, nameBytesBehindABinaryList)
+{
+    const auto text = header("scalarField", "binary") + "3\n(" + raw({1, 2, 3});
+    EXPECT_EQ(ofField(text + raw({0, 0}) + ")\n"), U + ": expected ) right after 3 values, found \"" + std::string(16, '?') + ")\"");
+    EXPECT_EQ(ofField(text + " )\n"), U + ": expected ) right after 3 values, found \")\"");
+    EXPECT_EQ(ofField(text + ")" + std::string(3, '\0')), U + ": unexpected \"" + std::string(3, '?') + "\" after the list");
+    EXPECT_EQ(ofField(text + ") // done \n"), "");
+    EXPECT_EQ(ofField(header("scalarField") + std::string(1, '\0') + "3{1}\n"), U + ":7: expected the number of values, found \"?3{1}\"");
+}
+
+// Of a field that the reader knows the class is told, with what it should be, before a value is looked at.
+TEST(CloudErrors, nameAClassThatIsAnotherFields)
+{
+    const auto said = [](const std::string& className, FieldClass wanted)
+    {
+        const TemporaryCase c;
+        c.write("0/lagrangian/sph/positions", threePositions);
+        c.write("0/lagrangian/sph/U", header(className) + "3{(0 0 0 0 0 0)}\n");
+        Diagnostics diagnostics;
+        readCloud(c.folder(), "0", "sph", diagnostics, {{"U", wanted}});
+        return messages(diagnostics);
+    };
+    EXPECT_EQ(said("symmTensorField", FieldClass::symmTensor), "");
+    EXPECT_EQ(said("symmTensorField", FieldClass::vector), U + ":4: class \"symmTensorField\" is not that of the field U, vectorField");
+    EXPECT_EQ(said("scalarField", FieldClass::vector), U + ":4: class \"scalarField\" is not that of the field U, vectorField");
+    EXPECT_EQ(said("vectorField", FieldClass::label), U + ":4: class \"vectorField\" is not that of the field U, labelField");
+}
+
+// A phase is the number of one: whole, and not more than there are.
+TEST(CloudErrors, nameAPhaseThatIsNone)
+{
+    const auto said = [](double phase)
+    {
+        Cloud cloud;
+        cloud.folder = "0/lagrangian/sph";
+        cloud.x = cloud.y = cloud.z = {1, 2};
+        cloud.fields["phase"] = {FieldClass::label, {{1, phase}}};
+        try
+        {
+            EXPECT_EQ(phasesOf(cloud, 2), (std::vector<int>{1, int(phase)}));
+        }
+        catch (const CaseError& e)
+        {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(said(0), "");
+    for (const char* phase : {"2", "-1", "0.7", "1e+300"})
+        EXPECT_EQ(said(std::stod(phase)), std::string("0/lagrangian/sph/phase: particle 1 at (2 2 2) has phase ") + phase +
+                                              ", but constant/phaseProperties lists 2 phases, 0 to 1");
 }
 
 TEST(CloudErrors, nameTheParticleThatIsNotFinite)

@@ -83,7 +83,7 @@ TEST(ReadGeometry, reportsEveryMistakeWithFileAndLine)
     EXPECT_TRUE(has("Did you mean \"plane\"?")) << errors;
     EXPECT_TRUE(has("constant/geometry:8: ")) << errors;
     EXPECT_TRUE(has("constant/geometry:10: normal must have a direction, not (0 0 0)")) << errors;
-    EXPECT_TRUE(has("constant/geometry:12: in 2-D the z component of a normal must be 0")) << errors;
+    EXPECT_TRUE(has("constant/geometry:12: in 2-D the z component of \"normal\" must be 0, found 1")) << errors;
     EXPECT_TRUE(has("constant/geometry:14: contactAngle must be between 0 and 180 degrees, not 190")) << errors;
     EXPECT_TRUE(has("constant/geometry:15: a torus varies with z, a 2-D scene does not: use circles (type sphere)")) << errors;
     EXPECT_TRUE(has("constant/geometry:16: ")) << errors;
@@ -119,6 +119,18 @@ TEST(ReadGeometry, boxesFollowThePeriodicDirections)
     EXPECT_NEAR(bar.geometry.distance({0.7, 0.5, 0.999}), 0.1, 1e-15);
     EXPECT_EQ(read(square + "walls { tank { type box; min (0 0 0); max (1 1 0); fluid inside; } }").geometry.patches.size(), 4u);
     EXPECT_NE(read(domain + "walls { tank { type box; min (0 0 0.2); max (1 1 1); fluid inside; } }").errors, "");
+}
+
+// What a wall does along z, or by turning about x and y, would come to nothing.
+TEST(ReadGeometry, wallsOfA2DSceneMoveInItsPlane)
+{
+    const auto errorsOf = [](const std::string& dimension, const std::string& motion)
+    { return read(dimension + "walls { w { type sphere; centre (0.5 0.5 0); radius 0.1; fluid outside; " + motion + " } }").errors; };
+    EXPECT_EQ(errorsOf(square, "velocity (1 2 0); omega (0 0 3);"), "");
+    EXPECT_EQ(errorsOf("dimension 3; domain { min (0 0 0); max (1 1 1); }\n", "velocity (1 2 3); omega (1 2 3);"), "");
+    EXPECT_EQ(errorsOf(square, "velocity (1 2 3);"), "constant/geometry:2: in 2-D the z component of \"velocity\" must be 0, found 3");
+    EXPECT_EQ(errorsOf(square, "omega (1 2 3);"),
+              "constant/geometry:2: in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found 1 and 2");
 }
 
 // A sphere is a circle, an ellipsoid an ellipse: nothing depends on z.

@@ -28,7 +28,7 @@ TEST(Walls, surviveWritingAndReading)
         const auto written = wallsText(g, "0123");
         auto diagnostics = std::make_shared<Diagnostics>();
         const auto dict = Dictionary::parse(written, "constant/walls", diagnostics);
-        const auto again = readWalls(dict);
+        const auto again = readWalls(dict, Resolution{.spacing = 1e-3, .where = {}});
         dict.reportUnused();
         EXPECT_NO_THROW(diagnostics->throwIfAny());
         EXPECT_EQ(wallsText(again, wallsStamp(dict)), written);

@@ -203,6 +203,7 @@ TEST(Packing, writesThePressureOfTheStart)
     writePacking(theCase, "0", plan, packing, {});
     const auto cloud = readCloud(c.path(), "0", "sph", theCase.diagnostics());
     EXPECT_FALSE(cloud.fields.contains("rho"));
+    EXPECT_EQ(volumesOf(cloud), std::vector<double>(cloud.size(), packing.particleVolume));
     const auto& p = cloud.fields.at("p").component[0];
     for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(p[i], 3*cloud.y[i] - cloud.x[i], 1e-15);
     c.write("system/packParticlesDict", "pressure \"3*$y\";\nfill ( { region all; phase water; } { region box; min (0 0 0); max (0.05 0.05 0); phase water; p 7; } );\n");
@@ -285,7 +286,8 @@ TEST(PackingErrors, spacingAgainstGapAndSpace)
     // Too coarse for the channel, or for its period; a domain that is all solid; and a spacing that would make more particles than can be counted.
     CaseFolder c;
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.2;\n    support 2.6;\n}\n");
-    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the gap of 0.1 m along x");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along x\n"
+                         "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along y\n2 errors");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.03;\n    support 2.6;\n}\n");
     EXPECT_EQ(c.error(), "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");

@@ -64,7 +64,7 @@ void addToys(Settings& settings)
     charge.check = [](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
-            if (!(loading.values[0][i] > 0)) throw CaseError(loading.particle(i) + " has no charge");
+            if (!(loading.values[0][i] > 0)) throw CaseError(loading.cloud.particle(i) + " has no charge");
     };
     salt.missing = charge.missing;
     salt.onDisk = "saltOnDisk";

@@ -84,7 +84,7 @@ template<int dim> Ran printsWhatRuns(const Files& files, int steps)
     folder.runWell("meshToGhost");
     const Case c(folder.folder());
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
-    const auto geometry = readGeometry(c.dictionary("constant/geometry"), 1.5 * resolution.H());
+    const auto geometry = readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver);
     const auto settings = readSettings(c, geometry);
     const auto cloud = readCloud(folder.folder(), "0", "sph", c.diagnostics());
     c.diagnostics().throwIfAny();

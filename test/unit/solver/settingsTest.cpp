@@ -37,9 +37,10 @@ Reading reading(const Files& files)
 {
     const TestCase folder(files);
     const Case c(folder.folder());
-    Reading r{readSettings(c, channelGeometry()), ""};
+    Reading r;
     try
     {
+        r.settings = readSettings(c, channelGeometry());
         c.diagnostics().throwIfAny();
     }
     catch (const CaseError& e)

@@ -125,29 +125,25 @@ TEST(PhaseCloud, VolumesAndPhases)
     Cloud cloud;
     cloud.x = {1, 2};
     cloud.y = cloud.z = {0, 0};
-    Diagnostics diagnostics;
-    EXPECT_EQ(phaseParticles(cloud, 0, 0.25, "0/lagrangian/sph", diagnostics).phaseVolume(), 0.5);
+    EXPECT_EQ(phaseParticles(cloud, 0, 1, 0.25).phaseVolume(), 0.5);
     cloud.fields["phase"] = {FieldClass::label, {{0, 1}}};
-    EXPECT_EQ(phaseParticles(cloud, 1, 0.25, "0/lagrangian/sph", diagnostics).phaseVolume(), 0.25);
+    EXPECT_EQ(phaseParticles(cloud, 1, 2, 0.25).phaseVolume(), 0.25);
     cloud.fields["m"] = {FieldClass::scalar, {{2, 6}}};
     cloud.fields["rho"] = {FieldClass::scalar, {{1, 2}}};
-    const auto particles = phaseParticles(cloud, 1, 0.25, "0/lagrangian/sph", diagnostics);
+    const auto particles = phaseParticles(cloud, 1, 2, 0.25);
     EXPECT_EQ(particles.phaseVolume(), 3);
     EXPECT_TRUE(particles.hasOtherPhase());
     EXPECT_EQ(particles.position[1], (Vector<3>{2, 0, 0}));
-    EXPECT_TRUE(diagnostics.ok());
 }
 
-// A density that is not positive is told with its file and particle, and a mass without density by the folder.
-TEST(PhaseCloud, ImpossibleVolumesAreErrors)
+// A density that is not positive, a phase that is none and a mass without density are told with file and particle.
+TEST(PhaseCloud, ImpossibleValuesAreErrors)
 {
     const auto message = [](const Cloud& cloud)
     {
-        Diagnostics diagnostics;
-        phaseParticles(cloud, 0, 1, "0.1/lagrangian/sph", diagnostics);
         try
         {
-            diagnostics.throwIfAny();
+            phaseParticles(cloud, 0, 2, 1);
         }
         catch (const CaseError& error)
         {
@@ -156,11 +152,14 @@ TEST(PhaseCloud, ImpossibleVolumesAreErrors)
         return std::string();
     };
     Cloud cloud;
+    cloud.folder = "0.1/lagrangian/sph";
     cloud.x = cloud.y = cloud.z = {1, 2};
     cloud.fields["m"] = {FieldClass::scalar, {{1, 1}}};
-    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph: there is a mass m but no density rho: volumes are m/rho");
+    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/rho: is missing: volumes are m/rho");
     cloud.fields["rho"] = {FieldClass::scalar, {{1, 0}}};
-    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/rho: particle 1 has the density 0, which must be positive");
+    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/rho: particle 1 at (2 2 2) has rho 0, which must be positive");
+    cloud.fields["phase"] = {FieldClass::label, {{2, 1}}};
+    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/phase: particle 0 at (1 1 1) has phase 2, but constant/phaseProperties lists 2 phases, 0 to 1");
 }
 
 // Vectors are coloured by their magnitude, and an unknown field is an error that lists those there are.

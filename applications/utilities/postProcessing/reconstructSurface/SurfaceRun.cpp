@@ -4,7 +4,6 @@
 #include "PhaseCloud.hpp"
 #include "SurfaceWriter.hpp"
 #include "phaseEntries.hpp"
-#include "resolutionEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ namespace
 {
 
 /// `phases (water air);`, or one phase where the case names none.
-std::vector<std::string> phasesOf(const Case& folder)
+std::vector<std::string> phaseNames(const Case& folder)
 {
     const auto phases = entry::phases(folder.dictionaryIfPresent("constant/phaseProperties"), {});
     return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
@@ -28,7 +27,7 @@ SurfaceCase describe(const Case& folder, double spacing, int dimension)
 {
     SurfaceCase scene;
     scene.spacing = spacing;
-    scene.phases = phasesOf(folder);
+    scene.phases = phaseNames(folder);
     const auto gravity = entry::gravity(folder.dictionaryIfPresent("constant/g"), {});
     if (dimension == 3 && mag(gravity) > 0) scene.up = -gravity / mag(gravity);
     return scene;
@@ -40,10 +39,9 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
 {
     const auto geometryDict = folder.dictionary("constant/geometry");
     const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
-    const double spacing = entry::resolution::spacing(entry::resolution::dictionary(folder.dictionary("system/sphSchemes")));
-    folder.diagnostics().throwIfAny();
-    geometry_ = readGeometry(geometryDict, 3 * spacing);
-    scene_ = describe(folder, spacing, geometry_.dimension);
+    const auto resolution = readResolution(folder.dictionary("system/sphSchemes"));
+    geometry_ = readGeometry(geometryDict, resolution, 3 / resolution.support);
+    scene_ = describe(folder, resolution.spacing, geometry_.dimension);
     folder.diagnostics().throwIfAny();
     settings_ = readSurfaceSettings(dict, scene_, geometry_);
     dict.reportUnused();
@@ -171,10 +169,10 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
 TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pictures) const
 {
     auto& diagnostics = case_.diagnostics();
-    const auto cloud = readCloud(case_.folder(), time, settings_.cloud, diagnostics);
+    const auto cloud = readCloud(case_.folder(), time, settings_.cloud, diagnostics,
+                                 {{"phase", FieldClass::label}, {"m", FieldClass::scalar}, {"rho", FieldClass::scalar}});
     diagnostics.throwIfAny();
     const double uniformVolume = std::pow(scene_.spacing, geometry_.dimension);
-    const auto folder = fmt::format("{}/lagrangian/{}", time, settings_.cloud);
     const auto& picture = settings_.picture;
 
     TimeResult result;
@@ -183,8 +181,7 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
         std::vector<double> colour;
         if (surfaces || (pictures && picture.surface))
         {
-            const auto particles = phaseParticles(cloud, phase, uniformVolume, folder, diagnostics);
-            diagnostics.throwIfAny();
+            const auto particles = phaseParticles(cloud, phase, scene_.phases.size(), uniformVolume);
             result.surfaces.push_back(reconstruct(particles, phase, time, surfaces, colour, result.written));
         }
         if (!pictures) continue;

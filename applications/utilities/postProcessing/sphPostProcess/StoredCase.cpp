@@ -14,17 +14,9 @@ namespace
 /// The walls that the solver saw, or, where meshToGhost has not made them, constant/geometry itself.
 Geometry loadGeometry(const Case& c)
 {
-    const double H = readResolution(c.dictionary("system/sphSchemes")).H();
-    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), 1.5 * H);
-    return readGeometry(c.dictionary("constant/geometry"), 1.5 * H);
-}
-
-const double* scalarField(const Cloud& cloud, const std::string& time, const std::string& name)
-{
-    const auto found = cloud.fields.find(name);
-    if (found == cloud.fields.end())
-        throw CaseError(Location{fmt::format("{}/lagrangian/{}/{}", time, StoredCase::cloudName, name), 0}, "is missing");
-    return found->second.component.at(0).data();
+    const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
+    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), resolution);
+    return readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver);
 }
 
 }
@@ -42,7 +34,7 @@ std::vector<std::string> StoredCase::times() const
 
 ParticleView StoredCase::load(const std::string& time)
 {
-    cloud_ = readCloud(case_.folder(), time, cloudName, case_.diagnostics());
+    cloud_ = readCloud(case_.folder(), time, cloudName, case_.diagnostics(), settings_.writtenClasses());
     case_.diagnostics().throwIfAny();
     const auto& c = settings_.coefficients;
     auto v = viewOfScene(c, settings_.resolution.kernel, geometry_);
@@ -56,23 +48,14 @@ ParticleView StoredCase::load(const std::string& time)
         for (const auto& component : field.component) f.component.push_back(component.data());
         v.fields.push_back(std::move(f));
     }
-    v.mass = scalarField(cloud_, time, "m");
-    if (cloud_.fields.contains("V")) v.volume = scalarField(cloud_, time, "V");
-    else
-    {
-        const auto* rho = scalarField(cloud_, time, "rho");
-        volume_.resize(v.n);
-        for (std::size_t i = 0; i < v.n; ++i) volume_[i] = v.mass[i] / rho[i];
-        v.volume = volume_.data();
-    }
+    volume_ = volumesOf(cloud_);
+    v.volume = volume_.data();
+    v.mass = cloud_.fields.at("m").component[0].data();
     if (c.phases.size() > 1)
     {
-        v.phase = scalarField(cloud_, time, "phase");
-        for (std::size_t i = 0; i < v.n; ++i)
-            if (!(v.phase[i] >= 0 && v.phase[i] < double(c.phases.size())))
-                throw CaseError(Location{fmt::format("{}/lagrangian/{}/phase", time, cloudName), 0},
-                                fmt::format("particle {} has phase {}, but constant/phaseProperties names {}", i, v.phase[i],
-                                            c.phases.size()));
+        if (!cloud_.fields.contains("phase")) throw CaseError({cloud_.folder + "/phase", 0}, "is missing");
+        phasesOf(cloud_, c.phases.size());
+        v.phase = cloud_.fields.at("phase").component[0].data();
     }
     v.time = std::stod(time);
     v.executionTime = std::numeric_limits<double>::quiet_NaN();

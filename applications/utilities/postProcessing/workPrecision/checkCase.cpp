@@ -29,8 +29,7 @@ void readAsSolver(const Case& c, CaseCheck& check)
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
     check.spacing = resolution.spacing;
     const auto dict = c.dictionary("constant/geometry");
-    c.diagnostics().throwIfAny(); // walls cannot be made without a resolution
-    const auto geometry = readGeometry(dict, 1.5 * resolution.H());
+    const auto geometry = readGeometry(dict, resolution, supportsOfSolver);
     dict.reportUnused();
     const auto settings = readSettings(c, geometry);
     const FunctionObjects functions(control.subDictOrEmpty("functions"), geometry, settings.coefficients.phases, time);

@@ -7,7 +7,6 @@
 #include "OutputFile.hpp"
 #include "Walls.hpp"
 #include "report.hpp"
-#include "resolutionEntries.hpp"
 #include "wallLayers.hpp"
 #include "wallSurfaces.hpp"
 #include <CLI/CLI.hpp>
@@ -17,30 +16,17 @@
 namespace
 {
 
-struct Schemes
-{
-    double spacing, support; ///< [m], [spacings]
-    bool layers;
-};
-
-Schemes readSchemes(const sph::Case& theCase)
-{
-    const auto schemes = theCase.dictionary("system/sphSchemes");
-    namespace entry = sph::entry::resolution;
-    const auto dict = entry::dictionary(schemes);
-    entry::kernel(dict);
-    return {entry::spacing(dict), entry::support(dict), sph::wallsAreLayers(schemes)};
-}
-
 int prepare(const std::filesystem::path& folder, bool full)
 {
     const sph::Case theCase(folder);
-    const auto [spacing, support, layered] = readSchemes(theCase);
+    const auto schemes = theCase.dictionary("system/sphSchemes");
+    const auto resolution = sph::readResolution(schemes);
+    const bool layered = sph::wallsAreLayers(schemes);
     const auto source = theCase.dictionary("constant/geometry");
     theCase.diagnostics().throwIfAny();
 
-    const double H = support * spacing;
-    const auto geometry = sph::readGeometry(source, H);
+    const double H = resolution.H();
+    const auto geometry = sph::readGeometry(source, resolution, 1);
     source.reportUnused();
     theCase.diagnostics().throwIfAny();
 
@@ -48,7 +34,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     fmt::print("{}", report(geometry, checked, H, full));
     for (const auto& line : theCase.diagnostics().warnings()) fmt::print("\nWarning: {}\n", line);
     std::fflush(stdout);
-    const auto layers = layered ? sph::makeWallLayers(geometry, H, spacing, theCase.diagnostics()) : std::vector<sph::LayerParticle>{};
+    const auto layers = layered ? sph::makeWallLayers(geometry, H, resolution.spacing, theCase.diagnostics()) : std::vector<sph::LayerParticle>{};
     theCase.diagnostics().throwIfAny();
 
     // Fine enough to look round: a fortieth of the domain, or half a support where that is coarser.
@@ -57,7 +43,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     sph::createFolders(folder / "constant" / "triSurface");
     sph::writeFile(folder / "constant" / "triSurface" / "walls.stl", sph::stlText(geometry, surfaces));
     sph::writeFile(folder / "constant" / "triSurface" / "walls.vtp", sph::vtpText(geometry, surfaces));
-    sph::writeFile(folder / "constant" / "walls", sph::wallsText(geometry, sph::geometryStamp(folder, spacing, support)));
+    sph::writeFile(folder / "constant" / "walls", sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
     if (layered) sph::writeWallLayers(folder, layers);
     else sph::removeWallLayers(folder);
     fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}\n\nEnd\n",

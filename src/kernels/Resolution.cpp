@@ -1,0 +1,17 @@
+#include "Resolution.hpp"
+#include "resolutionEntries.hpp"
+
+namespace sph
+{
+
+Resolution readResolution(const Dictionary& sphSchemes)
+{
+    const auto before = sphSchemes.diagnostics().errors();
+    const auto dict = entry::resolution::dictionary(sphSchemes);
+    const Resolution resolution{entry::resolution::spacing(dict), entry::resolution::support(dict), entry::resolution::kernel(dict),
+                                entry::resolution::spacing.where(dict)};
+    if (sphSchemes.diagnostics().errors() > before) sphSchemes.diagnostics().throwIfAny();
+    return resolution;
+}
+
+}
