@@ -13,7 +13,7 @@ namespace
 {
 Cloud cloudOf(const Packing& packing)
 {
-    Cloud cloud{packing.points.x, packing.points.y, packing.points.z, {}};
+    Cloud cloud{"", packing.points.x, packing.points.y, packing.points.z, {}};
     cloud.fields["U"] = {FieldClass::vector, {packing.velocity.x, packing.velocity.y, packing.velocity.z}};
     cloud.fields["m"] = {FieldClass::scalar, {packing.mass}};
     cloud.fields["rho"] = {FieldClass::scalar, {packing.rho}};
