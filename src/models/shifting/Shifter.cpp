@@ -1,5 +1,7 @@
 #include "Shifter.hpp"
 #include "reduce.hpp"
+#include <cmath>
+#include <limits>
 
 namespace sph
 {
@@ -7,7 +9,7 @@ namespace sph
 template<int dim> std::vector<Stage<dim>> Shifter<dim>::stages(Place place)
 {
     if (place != Place::afterDrift) return {};
-    return {{"shift", "x += C |v| dt Delta_x shift", [this](Particles<dim>& p, const Substep& s) { shift(p, s.deltaT); }}};
+    return {{"shift", byImplicitSteps_ ? "x += min(C |v| dt Delta_x, H^2/50) shift" : "x += C |v| dt Delta_x shift", [this](Particles<dim>& p, const Substep& s) { shift(p, s.deltaT); }}};
 }
 
 template<int dim> void Shifter<dim>::shift(Particles<dim>& p, double deltaT) const
@@ -15,13 +17,14 @@ template<int dim> void Shifter<dim>::shift(Particles<dim>& p, double deltaT) con
     auto& store = p.store();
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{}), s = store.pointers(ShiftDirection{});
     const double spacing = p.coefficients().spacing, by = C_*deltaT*spacing, furthest = 0.1*spacing;
+    const double largest = byImplicitSteps_ ? sqr(p.coefficients().support)/50 : std::numeric_limits<double>::infinity();
     p.moved(most(p.size(), [&](std::size_t i)
     {
         Vector<dim> v_i, s_i, x_i;
         fetch(v_i, [&](int c) { return v[c][i]; });
         fetch(s_i, [&](int c) { return s[c][i]; });
         fetch(x_i, [&](int c) { return x[c][i]; });
-        auto dx = by*(byLargestSpeed_ ? p.maxSpeed() : mag(v_i))*s_i;
+        auto dx = std::fmin(largest, by*(byLargestSpeed_ ? p.maxSpeed() : mag(v_i)))*s_i;
         if (const double d = mag(dx); d > furthest) dx = furthest/d*dx;
         sph::store(x_i + dx, [&](int c, double q) { x[c][i] = q; });
         return mag(dx);

@@ -12,6 +12,8 @@ const Scalar shifting{"shifting", units::none, 0, nonNegative, "C of particle sh
     transportVelocity{"transportVelocity", units::none, 0, nonNegative, "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
 const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"largest", "of all"}}, "own", "speed that shifting goes with"},
     shiftingAtSurface{"shiftingAtSurface", {"any", {"tangential", "never out of a free surface"}}, "any", "direction of shifting"},
+    shiftingAtInterface{"shiftingAtInterface", {"any", {"none", "fades out towards other phases, and never points to them"}},
+                        byScene("none where there are several phases"), "shifting near other phases"},
     transportPressure{"transportPressure", {"uniform", {"local", "at most 10 |p| of the particle"}}, "uniform", "of the transport velocity"};
 }
 
@@ -25,8 +27,10 @@ void read(const Reading& reading)
     const bool largest = entry::shiftingSpeed(dict) == "largest";
     const double transport = entry::transportVelocity(dict);
     const bool tangential = reading.choose(entry::shiftingAtSurface) == "tangential";
+    const bool within = reading.choose(entry::shiftingAtInterface, settings.multiphase() ? "none" : "any") == "none";
     const bool local = reading.choose(entry::transportPressure) == "local";
     reading.belongs(entry::shiftingAtSurface, entry::shifting);
+    reading.belongs(entry::shiftingAtInterface, entry::shifting);
     reading.belongs(entry::shiftingSpeed, entry::shifting);
     reading.belongs(entry::transportPressure, entry::transportVelocity);
     if (transport > 0 && C > 0) entry::transportVelocity.error(dict, "keeps particles evenly spaced, and so does shifting: take one of them");
@@ -34,9 +38,16 @@ void read(const Reading& reading)
         entry::shifting.error(dict, "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
     if (transport > 0 && settings.integration.solves)
         entry::transportVelocity.error(dict, "goes with steps that sound limits; semiImplicit and implicit take longer ones, in which particles are thrown apart");
+    if (entry::shiftingAtInterface.given(dict) && !settings.multiphase())
+        entry::shiftingAtInterface.error(dict, "is between phases, and constant/phaseProperties lists one: leave this out");
     if (C > 0)
     {
-        reading.select(tangential ? "surfaceShifting" : "particleShifting");
+        if (tangential)
+        {
+            reading.select("surfaceShifting");
+            reading.select(within ? "concentrationWithinPhase" : "concentrationGradient");
+        }
+        else reading.select(within ? "interfaceShifting" : "particleShifting");
         settings.parts.push_back(partOf<Shifter>(C, largest));
     }
     if (transport > 0)
@@ -56,7 +67,7 @@ const Model& shiftingModel()
 {
     static const Model model{"shifting", "particle shifting and transport velocity: what keeps particles evenly spaced", read, shiftingTerms<2>(),
                              shiftingTerms<3>(), nullptr, {}, {},
-                             {{"system/sphSchemes", {entry::shifting, entry::shiftingSpeed, entry::shiftingAtSurface, entry::transportVelocity, entry::transportPressure}}}};
+                             {{"system/sphSchemes", {entry::shifting, entry::shiftingSpeed, entry::shiftingAtSurface, entry::shiftingAtInterface, entry::transportVelocity, entry::transportPressure}}}};
     return model;
 }
 

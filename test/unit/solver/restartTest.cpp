@@ -54,6 +54,16 @@ TEST(Restart, OfSemiImplicitWithSecondOrderWalls) { restartEqualsTheWhole(with(c
 TEST(Restart, OfTwoPhasesWithSemiImplicit) { restartEqualsTheWhole(with(dropCase(), "semiImplicit")); }
 TEST(Restart, OfTwoPhasesWithImplicit) { restartEqualsTheWhole(with(dropCase(), "implicit")); }
 TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase()); }
+TEST(Restart, OfTwoPhasesWithShifting)
+{
+    for (const char* integrator : {"predictorCorrector", "implicit"})
+    {
+        SCOPED_TRACE(integrator);
+        auto files = with(dropCase(), integrator);
+        files["system/sphSchemes"] += "shifting 2;\n";
+        restartEqualsTheWhole(files);
+    }
+}
 TEST(Restart, OfTwoPhasesWithLeapfrog) { restartEqualsTheWhole(with(dropCase(), "leapfrog")); }
 TEST(Restart, OfIntegratedDensityAndShiftingAtACurvedWall) { restartEqualsTheWhole(grainCase()); }
 TEST(Restart, OfIntegratedDensityWithLeapfrog) { restartEqualsTheWhole(with(grainCase(), "leapfrog")); }

@@ -129,6 +129,30 @@ TEST(Settings, FormsOfWhatIsNotThere)
                 "system/sphSchemes:2: does nothing without densityDiffusion");
 }
 
+// Several phases are shifted each within itself unless `any` says otherwise, with a free surface's law behind it or without; one phase has no interface.
+TEST(Settings, ShiftingKeepsPhasesApart)
+{
+    const auto drop = [](const std::string& words) { return edited(dropCase(), "system/sphSchemes", "integration", words + "\nintegration"); };
+    const auto selected = [](const Files& files)
+    {
+        const auto read = reading(files);
+        EXPECT_EQ(read.errors, "");
+        std::vector<std::string> found;
+        for (const auto& term : read.settings.terms)
+            if (term.ends_with("hifting") || term.starts_with("concentration")) found.push_back(term);
+        return found;
+    };
+    using Terms = std::vector<std::string>;
+    EXPECT_EQ(selected(drop("")), Terms{});
+    EXPECT_EQ(selected(drop("shifting 2;")), Terms{"interfaceShifting"});
+    EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface none;")), Terms{"interfaceShifting"});
+    EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any;")), Terms{"particleShifting"});
+    EXPECT_EQ(selected(drop("shifting 2; shiftingAtSurface tangential;")), (Terms{"surfaceShifting", "concentrationWithinPhase"}));
+    EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any; shiftingAtSurface tangential;")), (Terms{"surfaceShifting", "concentrationGradient"}));
+    EXPECT_EQ(selected(columnCase()), (Terms{"surfaceShifting", "concentrationGradient"}));
+    expectError(edited(grainCase(), "system/sphSchemes", "shifting 2;", "shifting 2; shiftingAtInterface none;"), "system/sphSchemes:2: is between phases");
+}
+
 TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
 {
     const std::string schemes = "system/sphSchemes";

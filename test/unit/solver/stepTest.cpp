@@ -500,6 +500,28 @@ TEST(Step, ShiftingScalesWithTheSpacing)
     EXPECT_LT(distance(small, large), 1e-12);
 }
 
+// In long implicit steps, C |v| dt Delta_x has a limit, H^2/50: the last thing that a step does is to move particles by that times their shift. Differences of
+// positions of order 1: 1e-14.
+TEST(Step, ShiftingInImplicitStepsHasALimit)
+{
+    const auto files = vortexCase("implicit");
+    auto shifted = files;
+    shifted["system/sphSchemes"] += "shifting 1e6;\n";
+    const auto settings = settingsOf(files), settingsOfShifted = settingsOf(shifted);
+    const auto g = periodicSquare();
+    const auto plain = makeSimulation(settings, g, vortex(false), {}), limited = makeSimulation(settingsOfShifted, g, vortex(false), {});
+    for (const auto* simulation : {&plain, &limited}) (*simulation)->step(0, 0.015);
+    const auto x = plain->positions().component, y = limited->positions().component, shift = limited->field("shift").component;
+    double largest = 0;
+    for (std::size_t i = 0; i < plain->size(); ++i)
+        for (std::size_t c = 0; c < 2; ++c)
+        {
+            ASSERT_NEAR(y[c][i] - x[c][i], sqr(2.6 * 0.05) / 50 * shift[c][i], 1e-14) << "particle " << i;
+            largest = std::max(largest, std::abs(y[c][i] - x[c][i]));
+        }
+    EXPECT_GT(largest, 1e-4 * 0.05);
+}
+
 /// Between plates at y = 0 and 1, with powder that varies across where `phi` is given.
 std::unique_ptr<AnySimulation> suspensionBetweenPlates(const Settings& settings, const Geometry& geometry, const std::function<double(double)>& phi = {})
 {
