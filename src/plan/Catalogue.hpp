@@ -1,6 +1,7 @@
 /// Name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
 #pragma once
 #include "terms.hpp"
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,16 @@ template<int dim, class T, class Make> CatalogueEntry<dim> termEntry(std::string
             uses<dim>(ResultsOf<T>{}, names), uses<dim>(ReadsOf<T>{}, names), uses<dim>(ReadsOwnOf<T>{}, names),
             [make](const Coefficients& c, const Binding<dim>& b) -> std::unique_ptr<Operation<dim>> { return std::make_unique<Bound<T, dim>>(make(c), b); },
             names};
+}
+
+/// An entry of a catalogue under the name `as`, whose results go to fields of other names.
+template<int dim> CatalogueEntry<dim> redirected(const Catalogue<dim>& catalogue, const std::string& term, std::string as, const Names& results)
+{
+    auto entry = *std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& e) { return e.name == term; });
+    entry.name = std::move(as);
+    for (auto& f : entry.results) f.name = nameIn(results, f.name.c_str());
+    entry.names.insert(results.begin(), results.end());
+    return entry;
 }
 
 template<int dim, class... T> Catalogue<dim> catalogue()

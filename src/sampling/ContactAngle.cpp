@@ -71,6 +71,12 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
                                             : "a particle of the drop has no position";
         return result;
     }
+    const auto& shape = *patches[std::size_t(patch)].shape;
+    if (view.dimension == 3 && foot.k1 != foot.k2)
+    {
+        result.note = "on a wall that is not equally curved all around a drop is no part of a sphere";
+        return result;
+    }
     const auto& wall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall));
     const double ofWall = wall.contactAngles.empty() ? (phase_ == 0 ? wall.contactAngle : 180 - wall.contactAngle)
                                                      : wall.angleOf(name_, around_).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -88,14 +94,14 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
         const double sinks = -dot(direction, foot.normal), beyond = farthest + view.support;
         const double reach = sinks*beyond > foot.distance ? foot.distance/sinks : beyond;
         const auto r = fraction.surface(drop.centre, direction, reach);
-        if (r && foot.distance - sinks**r > above_*view.spacing) surface.push_back(drop.centre + *r*direction);
+        if (r && shape.foot(drop.centre + *r*direction).distance > above_*view.spacing) surface.push_back(drop.centre + *r*direction);
     }
 
     const auto sphere = fitSphere(surface, view.dimension);
     if (sphere.radius > 0)
     {
-        const double h = dot(sphere.centre - drop.centre, foot.normal) + foot.distance;
-        result.value = std::acos(std::clamp(-h / sphere.radius, -1.0, 1.0)) / degree;
+        const double h = shape.foot(sphere.centre).distance, R = sphere.radius;
+        result.value = std::acos(std::clamp(-h/R - foot.k1*(sqr(R) - sqr(h))/(2*R), -1.0, 1.0))/degree;
     }
     else
         result.note = "the surface of the drop does not rise far enough above the wall to be fitted";

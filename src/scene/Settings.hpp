@@ -68,7 +68,7 @@ struct Settings
     std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
     std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
     std::map<std::string, FieldClass> fieldClasses;   ///< of all fields that the models know, in this scene or not
-    std::set<std::string> separate;                ///< results that somebody wants by themselves
+    Names apart;                                   ///< where forces add to another field than the whole acceleration: somebody wants their sum by itself
     std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 
     Leaked leaked = Leaked::putBack;               ///< what becomes of particles in a solid
@@ -126,6 +126,15 @@ struct Settings
     {
         if constexpr (dim == 2) return terms2;
         else return terms3;
+    }
+    /// The name by which to select a term of these catalogues, as an entry of its own where what it adds is kept apart.
+    std::string force(const std::string& term, const Catalogue<2>& in2, const Catalogue<3>& in3)
+    {
+        if (apart.empty()) return term;
+        const std::string name = term + "Apart";
+        terms2.push_back(redirected(in2, term, name, apart));
+        terms3.push_back(redirected(in3, term, name, apart));
+        return name;
     }
     /// Adds a term of its own numbers under its own name; `make(coefficients)` gives it.
     template<class T> void define(const std::string& name, const auto& make, const Names& names = {})

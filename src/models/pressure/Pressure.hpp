@@ -11,8 +11,10 @@ namespace sph
 ///
 /// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/plan and
 /// tutorials/verification/hydrostatic.
-struct HuAdamsPressureSum
+struct HuAdamsPressure
 {
+    static constexpr auto name = "huAdamsPressure";
+    using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
 
@@ -20,17 +22,6 @@ struct HuAdamsPressureSum
     {
         return -1/i.m*(i.p*sqr(i.V) + j.p*sqr(j.V))*ij.gradW;
     }
-};
-struct HuAdamsPressure : HuAdamsPressureSum
-{
-    static constexpr auto name = "huAdamsPressure";
-    using Adds = Acceleration;
-};
-/// The same into a field of its own, which the second-order ghost velocity reads.
-struct SeparateHuAdamsPressure : HuAdamsPressureSum
-{
-    static constexpr auto name = "separateHuAdamsPressure";
-    using Provides = PressureAcceleration;
 };
 
 /// The pair's pressure weighed by the densities, Hu & Adams (2007): across an interface p/rho, not p, is what both sides share.
@@ -113,7 +104,7 @@ struct TensileControlledPressure
     }
 };
 
-/// The separate pressure acceleration as part of the whole.
+/// The acceleration by pressure, and by surface tension, where it is kept apart, as part of the whole.
 struct AddPressure
 {
     static constexpr auto name = "addPressure";

@@ -73,12 +73,8 @@ void read(const Reading& reading)
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
     reading.select(settings.multiphase() ? "taitOfPhase" : prescribed ? "taitOrHeld" : "tait");
     const auto& gradient = settings.chosen.at(entry::pressureGradient.keyword());
-    if (settings.separate.contains(PressureAcceleration::info.name))
-    {
-        reading.select("separateHuAdamsPressure");
-        reading.select("addPressure");
-    }
-    else reading.select(gradient + "Pressure");
+    reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
+    if (!settings.apart.empty()) reading.select("addPressure");
     if (gradient == "densityWeighted") warnOfWeighing(reading);
     if (!settings.integration.solvesPressure) return;
     reading.select(settings.multiphase() ? "volumeStiffness" : "uniformVolumeStiffness");

@@ -8,7 +8,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> pressureTerms()
 {
-    return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, HuAdamsPressure, SeparateHuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
+    return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, HuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
                      DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure,
                      StiffnessOfPhase, UniformStiffness, ChangeAsDisplacement, CompressionOfChange, PressureResponse, PressureRate>();
 }

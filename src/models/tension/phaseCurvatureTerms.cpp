@@ -76,6 +76,8 @@ std::vector<std::string> definePhaseCurvature(Settings& settings, PhaseCurvature
         Names names;
         for (const char* field : {SmoothedColour::info.name, ColourGradient::info.name, RawCurvature::info.name, Curvature::info.name})
             names[field] = std::string(field) + "." + c.phases[std::size_t(k)];
+        Names ofForce = names;
+        ofForce.insert(settings.apart.begin(), settings.apart.end());
         const auto tables = tablesOf(c, std::size_t(k));
         const double phase = k;
         const std::string gradient = "colourGradient" + of, force = "curvatureForce" + of;
@@ -87,9 +89,9 @@ std::vector<std::string> definePhaseCurvature(Settings& settings, PhaseCurvature
         settings.define<InterfaceCurvature>("interfaceCurvature" + of, [](const Coefficients& q) { return InterfaceCurvature(q); }, names);
         settings.define<CurvatureSmoothing>("curvatureSmoothing" + of, [](const Coefficients&) { return CurvatureSmoothing{}; }, names);
         if (forms.even)
-            settings.define<EvenPhaseCurvatureForce>(force, [=](const Coefficients&) { return EvenPhaseCurvatureForce{tables->share.data(), phase}; }, names);
+            settings.define<EvenPhaseCurvatureForce>(force, [=](const Coefficients&) { return EvenPhaseCurvatureForce{tables->share.data(), phase}; }, ofForce);
         else
-            settings.define<PhaseCurvatureForce>(force, [=](const Coefficients&) { return PhaseCurvatureForce{tables->share.data(), phase}; }, names);
+            settings.define<PhaseCurvatureForce>(force, [=](const Coefficients&) { return PhaseCurvatureForce{tables->share.data(), phase}; }, ofForce);
         selected.push_back(force);
     }
     return selected;

@@ -2,6 +2,7 @@
 #include "WallTension.hpp"
 #include "WettingAngles.hpp"
 #include "YoungsLaw.hpp"
+#include "operatorTerms.hpp"
 #include "phaseCurvatureTerms.hpp"
 #include "tensionTerms.hpp"
 #include "wettingLaws.hpp"
@@ -116,8 +117,8 @@ void read(const Reading& reading)
     readAngles(reading);
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    const bool apart = settings.integration.maxSubSteps > 1;
-    const auto select = [&](const std::string& term) { (apart ? settings.slowTerms : settings.terms).push_back(term); };
+    const bool seldom = settings.integration.maxSubSteps > 1;
+    const auto select = [&](const std::string& term) { (seldom ? settings.slowTerms : settings.terms).push_back(term); };
     const bool angles = !c.wallTension.empty();
     const auto by = [&](const char* form) { return angles && settings.has("contactAngle", form); };
     if (by("paper"))
@@ -132,21 +133,23 @@ void read(const Reading& reading)
         c.set(KernelMarginal::of(settings.resolution.kernel, c.dimension, c.support));
     }
     if (settings.has("surfaceTension", "interfaceStress") || by("wallStress"))
-        select(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence");
+        select(settings.force(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence",
+                              operatorTerms<2>(), operatorTerms<3>()));
     if (settings.has("surfaceTension", "curvature") && c.phases.size() > 2)
     {
-        const bool even = !apart && settings.has("pressureGradient", "huAdams");
+        const bool even = !seldom && settings.has("pressureGradient", "huAdams");
         for (const auto& term : definePhaseCurvature(settings, {.even = even, .adhering = by("wallAdhesion")})) select(term);
     }
     else if (settings.has("surfaceTension", "curvature"))
     {
-        select(!apart && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce");
+        select(settings.force(!seldom && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce", tensionTerms<2>(),
+                              tensionTerms<3>()));
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
     if (by("wallAdhesion"))
         settings.continuesInterfaces = true;
     if (by("wallPotential")) select("wallPotential");
-    if (!apart) return;
+    if (!seldom) return;
     if (settings.slowTerms.empty())
         reading.schemes.subDictOrEmpty("integration").error("maxSubSteps", "without surface tension nothing acts more slowly than sound");
     else

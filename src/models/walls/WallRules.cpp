@@ -5,14 +5,14 @@ namespace sph
 {
 
 template<int dim>
-WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::string& velocity, const std::string& pressure)
+WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::string& velocity, const std::string& pressure, bool varies)
     : filters_(velocity == "secondOrder")
 {
     auto& images = particles.images();
     auto& store = particles.store();
     const auto& geometry = particles.geometry();
     const auto& c = particles.coefficients();
-    if (filters_) images.setRule(Velocity{}, std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c));
+    if (filters_) images.setRule(Velocity{}, std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c, varies));
     else if (velocity == "freeSlip") images.setRule(Velocity{}, std::make_unique<SlippingVelocity<dim>>(geometry));
     else images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));

@@ -13,13 +13,16 @@ Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const
 template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return -r.ratio*dv; }
 
 template<int dim>
-SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c)
-    : geometry_(geometry), store_(store), g_(in<dim>(c.g) + in<dim>(c.bodyForce)/c.restDensity[0]), nu_(c.viscosity[0]/c.restDensity[0])
+SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c, bool varies)
+    : geometry_(geometry), store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)), rho_(c.restDensity[0]), mu_(c.viscosity[0]), varies_(varies)
 {}
 
 template<int dim> void SecondOrderVelocity<dim>::bind()
 {
     a_ = store_.pointers(WallAcceleration{});
+    if (!varies_) return;
+    rhoOf_ = store_.component(Density::info.name, 0);
+    muOf_ = store_.component(DynamicViscosity::info.name, 0);
 }
 
 template<int dim> void SecondOrderVelocity<dim>::filter()
@@ -41,8 +44,9 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     Vector<dim> a;
     fetch(a, [&](int c) { return a_[c][source]; });
     const WallProperties& wall = geometry_.walls[r.wall];
-    a += g_ - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
-    return continued - 0.5*r.ratio*(1 + r.ratio)*sqr(r.distance)/nu_*(a - dot(a, r.normal)*r.normal);
+    const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_)/rho;
+    a += g_ + f_/rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
+    return continued - 0.5*r.ratio*(1 + r.ratio)*sqr(r.distance)/nu*(a - dot(a, r.normal)*r.normal);
 }
 
 template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const

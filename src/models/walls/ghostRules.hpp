@@ -22,18 +22,21 @@ public:
 ///
 ///   v_g = v_w - q (v - v_w)/sqrt(w) - q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t
 ///
-/// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu [m^2/s], a_p = -grad p/rho
-/// of the source, low-passed; t the part along the wall. From nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the
-/// even part d^2 v'' that a bare sign change loses. Ghosts of ghosts (corners, pinches) take the curvature factor alone.
+/// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
+/// where it is not the same everywhere, a_p = (-grad p + surface tension)/rho of the source, low-passed; t the part along the wall. From
+/// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. A gradient of
+/// mu at the wall is left out. Ghosts of ghosts (corners, pinches) take the curvature factor alone.
 template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
     FieldStore<dim>& store_;
-    Vector<dim> g_;
-    double nu_;
+    Vector<dim> g_, f_;
+    double rho_, mu_;
+    bool varies_;
 
 public:
-    SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&);
+    /// `varies`: mu and rho are the source's own.
+    SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&, bool varies);
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
     /// Again after each change of the arrays.
@@ -43,6 +46,7 @@ public:
 
 private:
     std::array<double*, dim> a_{};
+    const double *rhoOf_ = nullptr, *muOf_ = nullptr;
 };
 
 /// Hydrostatic continuation of the pressure through the wall (Barker et al. 2012 do not say what they took):

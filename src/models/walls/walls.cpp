@@ -37,9 +37,13 @@ void prepare(const Reading& reading)
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous && !settings.variableViscosity;
     const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : "reflected");
     if (rule != "secondOrder") return;
-    settings.separate.insert(PressureAcceleration::info.name);
+    settings.apart[Acceleration::info.name] = PressureAcceleration::info.name;
     settings.state.push_back({stateField(WallAcceleration{})});
-    settings.ruleReads[Velocity::info.name] = {stateField(WallAcceleration{})};
+    auto& reads = settings.ruleReads[Velocity::info.name];
+    reads = {stateField(WallAcceleration{})};
+    if (!settings.variableViscosity) return;
+    reads.push_back(stateField(DynamicViscosity{}));
+    reads.push_back(stateField(Density{}));
 }
 
 void read(const Reading& reading)
@@ -53,7 +57,7 @@ void read(const Reading& reading)
     settings.leaked = readLeakGuard(reading.schemes);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
-    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored")));
+    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
 }
 
 bool viscous(const Settings& s)
@@ -69,9 +73,11 @@ const Model& wallsModel()
         {{"wallVelocity", [](const Settings& s) { return s.has("walls", "layers") && s.has("wallVelocity", "freeSlip"); },
           "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected"},
          {"wallVelocity",
-          [](const Settings& s)
-          { return s.has("wallVelocity", "secondOrder") && (s.variableViscosity || !viscous(s) || !s.has("pressureGradient", "huAdams")); },
-          "secondOrder needs a single phase of uniform viscosity and pressureGradient huAdams; take reflected"},
+          [](const Settings& s) { return s.has("wallVelocity", "secondOrder") && (!viscous(s) || !s.has("pressureGradient", "huAdams")); },
+          "secondOrder needs viscosity and pressureGradient huAdams; take reflected"},
+         {"wallVelocity",
+          [](const Settings& s) { return s.has("wallVelocity", "secondOrder") && s.surfaceTension && s.integration.maxSubSteps > 1; },
+          "secondOrder sees surface tension where it acts in every part of a step: take maxSubSteps 1, or reflected"},
          {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
           "layers have no interface to continue: with surface tension take walls reflected"}},
         {}, {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure}}, {"system/sphSchemes", wallLayersEntries()}, {"system/sphSchemes", leakGuardEntries()}}};

@@ -1,6 +1,8 @@
 #include "Measurement.hpp"
+#include "Cylinder.hpp"
 #include "Particles.hpp"
 #include "Plane.hpp"
+#include "Sphere.hpp"
 #include "SphereFit.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -131,6 +133,24 @@ TEST(ContactAngle, isRecoveredInThreeDimensions)
         EXPECT_NEAR(measure(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
 }
 
+TEST(ContactAngle, isThatToACurvedWall)
+{
+    // Discs of radius 40 that cut a circle of radius 60 at the given angle, from outside and from inside of it.
+    const double R = 40, R_w = 60;
+    for (const auto side : {FluidSide::outside, FluidSide::inside})
+        for (const double degrees : {60.0, 90.0, 120.0})
+        {
+            const double sign = side == FluidSide::outside ? 1 : -1, y = std::sqrt(sqr(R) + sqr(R_w) - sign*2*R*R_w*std::cos(degrees*pi/180));
+            Particles particles(2, {-100, -70, 0}, {100, 140, 0}, 1);
+            particles.geometry.walls.resize(1);
+            particles.geometry.patches.push_back({std::make_shared<Sphere>(Vector<3>{}, R_w, side), 0});
+            const auto inFluid = [&](const Vector<3>& x) { return sign*(std::hypot(x.x, x.y) - R_w) > 0; };
+            particles.phases = {"water", "air"};
+            particles.setPhase([&](Vector<3> x) { return inFluid(x) && std::hypot(x.x - 0.3, x.y - y) < R ? 0 : 1; });
+            EXPECT_NEAR(measure(particles, "contactAngle", "").value, degrees, 1) << degrees << (sign > 0 ? " outside" : " inside");
+        }
+}
+
 TEST(ContactAngle, ofTheSecondPhaseIsTheSupplement)
 {
     auto particles = cap(2, 60, 1e-4, 24e-4, true);
@@ -147,6 +167,10 @@ TEST(ContactAngle, saysWhyItCannotMeasure)
     const auto m = measure(cap(2, 60, 1, 2, true), "contactAngle", "");
     EXPECT_TRUE(std::isnan(m.value));
     EXPECT_EQ(m.note, "the surface of the drop does not rise far enough above the wall to be fitted");
+
+    auto onCylinder = cap(3, 90, 1, 8, true);
+    onCylinder.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
+    EXPECT_EQ(measure(onCylinder, "contactAngle", "").note, "on a wall that is not equally curved all around a drop is no part of a sphere");
 }
 
 TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)

@@ -39,7 +39,7 @@ struct MovingWall
 TEST(GhostVelocity, ChangeIsTheLinearPart)
 {
     MovingWall w;
-    SecondOrderVelocity<2> second(w.geometry, w.store, w.coefficients);
+    SecondOrderVelocity<2> second(w.geometry, w.store, w.coefficients, false);
     second.bind();
     const ReflectedVelocity<2> reflected(w.geometry);
     const SlippingVelocity<2> slipping(w.geometry);
@@ -66,7 +66,7 @@ TEST(GhostVelocity, ReflectedContinuesShear)
 TEST(GhostVelocity, SecondOrderContinuesAParabola)
 {
     MovingWall w;
-    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients, false);
     rule.bind();
     const double s = 11, nu = 0.02;
     const auto flow = [&](double y) { return 0.5 + s * y - 3 * y * y / (2 * nu); };
@@ -79,12 +79,29 @@ TEST(GhostVelocity, SecondOrderContinuesAParabola)
     }
 }
 
+// The same of a source with mu and rho of its own, whose weight and body force drive it: a = g + f/rho.
+TEST(GhostVelocity, SecondOrderKnowsTheSourcesOwnViscosity)
+{
+    MovingWall w;
+    w.coefficients.bodyForce = {500, 0, 0};
+    w.store.allocate(Density{});
+    w.store.allocate(DynamicViscosity{});
+    w.store.resize(2);
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients, true);
+    rule.bind();
+    w.store.component("rho", 0)[1] = 250;
+    w.store.component("mu", 0)[1] = 4;
+    const double d = 0.05, s = 11, curvature = (3 + 500/250.0)/(4/250.0);
+    const auto flow = [&](double y) { return 0.5 + s*y - curvature*y*y/2; };
+    EXPECT_NEAR(rule({flow(d), 0}, 1, w.at(d), true).x, flow(-d), 1e-13);
+}
+
 // A flow driven by pressure looks the same to the wall once the low-passed a_p has arrived: after n steps 1 - 0.9^n of it has.
 TEST(GhostVelocity, SecondOrderFollowsThePressureSlowly)
 {
     MovingWall w;
     w.coefficients.g = {0, 0, 0};
-    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients, false);
     w.store.component("dUdtByPressure", 0)[0] = 3;
     rule.bind();
     for (int step = 0; step < 5; ++step) rule.filter();
@@ -99,7 +116,7 @@ TEST(GhostVelocity, SecondOrderKnowsTheCurvature)
     MovingWall w;
     w.coefficients.g = {0, 0, 0};
     w.geometry.walls[0].velocity = {0, 0, 0};
-    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients);
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients, false);
     rule.bind();
     auto reflection = w.at(0.1);
     const double R = 0.4, d = 0.1;
