@@ -570,7 +570,33 @@ TEST(Settings, OfASuspensionAreRead)
     EXPECT_EQ(migrationTerms(reading(schemes("scheme paper;")))[0], "velocityGradientShear");
     EXPECT_EQ(migrationTerms(reading(schemes("shearRate correctedGradient;")))[0], "correctedGradientShear");
     EXPECT_EQ(migrationTerms(reading(schemes("subParticleShear 0;")))[0], "resolvedShear");
-    expectError(schemes("wallVelocity secondOrder;"), "needs a single phase of uniform viscosity");
+    EXPECT_TRUE(reading(schemes("")).settings.has("wallVelocity", "reflected"));
+}
+
+// Second-order walls are the default where their momentum balance is whole, and no reason speaks against them.
+TEST(Settings, WallVelocityFollowsTheScene)
+{
+    const std::string schemes = "system/sphSchemes", phases = "constant/phaseProperties";
+    const auto byDefault = [](const Files& files) { return reading(files).settings.chosen.at("wallVelocity"); };
+    const auto adding = [&](Files files, const std::string& words) { files[schemes] += words + "\n"; return files; };
+    auto channel = edited(channelCase(), schemes, "wallVelocity secondOrder;", "");
+    EXPECT_EQ(byDefault(channel), "secondOrder");
+    EXPECT_EQ(byDefault(edited(channel, schemes, "integration", "pressureGradient monaghan; integration")), "reflected");
+
+    const auto drop = dropCase();
+    EXPECT_EQ(byDefault(drop), "reflected");
+    const auto layers = edited(drop, phases, "sigma ( (liquid gas) 1 );", "");
+    EXPECT_EQ(byDefault(layers), "secondOrder");
+    EXPECT_EQ(byDefault(edited(layers, phases, "mu 0.05", "mu 0")), "reflected");
+    expectError(adding(edited(layers, phases, "mu 0.05", "mu 0"), "wallVelocity secondOrder;"), "secondOrder needs viscosity in all phases");
+
+    // What walls see of the forces is kept by itself, tension too; the viscosity is the source's.
+    const auto r = reading(adding(drop, "wallVelocity secondOrder; surfaceTension curvature; contactAngle wallPotential;"));
+    const auto& terms = r.settings.terms;
+    for (const char* term : {"huAdamsPressureApart", "evenCurvatureForceApart", "addPressure"})
+        EXPECT_EQ(std::count(terms.begin(), terms.end(), term), 1) << term;
+    EXPECT_EQ(r.settings.ruleReads.at("U").size(), 3u);
+    expectError(adding(edited(drop, schemes, "predictorCorrector", "predictorCorrector; maxSubSteps 5"), "wallVelocity secondOrder;"), "take maxSubSteps 1");
 }
 
 // A scene without powder has none of its words, terms and numbers.
