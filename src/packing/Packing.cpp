@@ -102,15 +102,25 @@ Occupation occupy(const PackingPlan& plan, const Points& places)
     return o;
 }
 
-void share(const Saturation& saturation, const Geometry& g, const Points& places, Occupation& o)
+/// What holds a third phase keeps it: the share is one of the whole void space all the same.
+void share(Saturation saturation, const Geometry& g, const Points& places, Occupation& o)
 {
+    const auto shared = [&](int phase) { return phase == saturation.phase || phase == saturation.gas; };
     Points filled;
+    std::size_t all = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (o.phase[i] != FillRule::noPhase) filled.add(places[i]);
+    {
+        if (shared(o.phase[i])) filled.add(places[i]);
+        all += o.phase[i] != FillRule::noPhase;
+    }
+    const double left = double(filled.size())/double(std::max<std::size_t>(1, all));
+    if (saturation.value > left)
+        throw CaseError(saturation.where, fmt::format("a saturation of {:g} is more than the {:.4g} that other phases leave", saturation.value, left));
+    if (left > 0) saturation.value /= left;
     const auto holds = place(saturation, g, filled);
     std::size_t k = 0;
     for (auto& phase : o.phase)
-        if (phase != FillRule::noPhase) phase = holds[k++] ? saturation.phase : saturation.gas;
+        if (shared(phase)) phase = holds[k++] ? saturation.phase : saturation.gas;
 }
 
 void checkPhases(const PackingPlan& plan, const Packing& packing)

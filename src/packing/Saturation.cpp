@@ -13,7 +13,7 @@ namespace sph
 
 namespace entry
 {
-const Word phase{"phase", required, "phase that is given"}, gas{"gas", required, "phase that is left in the rest"};
+const Word phase{"phase", required, "phase that is given"}, gas{"gas", required, "phase that is left in the rest; what holds a third phase keeps it"};
 const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"), "share of the void space"};
 const Count seed{"seed", 1, anyNumber, "of chance"},
     number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"), "of drops, at places chosen by chance"};

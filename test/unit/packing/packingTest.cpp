@@ -131,6 +131,35 @@ TEST(Packing, reachesTheSaturationToOneParticle)
         }
 }
 
+// The share is one of the void space, whatever a third phase holds of it.
+TEST(Packing, leavesAThirdPhaseWhereItIs)
+{
+    CaseFolder c;
+    c.write("constant/geometry", cubicBed);
+    c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
+    c.write("constant/phaseProperties", "phases (water air oil);\nwater { rho 1000; }\nair { rho 1; }\noil { rho 800; }\n");
+    const std::string fill = "fill ( { region all; phase air; } { region sphere; centre (0.5 0.5 0.5); radius 0.3; phase oil; } );\n";
+    c.write("system/packParticlesDict", fill + "saturation { phase water; gas air; value 0; }\nallowEmpty yes;\n");
+    const auto before = c.pack();
+    c.write("system/packParticlesDict", fill + "saturation { phase water; gas air; value 0.2; }\n");
+    const auto p = c.pack();
+    EXPECT_GT(before.phases[2].particles, 200u);
+    EXPECT_EQ(p.phases[2].particles, before.phases[2].particles);
+    EXPECT_LE(std::fabs(double(p.phases[0].particles) - 0.2*double(p.points.size())), 0.5);
+    for (std::size_t i = 0; i < p.points.size(); ++i) EXPECT_EQ(p.phase[i] == 2, before.phase[i] == 2);
+
+    c.write("system/packParticlesDict", fill + "saturation\n{ phase water; gas air; value 0.9; }\n");
+    try
+    {
+        c.pack();
+        FAIL() << "0.9 of water beside the oil was packed";
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find("0.9 is more than the 0."), std::string::npos) << e.what();
+    }
+}
+
 // Water at the contacts of a simple cubic bed (spheres at the corners of the cell, contacts in the middle of its edges): the gap between
 // the nearest two grains is nowhere wider in the water than in the air, and the three contacts of a cell share the water evenly, to
 // the 8 particles by which ties on a symmetric lattice may fall.
