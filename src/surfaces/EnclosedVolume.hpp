@@ -18,4 +18,8 @@ struct Enclosed
 Enclosed enclosedVolume(const RegularGrid&, const std::vector<double>& colour, double iso,
                         const std::vector<double>& wallDistance);
 
+/// The level between 0.01 and 0.99 at which the surface encloses `volume`, to 1e-4 of the level: the surface of half colour is rounded, and thin
+/// bodies lose by it. The end of that range which comes nearest where there is none.
+double levelEnclosing(double volume, const RegularGrid&, const std::vector<double>& colour, const std::vector<double>& wallDistance);
+
 }

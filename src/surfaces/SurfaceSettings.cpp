@@ -87,6 +87,7 @@ SurfaceSettings readSurfaceSettings(const Dictionary& dict, const SurfaceCase& s
         entry::support.error(dict, fmt::format("must not be less than gridSpacing, {}", settings.gridSpacing));
     settings.kernel = entry::kernel(dict);
     settings.iso = entry::iso(dict);
+    if (!entry::iso.given(dict)) settings.iso = 0.5;
     if (const auto way = entry::normalise.ifGiven(dict))
         settings.normalise = *way == "none" ? Normalisation::none : *way == "walls" ? Normalisation::walls : Normalisation::particles;
     settings.closed = entry::closed(dict);

@@ -18,8 +18,9 @@ const Choices phases{"phases", "phases", {}, byScene("the first of constant/phas
          "what the picture shows"};
 const Scalar gridSpacing{"gridSpacing", units::m, byScene("half the particles' spacing"), positive,
                          "of the grid that the colour function is sampled on"},
-    support{"support", units::m, byScene("3 spacings of the particles"), positive, "radius of the kernel's support"},
-    iso{"iso", units::none, 0.5, positiveBelow(1).saying("must lie between 0 and 1"), "value of the colour function on the surface"};
+    support{"support", units::m, byScene("3 spacings of the particles"), positive, "radius of the kernel's support"};
+const AutomaticScalar iso{"iso", units::none, byScene("0.5"), positiveBelow(1).saying("must lie between 0 and 1"),
+                          "value of the colour function on the surface; automatic: the one whose surface encloses the particles' volume"};
 const Choice kernel{"kernel", kernelNames(), "wendlandC2", "of the colour function"},
     normalise{"normalise",
               {"none", {"walls", "by the part of the kernel that lies in the fluid"}, {"particles", "by the sum over the particles of all phases"}},

@@ -76,6 +76,19 @@ TEST(Sphere, BiasOfTheVolumeIsOfSecondOrder)
 
 // Inside a uniform lattice, and inside any lattice when divided by the sum over all particles, the colour function is 1: of the
 // plain sum to the kernel's own quadrature error, here below 1 %; of the quotient to round-off. Far away it is 0.
+// The level that encloses a given volume does, on a small ball that the surface of half colour makes too small by a tenth.
+TEST(EnclosedVolume, FollowsTheLevelAskedFor)
+{
+    const Ball b(4);
+    const double volume = b.particles.phaseVolume();
+    EXPECT_LT(enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 0.95*volume);
+    const double level = levelEnclosing(volume, b.grid, b.colour, {});
+    EXPECT_LT(level, 0.5);
+    EXPECT_NEAR(enclosedVolume(b.grid, b.colour, level, {}).volume, volume, 1e-3*volume);
+    EXPECT_NEAR(levelEnclosing(1e9, b.grid, b.colour, {}), 0.01, 1e-4);
+    EXPECT_NEAR(levelEnclosing(0, b.grid, b.colour, {}), 0.99, 1e-4);
+}
+
 TEST(Sphere, ColourFunctionIsOneInsideAndZeroOutside)
 {
     for (const auto normalise : {Normalisation::none, Normalisation::particles})

@@ -75,19 +75,19 @@ SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase
     const auto normalise =
         settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
     colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
-    const auto free = freeSurface(grid_, colour, settings_.iso, geometry_, settings_.smoothing);
-    const auto enclosed = enclosedVolume(grid_, colour, settings_.iso, wallDistance_);
-
     SurfaceReport report;
+    report.particleVolume = particles.phaseVolume();
+    report.level = settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, grid_, colour, wallDistance_);
+    const auto free = freeSurface(grid_, colour, report.level, geometry_, settings_.smoothing);
+    const auto enclosed = enclosedVolume(grid_, colour, report.level, wallDistance_);
     report.phase = scene_.phases[phase];
     report.particles = std::ranges::count(particles.inPhase, 1);
     report.area = measure(free);
     report.volume = enclosed.volume;
     report.pieces = enclosed.pieces;
-    report.particleVolume = particles.phaseVolume();
     if (!write) return report;
 
-    const auto mesh = settings_.closed ? closedSurface(grid_, colour, settings_.iso, wallDistance_, settings_.support) : free;
+    const auto mesh = settings_.closed ? closedSurface(grid_, colour, report.level, wallDistance_, settings_.support) : free;
     for (const auto& format : settings_.formats)
     {
         written.push_back(output(time, fmt::format("{}.{}", report.phase, format)));
@@ -126,16 +126,16 @@ void SurfaceRun::showWalls(Scene& scene) const
     scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, geometry_));
 }
 
-void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour) const
+void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, double level) const
 {
-    const auto surface = freeSurface(grid_, colour, settings_.iso, geometry_, settings_.picture.smoothing);
+    const auto surface = freeSurface(grid_, colour, level, geometry_, settings_.picture.smoothing);
     if (geometry_.dimension == 2)
     {
         scene.contour = surface;
         return;
     }
     auto excess = colour;
-    for (auto& c : excess) c -= settings_.iso;
+    for (auto& c : excess) c -= level;
     scene.liquid = surface;
     scene.liquidCuts = cutFaces(grid_, excess, wallDistance_);
 }
@@ -187,7 +187,7 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
         if (!pictures) continue;
         auto scene = emptyScene(time);
         if (picture.walls) showWalls(scene);
-        if (picture.surface) showSurface(scene, colour);
+        if (picture.surface) showSurface(scene, colour, result.surfaces.back().level);
         if (picture.particles) showParticles(scene, cloud);
         result.written.push_back(output(time, scene_.phases[phase] + ".png"));
         drawPicture(scene, case_.folder() / result.written.back());

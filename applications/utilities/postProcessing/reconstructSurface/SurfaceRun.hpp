@@ -17,6 +17,7 @@ struct SurfaceReport
     std::string phase;
     std::size_t particles = 0;
     double area = 0, volume = 0, particleVolume = 0;
+    double level = 0.5; ///< of the colour function on it
     int pieces = 0;
     /// Of the enclosed volume from that of the particles.
     double differencePercent() const { return particleVolume > 0 ? 100 * (volume / particleVolume - 1) : 0; }
@@ -42,7 +43,7 @@ class SurfaceRun
                               std::vector<std::string>& written) const;
     Scene emptyScene(const std::string& time) const;
     void showWalls(Scene&) const;
-    void showSurface(Scene&, const std::vector<double>& colour) const;
+    void showSurface(Scene&, const std::vector<double>& colour, double level) const;
     void showParticles(Scene&, const Cloud&) const;
 
 public:
