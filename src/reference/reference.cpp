@@ -6,6 +6,7 @@
 #include "models.hpp"
 #include "readPhases.hpp"
 #include "readSettings.hpp"
+#include "schemeSets.hpp"
 #include "resolutionEntries.hpp"
 #include "surfaceEntries.hpp"
 

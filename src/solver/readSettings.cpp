@@ -2,18 +2,13 @@
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
+#include "schemeSets.hpp"
+#include "shareFilled.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace sph
 {
-
-namespace entry
-{
-const Choice scheme{"scheme", {{"suite", "what measurements favour"}, {"paper", "what Barker et al. (2012) printed"}}, "suite", "the set of defaults"};
-}
-
-EntryList schemeEntries() { return {entry::scheme}; }
 
 namespace
 {
@@ -44,6 +39,15 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
             for (const auto& field : *fields) classes[field.name] = field.type.fieldClass;
     return classes;
 }
+
+/// Where one liquid leaves a part of its space empty it has a free surface, for which the defaults of enclosed fluids are no choice at all.
+void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
+{
+    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties")) return;
+    const auto share = shareFilled(theCase, geometry, settings.coefficients.spacing);
+    if (!share || *share > 0.95 || !addSchemeSetUnlessChosen(schemes, "freeSurface")) return;
+    settings.reasons.push_back(fmt::format("scheme freeSurface, for the liquid fills {:.3g} % of its space: {}", 100**share, wordsOfSet("freeSurface")));
+}
 }
 
 Settings readSettings(const Case& theCase, const Geometry& geometry)
@@ -59,9 +63,10 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();
+    chooseSet(theCase, geometry, dict, settings);
 
     const Reading reading{theCase, geometry, dict, settings, [](const Settings& s) { return stepLimits(s, {}); }};
-    reading.choose(entry::scheme);
+    reading.choose(entry::scheme, "suite");
     for (const auto* model : models())
         if (model->prepare) model->prepare(reading);
     for (const auto* model : models()) model->read(reading);

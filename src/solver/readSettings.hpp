@@ -6,7 +6,6 @@
 namespace sph
 {
 
-EntryList schemeEntries();
 /// Reads constant/phaseProperties and constant/g, and has every model read its own; mistakes go to the case's Diagnostics.
 Settings readSettings(const Case&, const Geometry&);
 

@@ -573,6 +573,65 @@ TEST(Settings, OfASuspensionAreRead)
     EXPECT_TRUE(reading(schemes("")).settings.has("wallVelocity", "reflected"));
 }
 
+/// n particles of the channel, 400 of which would fill it.
+Files holding(Files files, int n)
+{
+    std::string positions = "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; object positions; }\n" + std::to_string(n) + "\n(\n";
+    for (int i = 0; i < n; ++i) positions += "(" + std::to_string(0.05*(i%20) + 0.025) + " " + std::to_string(0.05*(i/20) + 0.025) + " 0) 0\n";
+    files["0/lagrangian/sph/positions"] = positions + ")\n";
+    return files;
+}
+
+// Every set goes with a scene of its class, and gives way to the words of the file.
+TEST(Settings, SetsOfWordsGoTogether)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto by = [&](Files files, const std::string& set)
+    {
+        files[schemes] = "scheme " + set + ";\nresolution { spacing 0.05; }\n";
+        return files;
+    };
+    auto layers = edited(dropCase(), "constant/phaseProperties", "sigma ( (liquid gas) 1 );", "");
+    for (const auto& [files, set] : std::vector<std::pair<Files, std::string>>{{channelCase(), "suite"}, {channelCase(), "freeSurface"}, {channelCase(), "channel"},
+                                                                                {channelCase(), "enclosed"}, {channelCase(), "bed"}, {channelCase(), "paper"},
+                                                                                {dropCase(), "twoPhase"}, {layers, "twoPhase"}, {suspensionCase(), "suspension"}})
+        EXPECT_EQ(reading(by(files, set)).errors, "") << set;
+    const auto suspension = reading(by(suspensionCase(), "suspension"));
+    EXPECT_EQ(suspension.settings.resolution.kernel, "quinticSpline");
+    EXPECT_EQ(suspension.settings.integration.scheme, "semiImplicit");
+
+    auto files = by(channelCase(), "freeSurface");
+    EXPECT_TRUE(reading(files).settings.has("pressureGradient", "tensileControlled"));
+    files[schemes] += "pressureGradient monaghan; integration { scheme predictorCorrector; }\n";
+    const auto mixed = reading(files);
+    EXPECT_EQ(mixed.errors, "");
+    EXPECT_TRUE(mixed.settings.has("pressureGradient", "monaghan"));
+    EXPECT_EQ(mixed.settings.integration.scheme, "predictorCorrector");
+    EXPECT_TRUE(mixed.settings.integratedDensity);
+    expectError(by(channelCase(), "freesurface"), "Did you mean \"freeSurface\"?");
+    expectError(by(dropCase(), "freeSurface"), "scheme freeSurface:1: ");
+}
+
+// A liquid that fills half of its space has a free surface; one that fills it, comes in through openings, or has words of its own, is left as it is.
+TEST(Settings, AFreeSurfaceIsSeen)
+{
+    const std::string schemes = "system/sphSchemes";
+    auto channel = edited(channelCase(), schemes, "wallVelocity secondOrder;", "");
+    const auto free = [](const Files& files) { return reading(files).settings.has("pressureGradient", "tensileControlled"); };
+    const auto half = reading(holding(channel, 200));
+    EXPECT_EQ(half.errors, "");
+    EXPECT_TRUE(half.settings.has("pressureGradient", "tensileControlled"));
+    EXPECT_TRUE(half.settings.integratedDensity);
+    EXPECT_TRUE(std::any_of(half.settings.reasons.begin(), half.settings.reasons.end(), [](const auto& reason) { return reason.find("fills 50 % of its space") != std::string::npos; }));
+    EXPECT_TRUE(free(holding(channel, 370)));
+    EXPECT_FALSE(free(holding(channel, 390)));
+    EXPECT_FALSE(free(channel));
+    EXPECT_FALSE(free(holding(edited(channel, schemes, "integration", "shifting 2; integration"), 200)));
+    EXPECT_FALSE(free(holding(edited(channel, schemes, "integration", "scheme suite; integration"), 200)));
+    EXPECT_FALSE(free(holding(dropCase(), 200)));
+    EXPECT_FALSE(free(holding(openCase(), 200)));
+}
+
 // Second-order walls are the default where their momentum balance is whole, and no reason speaks against them.
 TEST(Settings, WallVelocityFollowsTheScene)
 {

@@ -1,0 +1,25 @@
+#include "addDefaults.hpp"
+#include "DictionaryNode.hpp"
+
+namespace sph
+{
+
+namespace
+{
+void add(Dictionary::Node& to, const Dictionary::Node& defaults)
+{
+    for (auto entry : defaults.entries)
+    {
+        if (auto* own = to.find(entry.keyword); !own)
+        {
+            entry.ignored = true;
+            to.entries.push_back(std::move(entry));
+        }
+        else if (own->dictionary && entry.dictionary) add(*own->dictionary, *entry.dictionary);
+    }
+}
+}
+
+void addDefaults(const Dictionary& dict, const Dictionary& defaults) { add(dict.node(), defaults.node()); }
+
+}

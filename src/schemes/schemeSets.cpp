@@ -1,0 +1,75 @@
+#include "schemeSets.hpp"
+#include "addDefaults.hpp"
+#include <algorithm>
+#include <vector>
+
+namespace sph
+{
+
+namespace
+{
+struct Set
+{
+    const char *name, *meaning;
+    std::string words;
+};
+
+const std::vector<Set>& sets()
+{
+    static const std::vector<Set> all{
+        {"suite", "enclosed fluids, at rest or in motion; what measurements favour where nothing else is known", ""},
+        {"freeSurface", "one liquid that does not fill its space, whose boundary layers are thinner than a spacing",
+         "density continuity; densityDiffusion 0.1; densityDiffusionForm antuono; artificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; "
+         "shiftingAtSurface tangential; wallPressure detaching; wallVelocity freeSlip; integration { scheme leapfrog; }"},
+        {"twoPhase", "fluids with interfaces that splash", "shifting 2;"},
+        {"suspension", "powder in a binder",
+         "resolution { kernel quinticSpline; support 2.6; } shifting 2; integration { scheme semiImplicit; }"},
+        {"channel", "one liquid that creeps or flows along walls", "integration { scheme implicit; }"},
+        {"enclosed", "one liquid that turns between walls",
+         "resolution { support 3.2; } shifting 8; backgroundPressure 0; integration { scheme symplecticEuler; }"},
+        {"bed", "one liquid that travels through a bed of grains", "transportVelocity 1; integration { scheme symplecticEuler; }"},
+        {"paper", "what Barker et al. (2012) printed", ""}};
+    return all;
+}
+
+const Set& set(const std::string& name)
+{
+    const auto found = std::find_if(sets().begin(), sets().end(), [&](const Set& s) { return s.name == name; });
+    return found == sets().end() ? sets().front() : *found;
+}
+
+Dictionary dictionaryOf(const Set& s, const Dictionary& sphSchemes)
+{
+    return Dictionary::parse(s.words, std::string("scheme ") + s.name, sphSchemes.sharedDiagnostics());
+}
+
+ChoiceWords names()
+{
+    ChoiceWords words;
+    for (const auto& s : sets()) words.push_back({s.name, s.words.empty() ? s.meaning : s.meaning + (": " + s.words)});
+    return words;
+}
+}
+
+namespace entry
+{
+const Choice scheme{"scheme", names(), byScene("freeSurface where one liquid, without openings, fills less than 95 % of its space and the file has none of that set's words; else suite"),
+                    "the set of defaults"};
+}
+
+void addSchemeSet(const Dictionary& sphSchemes) { addDefaults(sphSchemes, dictionaryOf(set(entry::scheme(sphSchemes, "suite")), sphSchemes)); }
+
+bool addSchemeSetUnlessChosen(const Dictionary& sphSchemes, const std::string& name)
+{
+    const auto defaults = dictionaryOf(set(name), sphSchemes);
+    const auto keys = defaults.keys();
+    if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return key != "integration" && sphSchemes.found(key); })) return false;
+    addDefaults(sphSchemes, defaults);
+    return true;
+}
+
+const std::string& wordsOfSet(const std::string& name) { return set(name).words; }
+
+EntryList schemeEntries() { return {entry::scheme}; }
+
+}

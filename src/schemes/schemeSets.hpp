@@ -1,0 +1,23 @@
+/// Sets of words for system/sphSchemes, one for each class of scenes: `scheme freeSurface;` stands for what the tutorials of that class have been measured to
+/// want. Words that the file gives itself override.
+#pragma once
+#include "EntryList.hpp"
+
+namespace sph
+{
+
+namespace entry
+{
+extern const Choice scheme;
+}
+
+/// Adds the words of the set that `scheme` names. Every program that reads system/sphSchemes begins with it (readResolution).
+void addSchemeSet(const Dictionary& sphSchemes);
+/// Adds those of a set that is not named there; empty, and false, where the file gives one of its words itself: somebody has chosen.
+bool addSchemeSetUnlessChosen(const Dictionary& sphSchemes, const std::string& set);
+/// The words of a set, as they would stand in the file.
+const std::string& wordsOfSet(const std::string& set);
+
+EntryList schemeEntries();
+
+}
