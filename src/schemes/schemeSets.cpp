@@ -19,7 +19,7 @@ const std::vector<Set>& sets()
     static const std::vector<Set> all{
         {"suite", "enclosed fluids, at rest or in motion; what measurements favour where nothing else is known", ""},
         {"freeSurface", "one liquid that does not fill its space, whose boundary layers are thinner than a spacing",
-         "density continuity; densityDiffusion 0.1; densityDiffusionForm antuono; artificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; "
+         "density continuity; densityDiffusion 0.1; densityDiffusionForm antuono; densityRelaxation 100; artificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; "
          "shiftingAtSurface tangential; wallPressure detaching; wallVelocity freeSlip; integration { scheme leapfrog; }"},
         {"twoPhase", "fluids with interfaces that splash", "shifting 2;"},
         {"suspension", "powder in a binder",

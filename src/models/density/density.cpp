@@ -1,5 +1,6 @@
 #include "density.hpp"
 #include "DensityDiffusion.hpp"
+#include "DensityRelaxation.hpp"
 #include "densityTerms.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -22,7 +23,9 @@ const Choice density{"density",
                   byScene("secondMoment; none with scheme paper or volume continuity"),
                   "of the kernel's gradient"},
     densityDiffusionForm{"densityDiffusionForm", {"molteni", {"antuono", "with the renormalised gradient"}}, "molteni", "of the density diffusion"};
-const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "delta of the diffusion against pressure noise, about 0.1"};
+const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "delta of the diffusion against pressure noise, about 0.1"},
+    densityRelaxation{"densityRelaxation", Unit{units::none, "h/c"}, 0, nonNegative,
+                      "time in which an integrated density follows the particles' places where they differ, about 100; 0: never"};
 }
 
 namespace
@@ -77,6 +80,15 @@ void readDiffusion(const Reading& reading)
     reading.select(form == "antuono" ? "renormalisedDiffusion" : "densityDiffusion");
 }
 
+void readRelaxation(const Reading& reading)
+{
+    const double soundTimes = entry::densityRelaxation(reading.schemes);
+    if (!(soundTimes > 0)) return;
+    if (!reading.settings.integratedDensity) entry::densityRelaxation.error(reading.schemes, "goes with `density continuity;` alone");
+    reading.settings.coefficients.set(RelaxationTime{soundTimes});
+    reading.select("densityRelaxation");
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -110,6 +122,7 @@ void read(const Reading& reading)
     if (normalises) reading.select("gradientNormalisation");
     settings.normaliseDensity = volume == "numberDensity" && normalises;
     readDiffusion(reading);
+    readRelaxation(reading);
 }
 }
 
@@ -120,7 +133,8 @@ const Model& densityModel()
                              {{"density", [](const Settings& s) { return s.integratedDensity && !s.integration.predicts; },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
                                "predictorCorrector"}},
-                             {}, {{"system/sphSchemes", {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm}}}};
+                             {}, {{"system/sphSchemes", {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm,
+                                                        entry::densityRelaxation}}}};
     return model;
 }
 

@@ -1,6 +1,7 @@
 #include "densityTerms.hpp"
 #include "Continuity.hpp"
 #include "DensityDiffusion.hpp"
+#include "DensityRelaxation.hpp"
 #include "NumberDensity.hpp"
 #include "RenormalisedDiffusion.hpp"
 
@@ -9,7 +10,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> densityTerms()
 {
-    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, RenormalisedDensityGradient,
+    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, DensityRelaxation, RenormalisedDensityGradient,
                      RenormalisedDiffusion>();
 }
 

@@ -3,6 +3,7 @@
 /// Sums of some dozens to a hundred pairs in another order, with reciprocals that -ffast-math may take: 1e-12 of the largest
 /// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
+#include "DensityRelaxation.hpp"
 #include "Scene.hpp"
 #include "phaseCurvatureTerms.hpp"
 #include "reduce.hpp"
@@ -816,6 +817,46 @@ template<int dim> void continuityEquation()
 }
 TEST(PlainLoop, ContinuityWithDiffusionIn2D) { continuityEquation<2>(); }
 TEST(PlainLoop, ContinuityWithDiffusionIn3D) { continuityEquation<3>(); }
+
+/// Inside, where the places of the particles make another density than the integrated one; both signs and the surface occur.
+template<int dim> void densityRelaxation()
+{
+    onEveryGeometry<dim>(
+        [](Geometry g)
+        {
+            auto c = coefficients<dim>(1);
+            c.set(RelaxationTime{50});
+            Scene<dim> s(std::move(g), c, {"integratedVolume", "densityRelaxation"}, true);
+            for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] *= 1 + 0.1*std::sin(double(i));
+            s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+            s.refresh(Volume{});
+            int thin = 0, dense = 0, even = 0;
+            expectEqual(
+                s, DensityRate{},
+                [&](std::size_t i)
+                {
+                    const double rho = s.at(Density{}, i);
+                    double number = 0;
+                    Vector<dim> slope;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double W, auto gradW)
+                              {
+                                  number += W;
+                                  slope += s.at(Volume{}, j)*gradW;
+                              });
+                    const double difference = s.at(Mass{}, i)*number - rho;
+                    if (mag(slope)*c.support >= 0.2 || std::abs(difference) <= 0.02*rho) return ++even, 0.0;
+                    ++(difference < 0 ? thin : dense);
+                    return c.soundSpeed[0]/(50*0.5*c.support)*(difference < 0 ? difference + 0.02*rho : difference - 0.02*rho);
+                },
+                1e-11);
+            EXPECT_GT(thin, 0);
+            EXPECT_GT(dense, 0);
+            EXPECT_GT(even, 0);
+        });
+}
+TEST(PlainLoop, DensityRelaxationIn2D) { densityRelaxation<2>(); }
+TEST(PlainLoop, DensityRelaxationIn3D) { densityRelaxation<3>(); }
 
 /// The renormalised gradient, over the fluid and its periodic images alone, and the diffusion of what it leaves.
 template<int dim> void renormalisedDiffusion()
