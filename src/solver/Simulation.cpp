@@ -4,6 +4,7 @@
 #include "Integrator.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
+#include "reduce.hpp"
 #include "summarise.hpp"
 #include <algorithm>
 #include <cctype>
@@ -60,7 +61,7 @@ template<int dim> class Simulation final : public AnySimulation
         restore("observedAcceleration", written);
         if (written != observed)
         {
-            summary.maxAcceleration = std::max(summary.maxAcceleration, observed);
+            Larger{}(summary.maxAcceleration, observed);
             return summary;
         }
         goesOn_ = !restored.empty();

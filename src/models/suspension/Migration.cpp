@@ -43,8 +43,8 @@ template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
     const auto& store = particles.store();
     const double *phi = store.component(PowderFraction::info.name, 0), *gammaDot = store.component(ShearRate::info.name, 0),
                  *slope = store.component(RelativeViscositySlope::info.name, 0);
-    const double fastest = std::max(0.0, most(particles.size(), [&](std::size_t i)
-                                              { return gammaDot[i]*phi[i]*(s.Dc_a2 + s.Deta_a2*phi[i]*slope[i]); }));
+    const double fastest = reduce(particles.size(), 0.0, [&](std::size_t i)
+                                  { return gammaDot[i]*phi[i]*(s.Dc_a2 + s.Deta_a2*phi[i]*slope[i]); }, Larger{});
     limit_ = steps_.factor*sqr(0.5*particles.coefficients().support)/fastest;
 }
 

@@ -1,4 +1,5 @@
 /// A run that was stopped and started again ends with the same bytes as one that was not; so does a run on two threads.
+#include "Largest.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>
@@ -137,8 +138,9 @@ void expectSameNumbers(const std::string& found, const std::string& expected, bo
     const auto a = numbersOf(found, ofTimes), b = numbersOf(expected, ofTimes);
     ASSERT_EQ(a.size(), b.size()) << name;
     ASSERT_FALSE(b.empty()) << name;
-    const double largest = std::abs(*std::max_element(b.begin(), b.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
-    for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14*largest) << name;
+    Largest largest;
+    for (const double q : b) largest(q);
+    for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14*largest.value()) << name;
 }
 
 // What sphPostProcess makes of a stored time is what the run made of it, but for the round-off of V = m/rho, also where the volume is not that.
