@@ -183,6 +183,13 @@ public:
     {
         return ofParts([](const auto& part) { return part.note(); });
     }
+    std::vector<std::string> warnings() override
+    {
+        std::vector<std::string> all;
+        for (const auto& part : particles_.parts())
+            if (auto warning = part->warning(particles_); !warning.empty()) all.push_back(std::move(warning));
+        return all;
+    }
     long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }

@@ -336,6 +336,7 @@ void Run::solve()
             simulation_->settle();
             checkParticles(limit);
             checkEnergy();
+            for (const auto& warning : simulation_->warnings()) log_ << fmt::format("--> Warning: at time {} {}\n", time_.name(), warning);
         }
         else if (end || time_.index()%energySteps == 0) checkEnergy();
         sample(writeTime, end);
