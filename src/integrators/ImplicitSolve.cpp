@@ -160,10 +160,15 @@ template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& pa
     // Share of the residual: of the velocity, or with pressure, whose forces balance one another, of what they were before.
     const auto residual = [&] { return withPressure_ ? std::sqrt(now.rz/start) : std::sqrt(now.rr/now.vv); };
     const auto converged = [&] { return withPressure_ ? now.rz <= sqr(settings.tolerance)*start : now.rr <= sqr(settings.tolerance)*now.vv; };
+    // Infinite forces would be within any share of themselves, and a residual within any share of infinite velocities.
+    const auto finite = [&] { return std::isfinite(now.rz) && std::isfinite(now.rr) && std::isfinite(now.vv); };
     std::string history;
-    for (iterations_ = 0; !converged(); ++iterations_)
+    for (iterations_ = 0; !finite() || !converged(); ++iterations_)
     {
-        if (iterations_ == settings.maxIter || !std::isfinite(now.rz))
+        if (!finite())
+            throw DivergedError(fmt::format("the implicit {} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step",
+                                            withPressure_ ? "pressure" : "viscosity", iterations_, history));
+        if (iterations_ == settings.maxIter)
             throw DivergedError(fmt::format("the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
                                             "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
                                             withPressure_ ? "pressure" : "viscosity", iterations_, residual(),

@@ -12,12 +12,12 @@ namespace
 template<int dim> double largestAcceleration(Particles<dim>& p)
 {
     const auto a = p.store().pointers(Acceleration{});
-    return std::sqrt(std::max(0.0, most(p.size(), [&](std::size_t i)
+    return std::sqrt(reduce(p.size(), 0.0, [&](std::size_t i)
     {
         double a2 = 0;
         for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
         return a2;
-    })));
+    }, Larger{}));
 }
 }
 

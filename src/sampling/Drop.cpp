@@ -25,7 +25,7 @@ struct Positions
 };
 }
 
-Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
+Drop::Drop(const ParticleView& view, std::size_t phase_, bool ofOthers_) : phase(phase_), ofOthers(ofOthers_)
 {
     // In a periodic direction the mean of positions depends on where the domain begins; the mean of angles on a circle does not.
     // It only serves to unfold the drop: the mean of displacements from it is the centre of volume.
@@ -35,7 +35,7 @@ Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
     const auto mean = sum(view.n,
                           [&](std::size_t i)
                           {
-                              if (phaseOf(view, i) != phase) return Positions{};
+                              if (!has(view, i)) return Positions{};
                               const auto x = position(view, i);
                               Vector<3> sine, cosine;
                               for (int k = 0; k < view.dimension; ++k)
@@ -60,9 +60,27 @@ Drop::Drop(const ParticleView& view, std::size_t ofPhase) : phase(ofPhase)
     centre = within + sum(view.n,
                           [&](std::size_t i)
                           {
-                              if (phaseOf(view, i) != phase) return Vector<3>{};
+                              if (!has(view, i)) return Vector<3>{};
                               return view.volume[i] / volume * displacement(view, within, position(view, i));
                           });
+}
+
+bool Drop::has(const ParticleView& view, std::size_t i) const { return (phaseOf(view, i) == phase) != ofOthers; }
+
+double Drop::radius(int dimension) const
+{
+    return dimension == 2 ? std::sqrt(volume / std::numbers::pi) : std::cbrt(3 * volume / (4 * std::numbers::pi));
+}
+
+double Drop::reach(const ParticleView& view) const
+{
+    return reduce(view.n, 0.0, [&](std::size_t i) { return has(view, i) ? mag(displacement(view, centre, position(view, i))) : 0.0; }, Larger{});
+}
+
+Drop dropOrBubble(const ParticleView& view, std::size_t phase)
+{
+    const Drop drop(view, phase), rest(view, phase, true);
+    return rest.radius(view.dimension) > view.support && rest.reach(view) < drop.reach(view) ? rest : drop;
 }
 
 Vector<3> displacement(const ParticleView& view, const Vector<3>& a, const Vector<3>& b)

@@ -1,4 +1,4 @@
-/// The particles of one phase as a drop: its volume and centre, also where it lies across a periodic boundary.
+/// The particles of one phase, or of all others, as a drop: its volume and centre, also where it lies across a periodic boundary.
 #pragma once
 #include "ParticleView.hpp"
 
@@ -8,11 +8,21 @@ namespace sph
 struct Drop
 {
     std::size_t phase = 0, particles = 0;
+    bool ofOthers = false;
     double volume = 0; ///< [m^3], in 2-D [m^2]
     Vector<3> centre;
 
-    Drop(const ParticleView&, std::size_t phase);
+    Drop(const ParticleView&, std::size_t phase, bool ofOthers = false);
+    bool has(const ParticleView&, std::size_t particle) const;
+    /// Of a ball, in 2-D a disc, of its volume [m].
+    double radius(int dimension) const;
+    /// How far its particles are from its centre, at the most [m].
+    double reach(const ParticleView&) const;
 };
+
+/// A drop of the phase, or the bubble that others make in it: of the two sides the one that reaches less far from its own centre. What is smaller than
+/// the kernel's support is no bubble.
+Drop dropOrBubble(const ParticleView&, std::size_t phase);
 
 /// b - a to the nearest periodic copy of b.
 Vector<3> displacement(const ParticleView&, const Vector<3>& a, const Vector<3>& b);

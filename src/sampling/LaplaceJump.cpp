@@ -5,7 +5,6 @@
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <limits>
-#include <numbers>
 
 namespace sph
 {
@@ -24,11 +23,8 @@ EntryList LaplaceJump::entries() { return {entry::phase, entry::radius, entry::s
 
 Measurement LaplaceJump::operator()(const ParticleView& view) const
 {
-    constexpr double pi = std::numbers::pi;
-    const Drop drop(view, phase_);
-    const double R = radius_ > 0           ? radius_
-                     : view.dimension == 2 ? std::sqrt(drop.volume / pi)
-                                           : std::cbrt(3 * drop.volume / (4 * pi));
+    const Drop drop = dropOrBubble(view, phase_);
+    const double R = radius_ > 0 ? radius_ : drop.radius(view.dimension);
     const double gamma = sigma_ > 0 ? sigma_ : view.surfaceTension;
     const SampledField p(view, "p", {});
 
@@ -36,7 +32,7 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
     const auto side = [&](std::size_t i)
     {
         const double r = mag(displacement(view, drop.centre, position(view, i)));
-        return phaseOf(view, i) == phase_ ? (r < R - view.support ? inside : neither) : r > R + view.support ? outside : neither;
+        return drop.has(view, i) ? (r < R - view.support ? inside : neither) : r > R + view.support ? outside : neither;
     };
     const auto mean = groupSums(view.n, neither, side, [&](std::size_t i) { return VolumeMean<>::of(view.volume[i], p(0, i)); });
     Measurement result;

@@ -4,13 +4,14 @@
 namespace sph
 {
 
-/// Pressure inside a drop at rest minus that outside, against Young and Laplace's law
+/// Pressure inside a drop or a bubble at rest minus that outside, against Young and Laplace's law
 ///
 ///   p_in - p_out = gamma/R in 2-D, 2 gamma/R in 3-D
 ///
 /// gamma [N/m] surface tension, R [m] radius. p_in and p_out [Pa] are means, weighted with volume, over the particles of the
-/// drop's phase that lie deeper than the kernel's support H inside (r < R - H), and over those of other phases beyond r > R + H:
-/// between them the pressure of a diffuse interface has no meaning. Where the gas is left out p_out = 0.
+/// inside that lie deeper than the kernel's support H (r < R - H), and over those of the other side beyond r > R + H: between
+/// them the pressure of a diffuse interface has no meaning. Inside is the phase, or where others make a bubble in it those
+/// (Drop.hpp). Where the gas is left out p_out = 0.
 class LaplaceJump
 {
     std::size_t phase_;

@@ -87,6 +87,8 @@ public:
     virtual std::string report(const Particles<dim>&) const { return ""; }
     /// A few words on the line of the step.
     virtual std::string note() const { return ""; }
+    /// What the present state is not good enough for, asked before each time folder; said once.
+    virtual std::string warning(const Particles<dim>&) { return ""; }
     /// What a restart needs.
     virtual void save(Numbers&) const {}
     /// Done upon the fluid since it was asked last [W].

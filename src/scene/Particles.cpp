@@ -247,12 +247,12 @@ template<int dim> void Particles<dim>::observe()
         std::vector<const double*> a;
         if (store_.has(name))
             for (int c = 0; c < dim; ++c) a.push_back(store_.component(name, c));
-        return std::sqrt(std::max(0.0, most(owned_, [&](std::size_t i)
+        return std::sqrt(reduce(owned_, 0.0, [&](std::size_t i)
         {
             double sum = 0;
             for (const double* component : a) sum += sqr(component[i]);
             return sum;
-        })));
+        }, Larger{}));
     };
     look([&]
     {

@@ -40,9 +40,9 @@ struct Integration
     double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
 };
 
-/// Density over rest density beyond which a solution is rubbish. Weakly compressible flow keeps within a few per cent, the start of a crude
-/// packing within two.
-inline constexpr double mostCompression = 4;
+/// Density over rest density outside which a solution is rubbish, neither read nor written. Weakly compressible flow keeps within a few per cent,
+/// the start of a crude packing within two.
+inline constexpr double leastCompression = 1e-3, mostCompression = 4;
 
 /// Which of the names of groups in a plan are whose.
 inline constexpr const char *ofEvaluation = "evaluate", *onceAStep = "evaluate what acts once a step", *ofSolver = "response";

@@ -4,6 +4,7 @@
 #include "Integrator.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
+#include "reduce.hpp"
 #include "summarise.hpp"
 #include <algorithm>
 #include <cctype>
@@ -60,7 +61,7 @@ template<int dim> class Simulation final : public AnySimulation
         restore("observedAcceleration", written);
         if (written != observed)
         {
-            summary.maxAcceleration = std::max(summary.maxAcceleration, observed);
+            Larger{}(summary.maxAcceleration, observed);
             return summary;
         }
         goesOn_ = !restored.empty();
@@ -181,6 +182,13 @@ public:
     std::string note() const override
     {
         return ofParts([](const auto& part) { return part.note(); });
+    }
+    std::vector<std::string> warnings() override
+    {
+        std::vector<std::string> all;
+        for (const auto& part : particles_.parts())
+            if (auto warning = part->warning(particles_); !warning.empty()) all.push_back(std::move(warning));
+        return all;
     }
     long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
     double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }

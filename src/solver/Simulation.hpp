@@ -69,6 +69,8 @@ public:
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
+    /// What models warn of in the present, settled state: each once.
+    virtual std::vector<std::string> warnings() = 0;
     /// Since the start: of all evaluations, of what acts once a step, and of solvers.
     virtual long pairPassesRun() const = 0;
     virtual double meanNeighbours() const = 0;

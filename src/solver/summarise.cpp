@@ -75,8 +75,11 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
     total.power += dot(c.g, total.momentum);
     for (const double speed : total.maxSpeedOf) larger(total.maxSpeed, speed);
     for (const auto& part : particles.parts()) total.columns.merge(part->columns(particles));
-    total.finite = std::isfinite(total.kineticEnergy) && std::isfinite(total.maxAcceleration) && std::isfinite(total.maxSlowAcceleration) &&
-                   std::all_of(total.columns.begin(), total.columns.end(), [](const auto& column) { return std::isfinite(column.second); });
+    const auto finite = [](double q) { return std::isfinite(q); };
+    total.finite = finite(total.kineticEnergy) && finite(total.power) && finite(total.maxAcceleration) && finite(total.maxSlowAcceleration) &&
+                   std::ranges::all_of(total.columns, finite, [](const auto& column) { return column.second; });
+    for (std::size_t k = 0; k < phases; ++k)
+        total.finite = total.finite && (total.count[k] == 0 || (finite(total.minDensity[k]) && finite(total.maxDensity[k])));
     return total;
 }
 

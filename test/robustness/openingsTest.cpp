@@ -1,5 +1,6 @@
 /// Inlets and outlets that cannot be: refused with file and line before anything runs; numbers beyond sense end in an error or in finite fields.
 #include "refusal.hpp"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sph::test
@@ -80,6 +81,36 @@ TEST(Openings, WhereThereIsNoDuct)
     isRefusedWith("normal (1 0 0)", "normal (1 0.5 0)", {file + ":1: ", "must go on straight"});
     isRefusedWith("point (1 0 0)", "point (0.1 0 0)", {file, "overlap"});
     isRefusedWith("point (1 0 0);\n    normal (-1 0 0)", "point (0 0 0);\n    normal (-1 0 0)", {file, "overlap"});
+}
+
+// Turned round, an inlet would hold and take away the scene in place of the duct: the other opening tells, or that there is nothing before the plane.
+TEST(Openings, NormalsOutOfTheScene)
+{
+    isRefusedWith("normal (1 0 0)", "normal (-1 0 0)", {file + ":1: ", "opening \"gate\" has \"vent\" beyond its plane", "its normal must point into the scene"});
+    isRefusedWith("normal (-1 0 0)", "normal (1 0 0)", {file + ":11: ", "opening \"vent\" has \"gate\" beyond its plane"});
+    const std::string vent = "vent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
+    Damaged alone(goodDuct());
+    alone.replace(file, vent, "");
+    alone.replace(file, "normal (1 0 0)", "normal (-1 0 0)");
+    alone.isRefused("sphFoamLike", {file + ":1: ", "opening \"gate\" has 0.2 m of scene before its plane, less than the 0.31 m that it holds beyond",
+                                    "its normal must point into the scene"});
+}
+
+// Where the domain goes on beyond it there is no telling a runner from a scene: what is taken away is in the log and in the balance.
+TEST(Openings, CountWhatTheyTakeAway)
+{
+    auto files = openCase();
+    auto& geometry = files["constant/geometry"];
+    geometry.replace(geometry.find("min (-0.2"), 9, "min (-1");
+    const TestCase c(files);
+    c.runWell("packParticles");
+    c.runWell("meshToGhost");
+    const auto log = c.runWell("sphFoamLike");
+    EXPECT_NE(log.find("120 particles held beyond its plane, 700 kg further beyond taken away at the start"), std::string::npos) << log;
+    EXPECT_NE(log.find("kg with "), std::string::npos);
+    EXPECT_NE(log.find(", took away 700 kg at the start"), std::string::npos);
+    const auto balance = log.substr(log.rfind("balance: mass off by ") + 21);
+    EXPECT_LT(std::abs(std::stod(balance)), 1e-14);
 }
 
 TEST(Openings, AcrossAPeriodicDirection)

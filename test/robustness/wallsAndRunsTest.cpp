@@ -1,6 +1,8 @@
 /// Walls that reflection cannot represent, runs that blow up, and disks that are full.
 #include "refusal.hpp"
 #include <memory>
+#include <regex>
+#include <sstream>
 #include <sys/mount.h>
 
 namespace sph::test
@@ -54,6 +56,51 @@ TEST(Runs, WithAFixedStepFarTooLarge)
     c.replace("system/controlDict", "endTime 0.04", "endTime 40");
     c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 40");
     c.isRefused("sphFoamLike", {"density of water has reached", " at time 0.0", "a smaller step"});
+}
+
+/// A column at rest under its own pressure, and one step of 75 times what sound allows, 0.00075 s.
+Files columnInOneStep(const std::string& stopAt)
+{
+    auto files = columnCase();
+    files["system/packParticlesDict"] = std::regex_replace(files["system/packParticlesDict"], std::regex("6000"), "9810");
+    files["system/controlDict"] = "stopAt " + stopAt + "; endTime 0.05625; adjustTimeStep no; deltaT 0.05625; writeControl none;\n";
+    return files;
+}
+
+// The last step alone makes the densities negative: it is looked at as all others are, whether a time folder is written at its end or not.
+TEST(Runs, WithADensityBelowZeroAfterTheLastStep)
+{
+    for (const char* stopAt : {"endTime", "noWriteNow"})
+    {
+        const TestCase c(columnInOneStep(stopAt));
+        c.runWell("packParticles");
+        c.runWell("meshToGhost");
+        const auto outcome = c.run("sphFoamLike");
+        EXPECT_EQ(outcome.code, 1) << stopAt << outcome.out;
+        EXPECT_TRUE(std::regex_search(outcome.err, std::regex("the density of water has reached -[0-9.]+ kg/m\\^3 in particle [0-9]+ at \\(0[^)]*\\) at time 0.05625,")))
+            << outcome.err;
+        EXPECT_FALSE(c.has("0.05625"));
+    }
+}
+
+// Told once, at the first step, with the step and its limit; a step of the limit itself is none beyond it.
+TEST(Runs, WithAFixedStepBeyondTheLimit)
+{
+    const auto warnings = [](const std::string& deltaT)
+    {
+        Damaged c;
+        c.replace("system/controlDict", "adjustTimeStep yes;", "adjustTimeStep no; deltaT " + deltaT + ";");
+        std::vector<std::string> found;
+        std::istringstream log(c.runWell("sphFoamLike"));
+        for (std::string line; std::getline(log, line);)
+            if (line.find("longest stable step") != std::string::npos) found.push_back(line);
+        return found;
+    };
+    EXPECT_EQ(warnings("0.0012").size(), 0u);
+    const auto found = warnings("0.002");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(std::regex_search(found[0], std::regex("Warning: at time 0.02 deltaT 0.002 s is 1.2[0-9] times the longest stable step, 0.0015[0-9]* s by sound")))
+        << found[0];
 }
 
 // A shear flow compresses nothing: rows that slide ever faster are known by their speed alone.

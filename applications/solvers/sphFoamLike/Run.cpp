@@ -1,6 +1,7 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
 #include "Walls.hpp"
+#include "outliers.hpp"
 #include "viewOfScene.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
@@ -120,29 +121,64 @@ void Run::printPlan() const { reportPlan(); }
 
 void Run::check(const StepLimit& limit) const
 {
-    if (!simulation_->summary().finite)
-        throw DivergedError(fmt::format("it is no longer finite at time {} after step {}; the last time folder written is whole. "
-                                        "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
-                                        time_.name(), time_.index(), limit.by));
-    const auto& summary = simulation_->summary();
+    const auto summary = simulation_->summary();
+    const auto& rest = settings_.coefficients.restDensity;
+    const auto impossible = [&](std::size_t k, double rho) { return !(rho >= leastCompression*rest[k] && rho <= mostCompression*rest[k]); };
+    bool suspect = !summary.finite;
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
-        if (summary.count[k] > 0 && summary.maxDensity[k] > mostCompression*settings_.coefficients.restDensity[k])
-            throw DivergedError(fmt::format("the density of {} has reached {:.4g} kg/m^3 at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
-                                            "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
-                                            settings_.coefficients.phases[k], summary.maxDensity[k], time_.name(),
-                                            summary.maxDensity[k]/settings_.coefficients.restDensity[k], summary.maxSpeed, settings_.coefficients.soundSpeed[k]));
+        suspect = suspect || (summary.count[k] > 0 && (impossible(k, summary.minDensity[k]) || impossible(k, summary.maxDensity[k])));
+    if (suspect) checkParticles(limit);
+    // Sums and extremes are those of the middle of a step, at whose end all may be well again.
+    if (!summary.finite) notFinite("it", limit);
+    for (std::size_t k = 0; suspect && k < summary.mass.size(); ++k)
+        for (const double rho : {summary.minDensity[k], summary.maxDensity[k]})
+            if (summary.count[k] > 0 && impossible(k, rho)) notWeaklyCompressible(k, rho, "");
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
         if (summary.maxSpeedOf[k] > mostMach*settings_.coefficients.soundSpeed[k])
             throw DivergedError(fmt::format("{} has reached {:.4g} m/s at time {}, {:.3g} times its sound speed: no flow of a weakly compressible fluid. The "
                                             "step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
                                             settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(),
                                             summary.maxSpeedOf[k]/settings_.coefficients.soundSpeed[k], limit.by));
+}
+
+void Run::checkParticles(const StepLimit& limit) const
+{
+    if (const auto found = sph::notFinite(*simulation_)) notFinite(fmt::format("{} of {}", found->field, found->inWords()), limit);
+    if (const auto found = impossibleDensity(*simulation_, settings_.coefficients.restDensity))
+        notWeaklyCompressible(found->phase, found->value, " in " + found->inWords());
+}
+
+void Run::notFinite(const std::string& what, const StepLimit& limit) const
+{
+    throw DivergedError(fmt::format("{} is no longer finite at time {} after step {}; the last time folder written is whole. "
+                                    "The step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
+                                    what, time_.name(), time_.index(), limit.by));
+}
+
+void Run::notWeaklyCompressible(std::size_t k, double rho, const std::string& where) const
+{
+    const auto& c = settings_.coefficients;
+    throw DivergedError(fmt::format("the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
+                                    "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
+                                    c.phases[k], rho, where, time_.name(), rho/c.restDensity[k], simulation_->summary().maxSpeed, c.soundSpeed[k]));
+}
+
+double Run::nextDeltaT(const StepLimit& limit)
+{
     // Without an end, as with `stopAt nextWrite;`, RunTime itself refuses a step that no longer advances time.
     const double span = std::isfinite(time_.endTime()) ? time_.endTime() - time_.startTime() : 0;
     if (time_.adjustTimeStep() && limit.deltaT < shortestStep*span)
         throw DivergedError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
                                         "acceleration {:.3g} m/s^2)", limit.deltaT, time_.name(), limit.by,
                                         simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+    const double deltaT = time_.nextDeltaT(limit.deltaT);
+    if (!warnedOfStep_ && !time_.adjustTimeStep() && deltaT > limit.deltaT)
+    {
+        warnedOfStep_ = true;
+        log_ << fmt::format("--> Warning: at time {} deltaT {:.4g} s is {:.3g} times the longest stable step, {:.4g} s by {}. Give a smaller deltaT, or leave the "
+                            "step to the limits (`adjustTimeStep yes;`)\n", time_.name(), deltaT, deltaT/limit.deltaT, limit.deltaT, limit.by);
+    }
+    return deltaT;
 }
 
 void Run::warnOfCompression()
@@ -279,14 +315,16 @@ void Run::solve()
     noteLeaks();
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
+    StepLimit limit = simulation_->stepLimit();
+    check(limit);
+    warnOfCompression();
     while (time_.running())
     {
-        const StepLimit limit = simulation_->stepLimit();
-        check(limit);
-        warnOfCompression();
-        const double deltaT = time_.nextDeltaT(limit.deltaT);
+        const double deltaT = nextDeltaT(limit);
         simulation_->step(time_.value(), deltaT);
         time_.advance(deltaT);
+        check(limit);
+        warnOfCompression();
         noteLeaks();
         traceEnergy(deltaT);
         if (stopRequested) time_.stopNow();
@@ -296,10 +334,11 @@ void Run::solve()
         if (writeTime)
         {
             simulation_->settle();
-            check(limit);
+            checkParticles(limit);
             checkEnergy();
+            for (const auto& warning : simulation_->warnings()) log_ << fmt::format("--> Warning: at time {} {}\n", time_.name(), warning);
         }
-        else if (time_.index()%energySteps == 0) checkEnergy();
+        else if (end || time_.index()%energySteps == 0) checkEnergy();
         sample(writeTime, end);
         if (writeTime) write();
         // Steps are many and cheap: one report a second, and one for each time folder.
@@ -308,6 +347,7 @@ void Run::solve()
             reportStep(limit, deltaT);
             lastReport = now;
         }
+        limit = simulation_->stepLimit();
     }
     reportLeaks();
     log_ << "End\n";

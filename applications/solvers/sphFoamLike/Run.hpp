@@ -37,7 +37,7 @@ private:
     std::unique_ptr<AnySimulation> simulation_;
     std::vector<bool> warned_; ///< of each phase's compression
     Energy energy_;            ///< when last looked at
-    bool warnedOfEnergy_ = false;
+    bool warnedOfEnergy_ = false, warnedOfStep_ = false;
     std::map<std::string, double> work_; ///< of each operation since `tracedFrom_` [J]
     std::string tracedFrom_;
     int tracedSteps_ = 0;
@@ -47,7 +47,14 @@ private:
     static Geometry loadGeometry(const Case&);
     void reportPlan() const;
     void reportStep(const StepLimit&, double deltaT) const;
+    /// Throws DivergedError where the state is none of a weakly compressible fluid.
     void check(const StepLimit&) const;
+    /// The same of each particle and of all that is written, naming it: at every time folder, and where the whole is suspect.
+    void checkParticles(const StepLimit&) const;
+    [[noreturn]] void notFinite(const std::string& what, const StepLimit&) const;
+    [[noreturn]] void notWeaklyCompressible(std::size_t phase, double density, const std::string& where) const;
+    /// Throws DivergedError where the step has collapsed; warns once where a fixed one is beyond the limit.
+    double nextDeltaT(const StepLimit&);
     /// Once a phase.
     void warnOfCompression();
     /// Warns once of more energy than the scene can have supplied; throws DivergedError where it is far more.

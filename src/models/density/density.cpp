@@ -30,9 +30,6 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 
 namespace
 {
-/// Density over rest density in a time folder, at the least.
-constexpr double leastDensity = 1e-3;
-
 /// Density over that at rest which has the pressure of the time folder's file [Pa, above the background's], by Tait's law the other way round;
 /// 1 without such a file.
 double compressionAtStart(std::size_t i, const Loading& loading)
@@ -103,7 +100,7 @@ void prepare(const Reading& reading)
     rho.missing = densityAtStart;
     rho.check = [](const Loading& loading)
     {
-        loading.checkScale("rho", "kg/m^3", leastDensity, mostCompression, [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
+        loading.checkScale("rho", "kg/m^3", leastCompression, mostCompression, [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
     };
     rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
     settings.state.push_back(rho);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 
 namespace sph
 {
@@ -55,6 +56,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
         gates_.back().amounts.resize(counted_.size());
+        gates_.back().takenAmounts.resize(counted_.size());
     }
     for (const auto& a : gates_)
         for (const auto& b : gates_)
@@ -62,6 +64,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
                 throw CaseError(b.opening.where,
                                 fmt::format("opening \"{}\" overlaps \"{}\": the particles that one holds must be out of the other's sight, {:.4g} m "
                                             "before its plane and {:.4g} m behind", b.opening.name, a.opening.name, coefficients.support, depth_));
+    for (const auto& gate : gates_) checkNormal(gate);
     const auto restore = [&](const std::string& name, double& value)
     {
         const auto found = restored.find(name);
@@ -78,7 +81,12 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     {
         const auto& name = gate.opening.name;
         restore(name + "Mass", gate.mass);
-        for (std::size_t q = 0; q < counted_.size(); ++q) restore(name + amountNames_[q], gate.amounts[q]);
+        restore(name + "Taken", gate.taken);
+        for (std::size_t q = 0; q < counted_.size(); ++q)
+        {
+            restore(name + amountNames_[q], gate.amounts[q]);
+            restore(name + "Taken" + amountNames_[q], gate.takenAmounts[q]);
+        }
         restore(name + "Speed", gate.speed);
         restore(name + "Pressure", gate.pressure);
         restore(name + "Slope", gate.slope);
@@ -97,12 +105,25 @@ template<int dim> std::map<std::string, double> Openings<dim>::state() const
     {
         const auto& name = gate.opening.name;
         numbers[name + "Mass"] = gate.mass;
-        for (std::size_t q = 0; q < counted_.size(); ++q) numbers[name + amountNames_[q]] = gate.amounts[q];
+        if (gate.taken > 0) numbers[name + "Taken"] = gate.taken;
+        for (std::size_t q = 0; q < counted_.size(); ++q)
+        {
+            numbers[name + amountNames_[q]] = gate.amounts[q];
+            if (gate.takenAmounts[q] > 0) numbers[name + "Taken" + amountNames_[q]] = gate.takenAmounts[q];
+        }
         numbers[name + "Speed"] = gate.speed;
         numbers[name + "Pressure"] = gate.pressure;
         numbers[name + "Slope"] = gate.slope;
     }
     return numbers;
+}
+
+/// Whether a point lies in the domain, or within `beyond` of it.
+template<int dim> bool Openings<dim>::inDomain(const Vector<3>& x, double beyond) const
+{
+    for (int k = 0; k < dim; ++k)
+        if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - beyond || x.*c > geometry_.high.*c + beyond)) return false;
+    return true;
 }
 
 template<int dim> void Openings<dim>::check(const Opening& opening, const Section& section) const
@@ -117,14 +138,32 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
         for (double s = 0; s < depth_; s += coefficients_.spacing)
         {
             const auto x = line.foot - s*opening.normal;
-            for (int k = 0; k < dim; ++k)
-                if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - coefficients_.support ||
-                                                                            x.*c > geometry_.high.*c + coefficients_.support))
-                    fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there", depth_ - coefficients_.support));
+            if (!inDomain(x, coefficients_.support))
+                fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there", depth_ - coefficients_.support));
             if (geometry_.distance(x) < 0.2*coefficients_.spacing)
                 fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x, x.y, x.z,
                                  depth_));
         }
+}
+
+/// The normal points to the side on which the other openings are and where the scene is deeper than what is held outside of it.
+template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
+{
+    const auto& opening = gate.opening;
+    const auto fail = [&](const std::string& what)
+    { throw CaseError(opening.where, fmt::format("opening \"{}\" has {}: its normal must point into the scene", opening.name, what)); };
+    for (const auto& other : gates_)
+        if (std::ranges::any_of(other.section.lines(), [&](const auto& line) { return opening.distance(line.foot) <= -2*depth_ && inSight(gate, line.foot); }))
+            fail(fmt::format("\"{}\" beyond its plane, and would take away the fluid between them", other.opening.name));
+    double deepest = 0;
+    for (const auto& line : gate.section.lines())
+    {
+        const auto inScene = [&](double s) { return inDomain(line.foot + s*opening.normal, 0) && geometry_.inFluid(line.foot + s*opening.normal); };
+        double s = 0;
+        while (s < depth_ && inScene(s + 0.5*coefficients_.spacing)) s += coefficients_.spacing;
+        deepest = std::max(deepest, s);
+    }
+    if (deepest < depth_) fail(fmt::format("{:.4g} m of scene before its plane, less than the {:.4g} m that it holds beyond", deepest, depth_));
 }
 
 template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
@@ -155,18 +194,21 @@ template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
     return 0;
 }
 
-/// Whether a point lies in the duct beyond a plane, further than is held there: the plane is in sight along its normal.
-template<int dim> bool Openings<dim>::farBeyond(const Vector<3>& x) const
+/// Whether a point lies in the duct beyond a plane: the plane is in sight along its normal.
+template<int dim> bool Openings<dim>::inSight(const Gate& gate, const Vector<3>& x) const
 {
-    return std::ranges::any_of(gates_, [&](const Gate& gate)
-    {
-        const auto& n = gate.opening.normal;
-        const double s = gate.opening.distance(x);
-        if (s > -2*depth_ || !belongs(gate, x)) return false;
-        for (double by = 0; by < -s; by += coefficients_.spacing)
-            if (geometry_.distance(x + by*n) < 0) return false;
-        return true;
-    });
+    const double s = gate.opening.distance(x);
+    if (s > 0 || !belongs(gate, x)) return false;
+    for (double by = 0; by < -s; by += coefficients_.spacing)
+        if (!geometry_.inFluid(x + by*gate.opening.normal)) return false;
+    return true;
+}
+
+/// 1 + the opening in whose duct a point lies, further beyond its plane than is held there; 0 where there is none.
+template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
+{
+    const auto gate = std::ranges::find_if(gates_, [&](const Gate& each) { return each.opening.distance(x) <= -2*depth_ && inSight(each, x); });
+    return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
 template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
@@ -182,7 +224,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i, predicted);
     };
     const bool starts = !restored_ && !counts_;
-    std::vector<int> kept;
+    std::vector<int> kept, takenBy(starts ? owned : 0, 0);
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
     {
@@ -195,11 +237,13 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         }
         holder[i] = now;
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
-        const bool gone = by ? (starts || !by->inlet) && by->distance(x_i) < -depth_ : starts && farBeyond(x_i);
+        const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
+        if (starts) takenBy[i] = gone ? now : now == 0 ? farBeyond(x_i) : 0;
         if (starts && by && by->inlet)
             for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = by->values.at(fraction->value.name);
-        if (!gone) kept.push_back(int(i));
+        if (!gone && !(starts && takenBy[i] > 0)) kept.push_back(int(i));
     }
+    if (starts) countStart(store, owned, takenBy);
     if (kept.size() < owned)
     {
         store.sortState(kept);
@@ -208,13 +252,28 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     store.resize(owned);
     for (std::size_t k = 0; k < gates_.size(); ++k)
         if (gates_[k].opening.inlet) insert(store, owned, int(k));
-    if (starts)
-    {
-        startMass_ = freeMass(store);
-        for (std::size_t q = 0; q < counted_.size(); ++q) startAmounts_[q] = freeAmount(store, *counted_[q]);
-    }
     counts_ = true;
     return owned;
+}
+
+/// What is free or taken away, by the opening that takes it.
+template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, std::size_t owned, const std::vector<int>& takenBy)
+{
+    const double *holder = store.component(Holder::info.name, 0), *m = store.component(Mass::info.name, 0);
+    const auto of = [&](const auto& amount)
+    {
+        return groupSums(owned, gates_.size() + 1, [&](std::size_t i) { return std::size_t(takenBy[i]); },
+                         [&](std::size_t i) { return takenBy[i] == 0 && holder[i] > 0 ? 0.0 : amount(i); });
+    };
+    const auto mass = of([&](std::size_t i) { return m[i]; });
+    startMass_ = std::accumulate(mass.begin(), mass.end(), 0.0);
+    for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].taken = mass[k + 1];
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        const auto amount = of([&](std::size_t i) { return amountOf(store, *counted_[q], i); });
+        startAmounts_[q] = std::accumulate(amount.begin(), amount.end(), 0.0);
+        for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].takenAmounts[q] = amount[k + 1];
+    }
 }
 
 /// Fills up the lines of an inlet from behind.
@@ -404,7 +463,7 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
 {
     std::vector<Flow> flows;
     for (const auto& gate : gates_)
-        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts,
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts, gate.taken,
                          gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
     return flows;
 }
@@ -457,9 +516,10 @@ template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& stor
         return largest > 0 ? (now - expected)/largest : 0;
     };
     Imbalance off;
-    off.mass = relative(freeMass(store), startMass_, [](const Gate& gate) { return gate.mass; });
+    off.mass = relative(freeMass(store), startMass_, [](const Gate& gate) { return gate.mass - gate.taken; });
     for (std::size_t q = 0; q < counted_.size(); ++q)
-        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q], [&](const Gate& gate) { return gate.amounts[q]; }));
+        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q],
+                                       [&](const Gate& gate) { return gate.amounts[q] - gate.takenAmounts[q]; }));
     return off;
 }
 

@@ -13,7 +13,8 @@
 /// that passes an outlet's is held, and taken away at the end. That happens when neighbour lists are rebuilt. What is packed further beyond a
 /// plane than is held there is taken away at the start.
 ///
-/// Counts what passes: what is free has grown by as much, to round-off. Powder that migrates between held and free particles counts too.
+/// Counts what passes, and what is taken away at the start: what is free has grown by the one less the other, to round-off. Powder that migrates
+/// between held and free particles counts too.
 /// Verified by test/unit/openings and tutorials/verification/openChannel.
 #pragma once
 #include "FieldStore.hpp"
@@ -37,11 +38,13 @@ struct Flow
     std::size_t held = 0;                  ///< particles beyond the plane
     double mass = 0;                       ///< since the first start [kg]; per metre of depth in 2-D
     std::vector<double> amounts;           ///< of what is counted beside it (Evolving::amount) [m^3]
+    double taken = 0;                      ///< away at the start, from further beyond the plane than is held there [kg]
     double flowRate = 0;                   ///< [m^3/s], into the scene > 0
     double pressure = 0;                   ///< of the fluid at the plane [Pa], without the background pressure
 };
 
-/// By which the mass and the amounts of what is free miss what has passed, relative to the larger of what is there and what has passed.
+/// By which the mass and the amounts of what is free miss what has passed and was taken away, relative to the largest of what is there, was there and
+/// has passed.
 struct Imbalance
 {
     double mass = 0;
@@ -52,8 +55,8 @@ template<int dim> class Openings
 {
 public:
     /// Throws CaseError where an opening does not fit the scene: inside a wall, narrower than the kernel's support, with a duct that is not
-    /// straight, out of the domain as far as the held particles reach, or where another one holds particles. `restored` holds the numbers that
-    /// `state` gave.
+    /// straight, out of the domain as far as the held particles reach, where another one holds particles, or with its normal out of the scene.
+    /// `restored` holds the numbers that `state` gave.
     Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored);
 
     /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now. `predicted`: between prediction
@@ -86,8 +89,8 @@ private:
         Section section;
         double most, speed;                    ///< U of an inlet: its limit, and now
         double pressure, slope;                ///< a and b
-        double mass = 0;                       ///< passed
-        std::vector<double> amounts = {};
+        double mass = 0, taken = 0;            ///< passed, and taken away at the start
+        std::vector<double> amounts = {}, takenAmounts = {};
         double inflow = 0;                     ///< of what is near, through all of the section [m^3/s]
         std::size_t held = 0;
         std::vector<int> near = {};            ///< free particles within H
@@ -101,17 +104,21 @@ private:
     std::vector<std::string> amountNames_;
     double depth_;                             ///< of the held particles beyond a plane [m]
     std::vector<int> held_;
-    double startMass_ = 0;
+    double startMass_ = 0;                     ///< of what is free and what is taken away, at the first start [kg]
     std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
     bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
+    void checkNormal(const Gate&) const;
     /// Of a free particle at a distance s from a plane: what comes into reach and leaves it does so gradually.
     double weight(double s) const { return std::max(0.0, s*(coefficients_.support - s)); }
+    bool inDomain(const Vector<3>& x, double beyond) const;
     bool belongs(const Gate&, const Vector<3>& x) const;
     bool meet(const Gate& a, const Gate& b) const;
+    bool inSight(const Gate&, const Vector<3>& x) const;
     int holderOf(const Vector<3>& x) const;
-    bool farBeyond(const Vector<3>& x) const;
+    int farBeyond(const Vector<3>& x) const;
+    void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
     void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
     void measure(FieldStore<dim>&, Gate&) const;

@@ -34,6 +34,15 @@ public:
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
+    /// Of a cusp that is not resolved: powder gathers where the shear stress vanishes, and between that place and the next particle phi rises by the more
+    /// the coarser they are. In the middle of a channel, s = |y|/h from it (Kauzlaric et al. 2011, eq. 4.1, for other ratios of the fluxes):
+    ///
+    ///   s = (phi_0/phi) ((phi_m - phi)/(phi_m - phi_0))^n,    n = c (D_eta/D_c - 1)
+    ///
+    /// The fluxes between two particles are means of both, which err by the square of the rise phi_i/phi_j - 1. Channels in which it is below 0.3
+    /// have phi right within 2.3 %, most within 1 %; beyond up to 31 % are off: README.md. It falls with the spacing to the power
+    /// of about 2/(1 + n), by itself for n <= 1.
+    std::string warning(const Particles<dim>&) override;
     void save(Numbers&) const override;
 
 private:
@@ -41,6 +50,7 @@ private:
     bool corrects_;
     double limit_;                       ///< of one step, at the last evaluation [s]
     int taken_ = 0;                      ///< in the last step of the flow
+    bool warned_ = false;
     double leastViscosity_ = 0, largestViscosity_ = 0;
     std::optional<double> startVolume_;  ///< of powder at the first start [m^3]
 

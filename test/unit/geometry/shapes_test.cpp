@@ -1,3 +1,4 @@
+#include "Largest.hpp"
 #include "shapes.hpp"
 #include <gtest/gtest.h>
 
@@ -57,15 +58,16 @@ TEST(Shapes, smallestRadiusBoundsTheCurvature)
 {
     for (const auto& [name, shape] : allShapes())
     {
-        double largest = 0;
+        Largest largest;
         for (const auto& x : pointsNear(*shape, 0.1, 3000))
         {
             const auto f = shape->foot(x);
-            largest = std::max({largest, std::abs(f.k1), std::abs(f.k2)});
+            largest(f.k1);
+            largest(f.k2);
         }
         const double bound = 1 / shape->smallestRadius();
-        EXPECT_LE(largest, bound * (1 + 1e-12)) << name;
-        EXPECT_TRUE(largest >= 0.98 * bound || std::isinf(bound)) << name; // the apex of a cone is not reached
+        EXPECT_LE(largest.value(), bound * (1 + 1e-12)) << name;
+        EXPECT_TRUE(largest.value() >= 0.98 * bound || std::isinf(bound)) << name; // the apex of a cone is not reached
     }
 }
 

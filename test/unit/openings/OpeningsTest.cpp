@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "Duct.hpp"
 #include "Openings.hpp"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -160,7 +161,7 @@ TEST(Openings, TakeAwayWhatHasLeft)
     EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-14);
 }
 
-// A domain that goes on beyond what is held: the rest of the duct is emptied at the start, and does not count.
+// A domain that goes on beyond what is held: the rest of the duct is emptied at the start, which counts as taken away and not as passed.
 TEST(Openings, EmptyTheDuctFarBeyond)
 {
     Scene scene;
@@ -169,8 +170,42 @@ TEST(Openings, EmptyTheDuctFarBeyond)
     scene.exchange(openings);
     EXPECT_EQ(scene.owned, 220u); // ten rows, and six beyond each plane
     EXPECT_EQ(openings.held().size(), 120u);
-    EXPECT_EQ(openings.imbalance(scene.store).mass, 0);
     EXPECT_EQ(openings.flows().at(1).mass, 0);
+    EXPECT_NEAR(openings.flows().at(0).taken, 2*(3 - depth), 1e-12);
+    EXPECT_NEAR(openings.flows().at(1).taken, 2*(3 - depth), 1e-12);
+    EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-15);
+    // A restart knows it, and a particle that is lost shows.
+    Openings<2> restarted({gateOf(0), outlet(0)}, scene.geometry, scene.c, scene.evolving, openings.state());
+    EXPECT_EQ(restarted.flows().at(0).taken, openings.flows().at(0).taken);
+    EXPECT_EQ(restarted.imbalance(scene.store).mass, openings.imbalance(scene.store).mass);
+    const double *holder = scene.store.component("heldBy", 0), particle = 2*dx*dx;
+    scene.store.component("m", 0)[std::find(holder, holder + scene.owned, 0) - holder] = 0;
+    EXPECT_NEAR(openings.imbalance(scene.store).mass, -particle/(2*(7 - 2*depth)), 1e-15);
+}
+
+// Normals to the wrong side: beyond the one opening lies the other, and the end of the domain is nearer than what would be held reaches.
+TEST(Openings, PointIntoTheScene)
+{
+    auto gate = gateOf(0);
+    gate.normal = {-1, 0, 0};
+    const auto refused = [&](const std::vector<Opening>& openings, double x, const std::string& word)
+    {
+        Scene scene;
+        scene.geometry.low.x = x;
+        try
+        {
+            Openings<2>(openings, scene.geometry, scene.c, scene.evolving, {});
+            ADD_FAILURE() << word;
+        }
+        catch (const CaseError& e)
+        {
+            EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+        }
+    };
+    auto far = outlet(0);
+    far.point.x = 1.4;
+    refused({gate, far}, -1, "has \"vent\" beyond its plane");
+    refused({gate}, -0.4, "has 0.4 m of scene before its plane, less than the 0.6 m that it holds beyond");
 }
 
 // Where density is integrated, that of Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).

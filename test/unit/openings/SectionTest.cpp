@@ -1,7 +1,7 @@
 /// Sections of ducts: their lines, their area, and the profile of developed flow, against plane channels, squares and pipes.
 #include "Duct.hpp"
+#include "Largest.hpp"
 #include "Section.hpp"
-#include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -37,19 +37,18 @@ TEST(Section, FillsAPlaneChannel)
 // u = 6 y (1 - y): the mean of a parabola is 2/3 of its top.
 TEST(Section, DevelopsAParabola)
 {
-    double error[2];
+    Largest error[2];
     for (int k = 0; k < 2; ++k)
     {
         auto opening = inlet();
         opening.developed = true;
         const Section section(opening, channel(1), k == 0 ? 0.1 : 0.05);
         EXPECT_NEAR(meanOf(section), 1, 1e-12);
-        error[k] = 0;
         for (const auto& line : section.lines())
-            Larger{}(error[k], std::abs(line.profile - 6*line.foot.y*(1 - line.foot.y)));
+            error[k](line.profile - 6*line.foot.y*(1 - line.foot.y));
     }
-    EXPECT_LT(error[0], 0.02);
-    EXPECT_NEAR(error[0]/error[1], 4, 0.3);
+    EXPECT_LT(error[0].value(), 0.02);
+    EXPECT_NEAR(error[0].value()/error[1].value(), 4, 0.3);
 }
 
 // The largest velocity in a square duct is 2.0963 of the mean (Shah & London 1978), in a round pipe 2.
@@ -59,9 +58,9 @@ TEST(Section, DevelopsTheFlowOfASquareDuctAndOfAPipe)
     opening.developed = true;
     const auto largest = [](const Section& section)
     {
-        double u = 0;
-        for (const auto& line : section.lines()) Larger{}(u, line.profile);
-        return u;
+        Largest u;
+        for (const auto& line : section.lines()) u(line.profile);
+        return u.value();
     };
     const Section square(opening, squareDuct(), 1/15.0), fine(opening, squareDuct(), 1/31.0);
     EXPECT_EQ(square.lines().size(), 225u);

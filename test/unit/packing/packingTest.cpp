@@ -192,7 +192,7 @@ TEST(Packing, putsWaterWhereGrainsMeet)
             ++perContact[contact];
         }
         else
-            narrowestInAir = std::min(narrowestInAir, own + next);
+            Smaller{}(narrowestInAir, own + next);
     }
     EXPECT_LE(widestInWater, narrowestInAir + 1e-12);
     EXPECT_NEAR(perContact[0], perContact[1], 8);

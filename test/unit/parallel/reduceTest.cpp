@@ -1,4 +1,5 @@
 /// From particles to a number: the same bits on any number of threads, and nothing that is no number gets lost.
+#include "Largest.hpp"
 #include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <limits>
@@ -91,6 +92,24 @@ TEST(Reduce, KeepsNaNAndInfinity)
         }
         EXPECT_TRUE(std::isnan(sum(n, [](std::size_t i) { return i == 5 ? infinity : i == 8000 ? -infinity : 1; })));
     }
+}
+
+// What tests keep the worst deviation by, too: first, last or in between, before and after larger numbers, NaN is what a bound is compared with.
+TEST(Largest, KeepsNaNAndItsPlace)
+{
+    for (const std::size_t at : {0ul, 4ul, 9ul})
+    {
+        Largest worst;
+        for (std::size_t i = 0; i < 10; ++i) worst(i == at ? nan : i == 5 ? -20.0 : double(i), i);
+        EXPECT_TRUE(std::isnan(worst.value()));
+        EXPECT_FALSE(worst.value() < 1e300);
+        EXPECT_EQ(worst.at(), at);
+    }
+    Largest worst;
+    EXPECT_EQ(worst.value(), 0);
+    for (const double q : {1.0, -20.0, 3.0, -infinity, 5.0}) worst(q, std::size_t(std::abs(q) < 10 ? q : 7));
+    EXPECT_EQ(worst.value(), infinity);
+    EXPECT_EQ(worst.at(), 7u);
 }
 
 // Every third element to one of three groups and none of the fourth: the same bits as the sum of a group alone, in which all others are zeros.

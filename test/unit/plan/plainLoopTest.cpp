@@ -4,12 +4,14 @@
 /// value of the field, a hundred times what is measured, and far below any wrong factor, sign or missing pair.
 #include "CaseError.hpp"
 #include "DensityRelaxation.hpp"
+#include "Largest.hpp"
 #include "Scene.hpp"
 #include "phaseCurvatureTerms.hpp"
-#include "reduce.hpp"
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <functional>
+#include <gtest/gtest-spi.h>
+#include <limits>
 #include <numbers>
 
 namespace sph::test
@@ -37,8 +39,7 @@ template<int dim, class F>
 void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected,
                  double tolerance = 1e-12)
 {
-    double largest = 0, worst = 0;
-    std::size_t where = 0;
+    Largest largest, worst;
     for (std::size_t i = 0; i < s.n; ++i)
     {
         double found[9] = {}, wanted[9] = {};
@@ -46,16 +47,28 @@ void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F,
         store(expected(i), [&](int c, double q) { wanted[c] = q; });
         for (int c = 0; c < 9; ++c)
         {
-            Larger{}(largest, std::abs(wanted[c]));
-            if (!(std::abs(found[c] - wanted[c]) <= worst))
-            {
-                worst = std::abs(found[c] - wanted[c]);
-                where = i;
-            }
+            largest(wanted[c]);
+            worst(found[c] - wanted[c], i);
         }
     }
-    EXPECT_GT(largest, 0) << F::info.name << " is zero everywhere: nothing is shown";
-    EXPECT_LE(worst, tolerance * largest) << F::info.name << ", worst at particle " << where;
+    EXPECT_GT(largest.value(), 0) << F::info.name << " is zero everywhere: nothing is shown";
+    EXPECT_LE(worst.value(), tolerance * largest.value()) << F::info.name << ", worst at particle " << worst.at();
+}
+
+// The comparison itself: a NaN shows, in the first particle, the last, or one that sound ones come after.
+TEST(PlainLoop, ComparesWithNaN)
+{
+    Scene<2> s(periodicBox(2), firstPhases(threePhases(2, 0.05, 2.6), 1), {"numberDensity", "summedDensity"});
+    double* const rho = s.store.component("rho", 0);
+    const auto wanted = [&, sound = std::vector<double>(rho, rho + s.n)](std::size_t i) { return sound[i]; };
+    expectEqual(s, Density{}, wanted);
+    for (const std::size_t at : {std::size_t(0), s.n/2, s.n - 1})
+    {
+        rho[at] = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_NONFATAL_FAILURE(expectEqual(s, Density{}, wanted), "worst at particle " + std::to_string(at));
+        rho[at] = wanted(at);
+    }
+    expectEqual(s, Density{}, wanted);
 }
 
 /// Periodic alone, with two plane walls of unlike tension, and with a curved wall (weights).
@@ -919,9 +932,9 @@ TEST(RenormalisedDiffusion, leavesALinearDensityAlone)
         Scene<2> s(g, coefficients<2>(1), {"integratedVolume", term}, true);
         for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = 1000 - 30 * positionOf(s.store, i).y;
         s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
-        double most = 0;
-        for (std::size_t i = 0; i < s.n; ++i) Larger{}(most, std::abs(s.at(DensityRate{}, i)));
-        return most;
+        Largest most;
+        for (std::size_t i = 0; i < s.n; ++i) most(s.at(DensityRate{}, i));
+        return most.value();
     };
     EXPECT_LT(largestRate("renormalisedDiffusion"), 1e-11 * largestRate("densityDiffusion"));
 }
@@ -966,10 +979,10 @@ TEST(GradientCorrection, MakesALinearPressureExact)
         Scene<2> s(domain(2, {1, 1, 0}, {false, false, false}), c, {"integratedVolume", "tait", term}, true);
         for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = c.restDensity[0] + slope * positionOf(s.store, i).y;
         s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
-        double most = 0;
+        Largest most;
         for (std::size_t i = 0; i < s.n; ++i)
-            Larger{}(most, mag(s.at(Density{}, i) * s.at(Acceleration{}, i) + sqr(c.soundSpeed[0]) * Vector<2>{0, slope}));
-        return most / std::abs(sqr(c.soundSpeed[0]) * slope);
+            most(mag(s.at(Density{}, i) * s.at(Acceleration{}, i) + sqr(c.soundSpeed[0]) * Vector<2>{0, slope}));
+        return most.value() / std::abs(sqr(c.soundSpeed[0]) * slope);
     };
     EXPECT_LT(off("correctedDifferencePressure"), 1e-11);
     EXPECT_GT(off("differencePressure"), 0.1);
@@ -1070,7 +1083,7 @@ TEST(PlainLoop, DensityWeightedStressWithNormalisedGradient) { interfaceStress<2
 template<int dim> void ghostsOwnSums(Scene<dim>& s, const std::vector<int>& wall, const auto& tension, const auto& gradient)
 {
     const int phases = int(s.coefficients.phases.size());
-    double largest = 0, worst = 0;
+    Largest largest, worst;
     for (std::size_t j = s.n; j < s.images.nullParticle(); ++j)
     {
         const auto x = in3D(positionOf(s.store, j));
@@ -1080,11 +1093,11 @@ template<int dim> void ghostsOwnSums(Scene<dim>& s, const std::vector<int>& wall
             own += tension(gradient(j, [&](std::size_t i) { return wall[i] == 0 && int(s.at(Phase{}, i)) == k; }),
                            s.coefficients.wallTension[std::size_t((wall[j] - 1) * phases + k)]);
         const auto off = s.at(Stress{}, j) - own;
-        Larger{}(largest, std::sqrt(doubleDot(own, own)));
-        Larger{}(worst, std::sqrt(doubleDot(off, off)));
+        largest(std::sqrt(doubleDot(own, own)));
+        worst(std::sqrt(doubleDot(off, off)));
     }
-    EXPECT_GT(largest, 0);
-    EXPECT_LE(worst, 1e-11 * largest);
+    EXPECT_GT(largest.value(), 0);
+    EXPECT_LE(worst.value(), 1e-11 * largest.value());
 }
 
 /// The solid as a phase of its own: every image behind a wall is of that phase, whatever it mirrors; and ghosts carry the solid's
@@ -1263,14 +1276,14 @@ template<int dim> void curvatureOfThreePhases(bool even)
             for (int k = 0; k < 3; ++k)
             {
                 const auto name = "colour." + c.phases[std::size_t(k)];
-                double worst = 0;
+                Largest worst;
                 for (std::size_t i = 0; i < s.n; ++i)
                 {
                     double colour = 0;
                     overPairs(s, i, [&](std::size_t j, auto, double, double W, auto) { colour += phase(j) == k ? plain.V[j] * W : 0; });
-                    worst = std::fmax(worst, std::abs(colour - s.at(SmoothedColour{}, name, i)));
+                    worst(colour - s.at(SmoothedColour{}, name, i), i);
                 }
-                EXPECT_LT(worst, 1e-12);
+                EXPECT_LT(worst.value(), 1e-12);
                 Images<dim>::template refresh<Curvature>(s.images, s.store, "kappa." + c.phases[std::size_t(k)]);
             }
             const auto& sigma = c.surfaceTension; // 0.03, 0.02, 0.07: shares -0.01, 0.04, 0.03

@@ -1,7 +1,7 @@
 /// What the planner takes in, what it leaves out, and what it refuses; and the laws that evaluations keep.
 #include "CaseError.hpp"
+#include "Largest.hpp"
 #include "Scene.hpp"
-#include "reduce.hpp"
 #include <omp.h>
 #include <sstream>
 
@@ -136,15 +136,15 @@ template<int dim> void conserveMomentum(const std::vector<std::string>& forces)
     terms.insert(terms.end(), forces.begin(), forces.end());
     Scene<dim> s(periodicBox(dim), threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), terms);
     Vector<dim> sum;
-    double largest = 0;
+    Largest largest;
     for (std::size_t i = 0; i < s.n; ++i)
     {
         const auto force = s.at(Mass{}, i) * s.at(Acceleration{}, i);
         sum += force;
-        Larger{}(largest, mag(force));
+        largest(mag(force));
     }
-    EXPECT_GT(largest, 0);
-    EXPECT_LT(mag(sum), 1e-12 * largest) << forces[0];
+    EXPECT_GT(largest.value(), 0);
+    EXPECT_LT(mag(sum), 1e-12 * largest.value()) << forces[0];
 }
 TEST(Plan, ConservesLinearMomentumWithoutWalls)
 {

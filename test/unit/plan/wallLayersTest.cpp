@@ -1,9 +1,9 @@
 /// What the fluid sees in walls that are layers of particles.
+#include "Largest.hpp"
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
 #include "ghostRules.hpp"
-#include "reduce.hpp"
 #include "wallLayers.hpp"
 
 namespace sph::test
@@ -86,10 +86,10 @@ TEST(WallLayers, LetAFluidTurnWithTheWall)
     {
         s.geometry.walls[0].omega = {0, 0, omega};
         stick(s);
-        double most = 0;
+        Largest most;
         for (std::size_t i = 0; i < s.n; ++i)
-            if (mag(positionOf(s.store, i) - Vector<2>{1, 1}) < 0.7) Larger{}(most, s.store.component("gammaDot", 0)[i]);
-        return most;
+            if (mag(positionOf(s.store, i) - Vector<2>{1, 1}) < 0.7) most(s.store.component("gammaDot", 0)[i]);
+        return most.value();
     };
     EXPECT_LT(shear(2), 0.2 * shear(0));
 }

@@ -1,7 +1,9 @@
 #include "Conservation.hpp"
 #include "Particles.hpp"
+#include "PatchTree.hpp"
 #include "Plane.hpp"
 #include "Sphere.hpp"
+#include <atomic>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <omp.h>
@@ -310,6 +312,39 @@ TEST(BedHydrodynamics, wettedAreaWithoutGasIsAFractionOfTheWholeWall)
     f.run(particles, "bed { type bedHydrodynamics; }");
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     EXPECT_NEAR(std::stod(row.at(6)), 0.5, 0.05);
+}
+
+/// A sphere that counts how often its foot is asked for.
+struct CountedSphere : Sphere
+{
+    inline static std::atomic<long> feet = 0;
+    using Sphere::Sphere;
+    Foot foot(const Vector<3>& x) const override
+    {
+        ++feet;
+        return Sphere::foot(x);
+    }
+};
+
+// 1000 spheres: what the grid of samples and the particles ask for is a few feet a place, not one of each sphere, and the table is the same to the byte.
+// 13 feet a place are measured; twice as many are allowed.
+TEST(BedHydrodynamics, asksForAFewFeetAPlaceOfABedOfAThousandSpheres)
+{
+    Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.04);
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.z > 0.6; });
+    particles.geometry.walls.resize(1);
+    for (int i = 0; i < 1000; ++i)
+        particles.geometry.patches.push_back({std::make_shared<CountedSphere>(0.1*Vector<3>{i%10 + 0.5, i/10%10 + 0.5, i/100 + 0.5}, 0.035, FluidSide::outside), 0});
+    const std::string bed = "bed { type bedHydrodynamics; samples 20; }", table = "postProcessing/bed/0/bedHydrodynamics.dat";
+    Functions byLoop, byTree;
+    byLoop.run(particles, bed);
+    const double places = 8000 + double(particles.size());
+    EXPECT_GE(double(CountedSphere::feet.exchange(0)), 1000*places);
+    particles.geometry.tree = std::make_shared<PatchTree>(particles.geometry.patches);
+    byTree.run(particles, bed);
+    EXPECT_LT(double(CountedSphere::feet), 26*places);
+    EXPECT_EQ(byTree.folder.read(table), byLoop.folder.read(table));
 }
 
 // One NaN among numbers, first and last of the particles in the box: the order of a comparison decides which of the two a plain minimum or maximum

@@ -207,6 +207,38 @@ TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
     EXPECT_NEAR(m.reference, 8, 1e-12);
 }
 
+// A bubble of the second phase, in a box and across a periodic corner: the inside is where the pressure is higher, whichever phase is asked for.
+TEST(LaplaceJump, ofABubbleIsThatOfItsInside)
+{
+    for (const bool periodic : {false, true})
+        for (const int dimension : {2, 3})
+        {
+            Particles particles(dimension, {0, 0, 0}, {1, 1, 1}, 0.05);
+            particles.phases = {"water", "air"};
+            particles.geometry.periodic = {periodic, periodic, periodic && dimension == 3};
+            particles.surfaceTension = 1;
+            particles.supportInSpacings = 2;
+            const auto r = [&](Vector<3> x)
+            {
+                auto d = x - (periodic ? Vector<3>{} : Vector<3>{0.5, 0.5, 0.5});
+                if (periodic) d -= Vector<3>{std::round(x.x), std::round(x.y), std::round(x.z)};
+                if (dimension == 2) d.z = 0;
+                return mag(d);
+            };
+            particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 1 : 0; });
+            const double jump = (dimension - 1)/0.25;
+            particles.setP([&](Vector<3> x) { return 2 + (r(x) < 0.25 ? jump : 0.0); });
+            for (const char* entries : {"radius 0.25;", "radius 0.25; phase air;", "radius 0.25; phase water;"})
+            {
+                const auto m = measure(particles, "laplaceJump", entries);
+                EXPECT_NEAR(m.value, jump, 1e-12) << entries << dimension << periodic;
+                EXPECT_NEAR(m.reference, jump, 1e-12);
+            }
+            // That of the bubble's volume, to the staircase of five lattice points to a radius.
+            EXPECT_NEAR(measure(particles, "laplaceJump", "").reference, jump, 0.1*jump);
+        }
+}
+
 TEST(LaplaceJump, withoutGasThePressureOutsideIsZero)
 {
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);

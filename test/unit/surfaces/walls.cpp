@@ -1,5 +1,6 @@
 #include "EnclosedVolume.hpp"
 #include "IsoSurface.hpp"
+#include "Largest.hpp"
 #include "Plane.hpp"
 #include "Sphere.hpp"
 #include "particles.hpp"
@@ -59,8 +60,8 @@ TEST(Walls, AHemisphereEndsOnThePlane)
         {
             double x[3];
             surface->GetPoint(p, x);
-            lowest = std::min(lowest, x[2]);
-            highest = std::max(highest, x[2]);
+            Smaller{}(lowest, x[2]);
+            Larger{}(highest, x[2]);
             if (std::fabs(x[2]) > 1e-9) continue;
             ++onWall;
             EXPECT_NEAR(std::hypot(x[0], x[1]), cap.R, 0.6) << "on the contact line";
@@ -78,12 +79,12 @@ TEST(Walls, ThePlainSumFallsToOneHalfOnTheWall)
     const Cap plain(Normalisation::none), divided(Normalisation::particles);
     const auto below = [](const Cap& cap)
     {
-        double largest = 0; // of C at the wall, deep in the liquid
+        Largest largest; // of C at the wall, deep in the liquid
         for (int k = 0; k < cap.grid.nodes[2]; ++k)
             for (int i = 0; i < cap.grid.nodes[0]; ++i)
                 if (const auto x = cap.grid.node(i, 40, k); x.z == 0 && std::fabs(x.x) < 8)
-                    Larger{}(largest, cap.colour[cap.grid.index(i, 40, k)]);
-        return largest;
+                    largest(cap.colour[cap.grid.index(i, 40, k)]);
+        return largest.value();
     };
     EXPECT_NEAR(below(plain), 0.5, 0.05);
     EXPECT_NEAR(below(divided), 1, 1e-12);

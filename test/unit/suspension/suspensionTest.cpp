@@ -1,9 +1,9 @@
 /// Powder in a suspension: what its fluxes conserve and where they end, which shear rates are exact, and the capped viscosity.
 #include "Krieger.hpp"
+#include "Largest.hpp"
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
-#include "reduce.hpp"
 #include <functional>
 #include <numbers>
 
@@ -41,7 +41,8 @@ template<int dim> void sumIsPlain(Geometry g)
                  *N = s.store.component("gradientScale", 0), *m = s.store.component("m", 0), *rate = s.store.component("dphidt", 0);
     const auto& k = c.of<Suspension>();
     const auto B = [&](std::size_t i) { return gammaDot[i] * sqr(phi[i]) * k.exponent / (k.phiMax - std::min(phi[i], k.phiCritical)); };
-    double largest = 0, worst = 0, sum = 0, size = 0;
+    Largest largest, worst;
+    double sum = 0, size = 0;
     for (std::size_t i = 0; i < s.n; ++i)
     {
         double flux = 0;
@@ -55,13 +56,13 @@ template<int dim> void sumIsPlain(Geometry g)
                     (k.Dc_a2 * (phi[i] + phi[j]) * (phi[i] * gammaDot[i] - phi[j] * gammaDot[j]) + k.Deta_a2 * (B(i) + B(j)) * (phi[i] - phi[j]));
         }
         const double expected = flux * c.restDensity[0] / m[i];
-        Larger{}(largest, std::abs(expected));
-        Larger{}(worst, std::abs(expected - rate[i]));
+        largest(expected);
+        worst(expected - rate[i]);
         sum += m[i] * rate[i];
         size += std::abs(m[i] * rate[i]);
     }
-    EXPECT_GT(largest, 0);
-    EXPECT_LT(worst, 1e-11 * largest);
+    EXPECT_GT(largest.value(), 0);
+    EXPECT_LT(worst.value(), 1e-11 * largest.value());
     EXPECT_LT(std::abs(sum), 1e-14 * size) << "powder is made or lost";
 }
 // Plain double loop, and the conservation of sum m_i phi_i/rho_0 whatever the masses: also between walls, which nothing passes, and around a
@@ -92,7 +93,7 @@ double imbalance(int rows)
         q.slope = slope(q);
         q.gammaDot = 1 / q.phi * std::pow(krieger(q) / c.viscosity[0], -flux.Deta_a2 / flux.Dc_a2);
     }
-    double most = 0, mostAlone = 0;
+    Largest most, mostAlone;
     for (int i = 0; i < rows; ++i)
     {
         double both = 0, one = 0;
@@ -106,10 +107,10 @@ double imbalance(int rows)
                 both += flux(ij, row[std::size_t(i)], j);
                 one += alone(ij, row[std::size_t(i)], j);
             }
-        Larger{}(most, std::abs(both));
-        Larger{}(mostAlone, std::abs(one));
+        most(both);
+        mostAlone(one);
     }
-    return most / mostAlone;
+    return most.value() / mostAlone.value();
 }
 // J_c and J_eta cancel where phi gammaDot mu^r is uniform: of each flux what is left is of second order in the spacing.
 TEST(PhillipsFlux, VanishesWherePowderIsInBalance)
@@ -154,9 +155,9 @@ template<int dim> double shearError(std::vector<std::string> terms)
         }
     }
     evaluate(s);
-    double worst = 0;
-    for (std::size_t i = 0; i < s.n; ++i) Larger{}(worst, std::abs(s.store.component("gammaDot", 0)[i] / std::sqrt(2 * DD) - 1));
-    return worst;
+    Largest worst;
+    for (std::size_t i = 0; i < s.n; ++i) worst(s.store.component("gammaDot", 0)[i] / std::sqrt(2 * DD) - 1);
+    return worst.value();
 }
 // Exact with the correction, up to the free ends of jittered particles: round-off of a hundred neighbours; the plain gradient of eq. (3.5) is not.
 TEST(ShearRate, OfALinearVelocityIsExactWithTheCorrection)

@@ -1,8 +1,8 @@
 /// Potential of walls: its energy per area, and the force on particles between plane walls.
+#include "Largest.hpp"
 #include "WallPotential.hpp"
 #include "Channel.hpp"
 #include "SolidBox.hpp"
-#include "reduce.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -115,16 +115,17 @@ TEST(WallPotential, DoesNoWorkOnAWayRoundACorner)
     images.build(store, n);
     const auto after = store.pointers(Acceleration{});
     evaluateAtWalls(WallPotential(c), images, store, true);
-    double work = 0, largest = 0;
+    test::Largest largest;
+    double work = 0;
     for (int k = 0; k < n; ++k)
     {
         const int next = (k + 1) % n;
         const Vector<2> mean{(after[0][k] + after[0][next]) / 2, (after[1][k] + after[1][next]) / 2};
         work += dot(mean, way[std::size_t(next)] - way[std::size_t(k)]);
-        Larger{}(largest, mag(mean));
+        largest(mag(mean));
     }
-    EXPECT_GT(largest, 1);
-    EXPECT_LT(std::abs(work), 1e-4 * largest);
+    EXPECT_GT(largest.value(), 1);
+    EXPECT_LT(std::abs(work), 1e-4 * largest.value());
 }
 
 }

@@ -1,0 +1,77 @@
+/// The particle that a run's error names: the one with the number that no solution has.
+#include "outliers.hpp"
+#include "periodicSquare.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace sph::test
+{
+namespace
+{
+
+/// 20 x 20 particles off their lattice, at rest.
+Cloud disordered()
+{
+    Cloud cloud;
+    for (int i = 0; i < 20; ++i)
+        for (int k = 0; k < 20; ++k)
+        {
+            cloud.x.push_back((i + 0.5 + 0.1*std::sin(i + 3*k))/20);
+            cloud.y.push_back((k + 0.5 + 0.1*std::cos(2*i - k))/20);
+            cloud.z.push_back(0);
+        }
+    return cloud;
+}
+
+struct Scene
+{
+    Geometry geometry = periodicSquare();
+    Settings settings = settingsOf(channelCase());
+    std::unique_ptr<AnySimulation> simulation;
+    explicit Scene(double gravity = 1)
+    {
+        settings.coefficients.g = {gravity, 0, 0};
+        simulation = makeSimulation(settings, geometry, disordered(), {});
+    }
+};
+
+TEST(Outliers, AreNoneInASoundState)
+{
+    const Scene s;
+    EXPECT_FALSE(notFinite(*s.simulation));
+    EXPECT_FALSE(impossibleDensity(*s.simulation, {1000}));
+}
+
+// Against another density at rest all are impossible: the furthest is the densest, or the least dense.
+TEST(Outliers, AreTheFurthestDensities)
+{
+    const Scene s;
+    const auto rho = s.simulation->field("rho").component[0], x = s.simulation->positions().component[0];
+    const auto most = std::size_t(std::max_element(rho, rho + 400) - rho), least = std::size_t(std::min_element(rho, rho + 400) - rho);
+    ASSERT_NE(most, least);
+    const auto dense = impossibleDensity(*s.simulation, {200}), thin = impossibleDensity(*s.simulation, {2e6});
+    ASSERT_TRUE(dense && thin);
+    EXPECT_EQ(dense->particle, most);
+    EXPECT_EQ(dense->value, rho[most]);
+    EXPECT_EQ(dense->position.x, x[most]);
+    EXPECT_EQ(dense->inWords().find(fmt::format("particle {} at (0.", most)), 0u) << dense->inWords();
+    EXPECT_EQ(thin->particle, least);
+    for (const double rest : {std::numeric_limits<double>::quiet_NaN(), -1000.0}) EXPECT_TRUE(impossibleDensity(*s.simulation, {rest})) << rest;
+}
+
+TEST(Outliers, AreNotFinite)
+{
+    const Scene s(std::numeric_limits<double>::quiet_NaN());
+    s.simulation->step(0, 1e-4);
+    const auto found = notFinite(*s.simulation);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->particle, 0u);
+    EXPECT_TRUE(std::isnan(found->value));
+    EXPECT_FALSE(s.simulation->summary().finite);
+}
+
+}
+}
