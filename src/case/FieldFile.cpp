@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <system_error>
+#include <stdexcept>
 
 namespace sph
 {
@@ -183,8 +183,7 @@ double asciiLabel(FoamScanner& in, std::size_t i)
 {
     auto start = in;
     std::int64_t value;
-    const bool whole = in.integer(value) && (in.atEnd() || !std::strchr(".eE", *in.here()));
-    if (whole) return double(value);
+    if (in.integer(value)) return double(value);
     if (start.peek() == '\0' && start.atEnd()) start.fail(fmt::format("the file is truncated in the value of particle {}", i));
     start.fail(fmt::format("expected an integer for particle {}, found {}", i, start.found()));
 }
@@ -292,9 +291,9 @@ std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std
     {
         diagnostics.error({file, e.line}, e.what());
     }
-    catch (const std::system_error& e)
+    catch (const std::runtime_error& e)
     {
-        diagnostics.error({file, 0}, "cannot be read: " + e.code().message());
+        diagnostics.error({file, 0}, std::string("cannot be read: ") + e.what());
     }
     return std::nullopt;
 }

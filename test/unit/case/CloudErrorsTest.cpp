@@ -3,6 +3,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/stat.h>
 
 namespace sph
 {
@@ -205,6 +206,32 @@ TEST(CloudErrors, nameWhatIsNoValue)
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0 0)\n)\n"),
               P + ":10: expected the cell label after the position of particle 0, found \")\"");
     EXPECT_EQ(ofField("/* not closed"), U + ":1: the comment /* does not end");
+}
+
+// Two numbers with nothing between them, as where a byte is damaged or lost, are not read as two, nor as a part of one.
+TEST(CloudErrors, nameNumbersThatRunIntoOneAnother)
+{
+    for (const std::string run : {"1-2", "1.5.5", "1+2", "1x", "1,2"})
+    {
+        EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n" + run + "\n)\n"),
+                  U + ":10: expected a number for particle 1, found \"" + run + "\"");
+        EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n" + run + "\n)\n"), U + ":10: expected an integer for particle 1, found \"" + run + "\"");
+        EXPECT_EQ(ofField(header("scalarField") + "3{" + run + "}\n"), U + ":7: expected a number for particle 0, found \"" + run + "}\"");
+    }
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0-1) 0\n)\n"), P + ":9: expected a number for particle 0, found \"0-1)\"");
+}
+
+// A pipe without a writer, a device without an end.
+TEST(CloudErrors, nameFilesThatAreNone)
+{
+    const TemporaryCase c;
+    c.write("0/lagrangian/sph/positions", threePositions);
+    ASSERT_EQ(::mkfifo((c.folder() / U).c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", c.folder() / "0/lagrangian/sph/V");
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    const std::string none = ": cannot be read: it is a device or a pipe: only regular files are read\n";
+    EXPECT_EQ(messages(diagnostics), U + none + "0/lagrangian/sph/V" + none + "2 errors");
 }
 
 // The raw layout without inner parentheses, which other programs read as no particles without a word.
