@@ -109,16 +109,16 @@ void checkEdited(const Dictionary& edited, const std::string& path, const std::s
     }
     catch (const CaseError& e)
     {
-        throw CaseError(fmt::format("With \"{}\" for \"{}\" the file would be unreadable and is left as it is:\n{}", value, path, e.what()));
+        throw CaseError(fmt::format("With \"{}\" for \"{}\" the file would be unreadable and is left as it is:\n{}", beginning(value), beginning(path), e.what()));
     }
     const auto found = walk(edited.node(), withoutLeadingColon(path), false);
     if (found.empty())
-        throw CaseError({edited.name(), 0}, fmt::format("\"{}\" cannot be an entry of this file", path));
+        throw CaseError({edited.name(), 0}, fmt::format("\"{}\" cannot be an entry of this file", beginning(path)));
     const auto& e = *found.back();
     const auto first = value.find_first_not_of(blanks), last = value.find_last_not_of(blanks);
     const bool whole = first == value.npos ? e.value.empty() : e.begin == begin + first && e.end == begin + last + 1;
     if (!whole || bool(e.dictionary) != isBlock(value))
-        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", value));
+        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", beginning(value)));
     if (const auto* header = edited.node().findExact("FoamFile"); header && !header->dictionary)
         throw CaseError(header->where, "the header FoamFile is a dictionary");
 }

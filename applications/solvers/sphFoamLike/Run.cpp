@@ -20,6 +20,13 @@ namespace
 volatile std::sig_atomic_t stopRequested = 0;
 void requestStop(int) { stopRequested = 1; }
 
+/// A signal that is ignored, as under nohup, stays so.
+void stopOnSignals()
+{
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+        if (std::signal(signal, requestStop) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
 
@@ -207,8 +214,8 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const auto s = simulation_->summary();
     std::string phases;
     for (std::size_t k = 0; k < s.mass.size(); ++k)
-        phases += fmt::format("{}: rho {:.6g} .. {:.6g}, mass {:.10g} kg", (k ? "; " : "") + settings_.coefficients.phases[k], s.minDensity[k],
-                              s.maxDensity[k], s.mass[k]);
+        phases += (k ? "; " : "") + settings_.coefficients.phases[k] +
+                  (s.count[k] == 0 ? ": no particles" : fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", s.minDensity[k], s.maxDensity[k], s.mass[k]));
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
@@ -271,12 +278,14 @@ void Run::reportLeaks() const
 
 void Run::solve()
 {
-    std::signal(SIGTERM, requestStop);
-    std::signal(SIGINT, requestStop);
+    stopOnSignals();
     reportPlan();
     writeBox(case_, geometry_);
     sample(true, false);
     noteLeaks();
+    if (!time_.running())
+        log_ << fmt::format("--> Warning: nothing to do: the run starts at {} s and endTime is {} s. A larger endTime in system/controlDict goes on with it\n",
+                            time_.startTime(), time_.endTime());
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
     while (time_.running())

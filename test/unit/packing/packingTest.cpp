@@ -240,6 +240,24 @@ TEST(Packing, writesACloudThatReadsBack)
     }
 }
 
+// Of a time folder the particles are replaced, and what a run has stored of them; what else is there stays.
+TEST(Packing, replacesTheParticlesOfATimeFolderAlone)
+{
+    CaseFolder c;
+    for (const char* file : {"0/lagrangian/sph/old", "0/lagrangian/tracers/positions", "0/uniform/time", "0/uniform/sphState", "0/notes"})
+    {
+        fs::create_directories((c.path() / file).parent_path());
+        c.write(file, "1;\n");
+    }
+    c.write("system/packParticlesDict", "fill ( { region all; phase air; } ); allowEmpty yes;\n");
+    const Case theCase(c.path());
+    const auto plan = readPackingPlan(theCase);
+    writePacking(theCase, "0", plan, pack(plan), {});
+    for (const char* gone : {"0/lagrangian/sph/old", "0/uniform/time", "0/uniform/sphState", "0.partial"}) EXPECT_FALSE(fs::exists(c.path() / gone)) << gone;
+    for (const char* there : {"0/lagrangian/tracers/positions", "0/notes", "0/lagrangian/sph/U", "0/uniform/lagrangian/sph/cloudProperties"})
+        EXPECT_TRUE(fs::exists(c.path() / there)) << there;
+}
+
 // The bed that is reported: one sphere a cell, the solid fraction of touching spheres and the Bond numbers worked out by hand,
 // 1000*9.81*0.5^2/0.072 = 34062.5 and four times that, 136250.
 TEST(Packing, reportsTheBed)
