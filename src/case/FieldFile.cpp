@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace sph
@@ -45,6 +46,7 @@ Header readHeader(FoamScanner& in)
     if (in.peek() == '\0' || in.word() != "FoamFile" || !in.take('{')) in.fail("no FoamFile header: not a field file");
     Header header;
     bool hasFormat = false;
+    std::set<std::string> given;
     while (!in.take('}'))
     {
         if (in.atEnd()) in.fail("the FoamFile header does not end");
@@ -53,6 +55,7 @@ Header readHeader(FoamScanner& in)
         const int line = in.line();
         if (key.empty() || value.empty() || !in.take(';'))
             throw ScanError(line, fmt::format("FoamFile header: expected \"keyword value;\", found \"{} {}\"", key, value));
+        if (!given.insert(key).second) throw ScanError(line, fmt::format("FoamFile header: \"{}\" is given twice", key));
         if (key == "format")
         {
             static const std::vector<std::string> known{"ascii", "binary"};

@@ -32,8 +32,8 @@ std::string FoamScanner::word()
     const char first = peek();
     if (first == '"')
     {
-        const auto close = std::find(at_ + 1, end_, '"');
-        if (close == end_) fail("the string does not end");
+        const auto close = std::find_if(at_ + 1, end_, [](char c) { return c == '"' || c == '\n'; });
+        if (close == end_ || *close == '\n') fail("the string does not end on its line");
         std::string text(at_ + 1, close);
         at_ = close + 1;
         return text;

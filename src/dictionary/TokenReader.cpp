@@ -2,6 +2,7 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
 #include "UnitExpression.hpp"
+#include "limits.hpp"
 #include "words.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -138,7 +139,8 @@ long TokenReader::listHead()
     if (!sees(Kind::number) || (!sees('(', 1) && !sees('{', 1))) return -1;
     int count = 0;
     read(count);
-    if (count < 0) throw ValueError(fmt::format("is a list of {} values", count));
+    if (count < 0 || std::size_t(count) > limit::words)
+        throw ValueError(fmt::format("is a list of {} values; 0 to {} are possible", count, limit::words));
     return count;
 }
 

@@ -290,6 +290,15 @@ TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
         EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
 }
 
+// An empty list would leave the first phase everywhere, as though it were not there.
+TEST(PackingErrors, fillOfNothing)
+{
+    CaseFolder c;
+    c.write("system/packParticlesDict", "lattice cubic;\nfill ();\n");
+    EXPECT_EQ(c.error().find("system/packParticlesDict:2: fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase "), 0u)
+        << c.error();
+}
+
 TEST(PackingErrors, aPhaseWithoutParticlesUnlessAllowed)
 {
     // The phase's own place in constant/phaseProperties is named, and allowEmpty lets it pass.
@@ -309,7 +318,7 @@ TEST(PackingErrors, spacingAgainstGapAndSpace)
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.03;\n    support 2.6;\n}\n");
     EXPECT_EQ(c.error(), "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");
-    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles; at most 1e+09 are possible");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles in the domain; at most 1e+09 are possible");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n}\n");
     c.write("constant/geometry",
             "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); }\nwalls { roof { type plane; point (0 -1 0); normal "
