@@ -41,7 +41,8 @@ public:
 private:
     void change(std::string& text, const std::vector<std::string>& others)
     {
-        static const std::string special("{}()[];\"$#/*\\\n :.,=<>-+eE0123456789\0\xff", 41);
+        using namespace std::string_literals;
+        static const auto special = "{}()[];\"$#/*\\\n :.,=<>-+eE0123456789\0\xff"s;
         static const std::vector<std::string> words{
             "nan", "inf", "-inf", "1e999", "1e-999", "-0", "0x10", "2147483648", "-2147483649", "9223372036854775808", "99999999999999999999", "1e", "--1", "1.5.5", "{", "}", "(",
             ")", ";", "\"", "/*", "*/", "//", "#{", "#}", "$", "$x", "${", "$..x", "$:a.b", "#eval{ 1/0 }", "#eval{", "#include \"constant/d\"", "#include \"/dev/zero\"",

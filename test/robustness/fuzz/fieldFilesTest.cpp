@@ -57,10 +57,11 @@ std::vector<double> numbersIn(const std::string& list)
     }
     if (counted && !all.empty())
     {
-        const auto n = std::size_t(all.front());
+        const auto n = all.front();
         all.erase(all.begin());
+        if (n != double(particles)) return {};
         if (compact != text.npos)
-            for (std::size_t k = all.size(), one = all.size(); k < n*one; ++k) all.push_back(all[k - one]);
+            for (std::size_t k = all.size(), one = all.size(); k < particles*one; ++k) all.push_back(all[k - one]);
     }
     return all;
 }
