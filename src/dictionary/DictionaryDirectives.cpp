@@ -181,8 +181,8 @@ void DictionaryParser::remove(Dictionary::Node& scope, const Token& d)
     for (const auto& name : names) try
         {
             const KeywordPattern pattern(name.kind == Kind::string ? name.text : "");
-            std::erase_if(
-                scope.entries, [&](const DictionaryEntry& e)
+            scope.removeIf(
+                [&](const DictionaryEntry& e)
                 { return e.keyword == name.text || (name.kind == Kind::string && pattern.matches(e.keyword)); });
         }
         catch (const PatternError& e)

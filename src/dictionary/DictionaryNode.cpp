@@ -21,9 +21,9 @@ std::shared_ptr<Node> Node::child(const std::string& key, const Location& at)
 
 DictionaryEntry* Node::findExact(const std::string& key)
 {
-    for (auto& e : entries)
-        if (e.keyword == key) return &e;
-    return nullptr;
+    for (; placed_ < entries.size(); ++placed_) places_.try_emplace(entries[placed_].keyword, placed_);
+    const auto place = places_.find(key);
+    return place == places_.end() ? nullptr : &entries[place->second];
 }
 
 DictionaryEntry* Node::find(const std::string& key)
@@ -153,8 +153,10 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     entry.used = entry.used || before->used;
     *before = std::move(entry);
     // Among patterns the last one wins, so a repeated pattern counts as new.
-    if (pattern)
-        std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+    if (!pattern) return;
+    std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+    places_.clear();
+    placed_ = 0;
 }
 
 void Node::mergeCopies(const Node& other)

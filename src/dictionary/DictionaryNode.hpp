@@ -3,6 +3,7 @@
 #include "KeywordPattern.hpp"
 #include "Token.hpp"
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace sph
@@ -49,6 +50,7 @@ struct Dictionary::Node
     std::shared_ptr<Diagnostics> diagnostics;
     /// Valid while parsing alone: macros search the enclosing dictionaries.
     Node* parent = nullptr;
+    /// Added by `add` alone; `removeIf` removes.
     std::vector<DictionaryEntry> entries;
     /// Place of the closing brace, or the end of the file, in the text.
     std::size_t end = 0;
@@ -80,7 +82,18 @@ struct Dictionary::Node
     Extent extent() const;
     void lookUp(const std::string& key);
 
+    template<class Condition> void removeIf(const Condition& condition)
+    {
+        std::erase_if(entries, condition);
+        places_.clear();
+        placed_ = 0;
+    }
+
 private:
+    /// Where keywords stand in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
+    std::unordered_map<std::string, std::size_t> places_;
+    std::size_t placed_ = 0;
+
     /// Names that were sought in vain below nodes, by their length: patterns could make the ways to read a name with dots countless.
     using Vain = std::set<std::pair<const Node*, std::size_t>>;
     DictionaryEntry* descend(const std::string& name, Vain&);

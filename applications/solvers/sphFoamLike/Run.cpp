@@ -1,6 +1,7 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
 #include "Walls.hpp"
+#include "stopSignals.hpp"
 #include "viewOfScene.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
@@ -19,13 +20,6 @@ namespace
 {
 volatile std::sig_atomic_t stopRequested = 0;
 void requestStop(int) { stopRequested = 1; }
-
-/// A signal that is ignored, as under nohup, stays so.
-void stopOnSignals()
-{
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP})
-        if (std::signal(signal, requestStop) == SIG_IGN) std::signal(signal, SIG_IGN);
-}
 
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
@@ -278,7 +272,7 @@ void Run::reportLeaks() const
 
 void Run::solve()
 {
-    stopOnSignals();
+    onStopSignals(requestStop);
     reportPlan();
     writeBox(case_, geometry_);
     sample(true, false);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <regex>
 
 namespace sph::test
 {
@@ -37,8 +36,13 @@ void writeTime(const std::filesystem::path& folder, WriteFormat format)
 /// The numbers of the text behind a header, comments apart: N ( .. ) without N, N { .. } repeated. Not a number where a word is none.
 std::vector<double> numbersIn(const std::string& list)
 {
-    static const std::regex comment("/\\*[^*]*\\*+(?:[^/*][^*]*\\*+)*/|//[^\n]*");
-    auto text = std::regex_replace(list, comment, " ");
+    auto text = list;
+    for (auto at = text.find('/'); at != text.npos && at + 1 < text.size(); at = text.find('/', at + 1))
+        if (const bool block = text[at + 1] == '*'; block || text[at + 1] == '/')
+        {
+            const auto end = block ? text.find("*/", at + 2) : text.find('\n', at);
+            text.replace(at, (end == text.npos ? text.size() : end + (block ? 2 : 0)) - at, " ");
+        }
     const auto compact = text.find('{');
     const bool counted = text.find_first_not_of(" \t\r\n\v\f") != text.find('(');
     for (auto& c : text)
@@ -86,7 +90,8 @@ bool sameBits(const std::vector<double>& a, const std::vector<double>& b)
 /// Each may be the brace that ends the header, where a damaged one has several.
 bool areNumbers(const std::string& file, const std::vector<double>& values, bool isPositions)
 {
-    for (auto brace = file.find('}'); brace != file.npos; brace = file.find('}', brace + 1))
+    int tried = 0;
+    for (auto brace = file.find('}'); brace != file.npos && ++tried < 50; brace = file.find('}', brace + 1))
     {
         auto found = numbersIn(file.substr(brace + 1));
         if (isPositions)
@@ -122,7 +127,7 @@ void expectRead(const TestCase& c, const std::string& time, const Cloud& cloud)
     for (const auto& [name, field] : cloud.fields)
     {
         const auto file = c.read(folder + name);
-        if (std::regex_search(file, std::regex("arch *\"[^\"]*=(64;|32\")"))) continue; // labels of 64 or scalars of 32 bits: nothing to compare with
+        if (file.find("label=64") != file.npos || file.find("scalar=32") != file.npos) continue; // of other widths: nothing to compare with
         std::vector<const std::vector<double>*> component;
         for (const auto& values : field.component) component.push_back(&values);
         SCOPED_TRACE(name);

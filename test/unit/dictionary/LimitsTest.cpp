@@ -117,6 +117,21 @@ TEST(DictionaryLimits, regularExpressions)
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
+// Many entries are found without looking at each.
+TEST(DictionaryLimits, entries)
+{
+    std::string text;
+    for (int k = 0; k < 100'000; ++k) text += "entry" + std::to_string(k) + " 1;\n";
+    for (int k = 0; k < 100'000; ++k) text += "again" + std::to_string(k) + " $entry" + std::to_string(k) + ";\n";
+    const auto begin = std::chrono::steady_clock::now();
+    const Parsed p(text + "#remove entry0\n\"e.*\" 2;\n\"f.*\" 3;\n\"e.*\" 4;\n");
+    EXPECT_EQ(p.dict.get<int>("again99999"), 1);
+    EXPECT_EQ(p.dict.get<int>("entry1"), 1);
+    EXPECT_EQ(p.dict.get<int>("entry0"), 4);
+    EXPECT_EQ(p.errors(), "");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
 // Endless mistakes are told up to the hundredth.
 TEST(DictionaryLimits, mistakes)
 {
