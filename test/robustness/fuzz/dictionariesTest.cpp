@@ -96,6 +96,7 @@ TEST(Fuzz, Edits)
     fuzz(500, [&](Mutator& mutator)
          {
              const auto& text = mutator.oneOf(texts);
+             std::filesystem::remove(c.folder() / "d"); // emptied in its place it would wait for the disk on some systems
              c.write("d", text);
              const auto before = std::make_shared<Diagnostics>();
              const auto d = Dictionary::read(c.folder(), "d", before);
