@@ -17,6 +17,9 @@ CaseError::CaseError(const Location& where, const std::string& what)
 
 void Diagnostics::error(Location where, std::string what)
 {
+    // A message may quote what a damaged file has without end.
+    constexpr std::size_t longest = 4000;
+    if (what.size() > longest) what = what.substr(0, longest) + "...";
     for (const auto& e : errors_)
         if (e.where.file == where.file && e.where.line == where.line && e.what == what) return;
     errors_.push_back({std::move(where), std::move(what)});

@@ -92,7 +92,7 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         // An error comes behind what has been printed before it, also where both go to one file.
         std::cout.flush();
         std::fflush(stdout);
-        fmt::print(stderr, "--> FATAL ERROR\n{}\n{}", what, hint);
+        std::fputs(fmt::format("--> FATAL ERROR\n{}\n{}", what, hint).c_str(), stderr); // fmt::print would throw where a full disk holds stderr
         return 1;
     };
     std::filesystem::path caseFolder = ".";

@@ -1,6 +1,7 @@
 #include "words.hpp"
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <numeric>
@@ -44,8 +45,9 @@ std::string nearest(const std::string& word, std::span<const std::string> known)
     const std::string* best = nullptr;
     const auto meant = lower(word);
     int least = std::min(3, int(word.size()) / 3) + 1;
+    const auto near = [&](const std::string& k) { return std::abs(long(k.size()) - long(word.size())) < least; }; // the distance is no less
     for (const auto& k : known)
-        if (const int d = distance(meant, lower(k)); d < least)
+        if (const int d = near(k) ? distance(meant, lower(k)) : least; d < least)
         {
             least = d;
             best = &k;
@@ -63,6 +65,12 @@ std::string nearest(const std::string& word, std::span<const std::string> known)
 }
 
 std::string list(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+std::string beginning(const std::string& text)
+{
+    constexpr std::size_t longest = 60;
+    return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
 
 std::string suggestion(const std::string& word, const std::string& things, std::span<const std::string> known)
 {

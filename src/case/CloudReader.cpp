@@ -1,4 +1,5 @@
 #include "Cloud.hpp"
+#include "Dictionary.hpp"
 #include "FieldFile.hpp"
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,40 @@ std::vector<std::string> fieldsIn(const std::filesystem::path& folder)
     return names;
 }
 
+/// What was written must be there: a field that is lost, or copied without, would be taken for one that was never given. OpenFOAM's tools
+/// write this file without the names, and then nothing is known.
+void checkComplete(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, const Cloud& read,
+                   const std::vector<std::string>& files, Diagnostics& diagnostics)
+{
+    const auto file = time + "/uniform/lagrangian/" + cloud + "/cloudProperties";
+    std::error_code none;
+    if (!std::filesystem::exists(caseFolder / file, none)) return;
+    const auto mistakes = std::make_shared<Diagnostics>();
+    const auto written = Dictionary::read(caseFolder, file, mistakes);
+    std::vector<std::string> names;
+    int count = int(read.size());
+    if (written.found("fields"))
+    {
+        names = written.get<std::vector<std::string>>("fields");
+        count = written.subDict("processor0").get<int>("particleCount");
+    }
+    try
+    {
+        mistakes->throwIfAny();
+    }
+    catch (const CaseError& e)
+    {
+        return diagnostics.error({}, e.what());
+    }
+    if (std::size_t(count) != read.size())
+        diagnostics.error({read.folder + "/positions", 0}, fmt::format("has {} particles, and {} says {}", read.size(), file, count));
+    for (const auto& name : names)
+        if (std::ranges::find(files, name) == files.end())
+            diagnostics.error({read.folder + "/" + name, 0}, fmt::format("is missing, and was written with the others: see `fields` in {}, and leave it out "
+                                                                         "there if it is not meant to be read",
+                                                                         file));
+}
+
 std::string cloudFolder(const std::string& time, const std::string& cloud) { return time + "/lagrangian/" + cloud; }
 
 }
@@ -46,7 +81,9 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
     result.x = std::move(positions->x);
     result.y = std::move(positions->y);
     result.z = std::move(positions->z);
-    for (const auto& name : fieldsIn(caseFolder / folder))
+    const auto files = fieldsIn(caseFolder / folder);
+    checkComplete(caseFolder, time, cloud, result, files, diagnostics);
+    for (const auto& name : files)
     {
         const auto file = folder + "/" + name;
         const auto its = wanted.find(name);

@@ -177,13 +177,16 @@ void writeCloud(const std::filesystem::path& timeFolder, const std::string& clou
     writePositions(folder, location, n, positions, options);
     for (const auto& field : fields) writeField(folder, location, n, field, options);
 
-    // Without `geometry positions;` OpenFOAM's tools look for barycentric coordinates and silently read no particles.
+    // Without `geometry positions;` OpenFOAM's tools look for barycentric coordinates and silently read no particles. The names of the fields
+    // are for readCloud, which misses what has been lost.
+    std::string names;
+    for (const auto& field : fields) names += (names.empty() ? "" : " ") + field.name;
     const auto properties = timeFolder / "uniform" / "lagrangian" / cloud;
     createFolders(properties);
     writeFile(
         properties / "cloudProperties",
         foamHeader(WriteFormat::ascii, "dictionary", fmt::format("{}/uniform/lagrangian/{}", time, cloud), "cloudProperties") +
-            fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n", n));
+            fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n\nfields          ({});\n", n, names));
 }
 
 }

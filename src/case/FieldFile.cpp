@@ -7,7 +7,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <system_error>
+#include <set>
+#include <stdexcept>
 
 namespace sph
 {
@@ -45,6 +46,7 @@ Header readHeader(FoamScanner& in)
     if (in.peek() == '\0' || in.word() != "FoamFile" || !in.take('{')) in.fail("no FoamFile header: not a field file");
     Header header;
     bool hasFormat = false;
+    std::set<std::string> given;
     while (!in.take('}'))
     {
         if (in.atEnd()) in.fail("the FoamFile header does not end");
@@ -53,6 +55,7 @@ Header readHeader(FoamScanner& in)
         const int line = in.line();
         if (key.empty() || value.empty() || !in.take(';'))
             throw ScanError(line, fmt::format("FoamFile header: expected \"keyword value;\", found \"{} {}\"", key, value));
+        if (!given.insert(key).second) throw ScanError(line, fmt::format("FoamFile header: \"{}\" is given twice", key));
         if (key == "format")
         {
             static const std::vector<std::string> known{"ascii", "binary"};
@@ -183,8 +186,7 @@ double asciiLabel(FoamScanner& in, std::size_t i)
 {
     auto start = in;
     std::int64_t value;
-    const bool whole = in.integer(value) && (in.atEnd() || !std::strchr(".eE", *in.here()));
-    if (whole) return double(value);
+    if (in.integer(value)) return double(value);
     if (start.peek() == '\0' && start.atEnd()) start.fail(fmt::format("the file is truncated in the value of particle {}", i));
     start.fail(fmt::format("expected an integer for particle {}, found {}", i, start.found()));
 }
@@ -292,9 +294,9 @@ std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std
     {
         diagnostics.error({file, e.line}, e.what());
     }
-    catch (const std::system_error& e)
+    catch (const std::runtime_error& e)
     {
-        diagnostics.error({file, 0}, "cannot be read: " + e.code().message());
+        diagnostics.error({file, 0}, std::string("cannot be read: ") + e.what());
     }
     return std::nullopt;
 }

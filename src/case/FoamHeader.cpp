@@ -1,4 +1,5 @@
 #include "FoamHeader.hpp"
+#include "OutputFile.hpp"
 #include <bit>
 #include <fmt/format.h>
 

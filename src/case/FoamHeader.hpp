@@ -12,6 +12,4 @@ std::string foamHeader(WriteFormat, const std::string& className, const std::str
 /// What a time folder will be called once it is whole: its name without the ".partial" it carries while it is written.
 std::string finalName(const std::filesystem::path& timeFolder);
 
-inline constexpr const char* partialSuffix = ".partial";
-
 }

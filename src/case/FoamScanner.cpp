@@ -32,8 +32,8 @@ std::string FoamScanner::word()
     const char first = peek();
     if (first == '"')
     {
-        const auto close = std::find(at_ + 1, end_, '"');
-        if (close == end_) fail("the string does not end");
+        const auto close = std::find_if(at_ + 1, end_, [](char c) { return c == '"' || c == '\n'; });
+        if (close == end_ || *close == '\n') fail("the string does not end on its line");
         std::string text(at_ + 1, close);
         at_ = close + 1;
         return text;
@@ -56,7 +56,7 @@ bool FoamScanner::number(double& value)
     // std::from_chars knows no leading '+'.
     const bool plus = at_ != end_ && *at_ == '+' && at_ + 1 != end_ && at_[1] != '-';
     const auto [stop, error] = std::from_chars(at_ + plus, end_, value);
-    if (error == std::errc::invalid_argument) return false;
+    if (error == std::errc::invalid_argument || !endsAt(stop)) return false;
     if (error == std::errc::result_out_of_range) value = std::strtod(std::string(at_, stop).c_str(), nullptr);
     at_ = stop;
     return true;
@@ -66,7 +66,7 @@ bool FoamScanner::integer(std::int64_t& value)
 {
     skip();
     const auto [stop, error] = std::from_chars(at_, end_, value);
-    if (error != std::errc{}) return false;
+    if (error != std::errc{} || !endsAt(stop)) return false;
     at_ = stop;
     return true;
 }

@@ -21,6 +21,7 @@ class FoamScanner
     const char *begin_, *at_, *end_;
     bool inBinary_ = false;
 
+    bool endsAt(const char* at) const { return at == end_ || isBlank(*at) || *at == '/' || std::strchr("(){}", *at); }
     static bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
     void skipComment();
 
@@ -75,7 +76,8 @@ public:
 
     /// Up to white space or one of `; { } ( )`, parentheses within a word being part of it; or a quoted string without its quotes.
     std::string word();
-    /// False, and nothing taken, where no number stands here. May give NaN or infinity.
+    /// False, and nothing taken, where no number stands here, up to white space or a bracket: "1-2" is none, and no two either. May give NaN or
+    /// infinity.
     bool number(double&);
     bool integer(std::int64_t&);
 

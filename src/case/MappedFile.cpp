@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <stdexcept>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -12,14 +13,13 @@ namespace sph
 
 namespace
 {
-/// Closes the descriptor: the mapping outlives it.
 std::pair<void*, std::size_t> map(int descriptor)
 {
     struct stat status;
     if (::fstat(descriptor, &status) != 0) return {MAP_FAILED, 0};
-    if (S_ISDIR(status.st_mode))
+    if (!S_ISREG(status.st_mode))
     {
-        errno = EISDIR;
+        errno = S_ISDIR(status.st_mode) ? EISDIR : ENODEV;
         return {MAP_FAILED, 0};
     }
     const auto size = std::size_t(status.st_size);
@@ -30,12 +30,17 @@ std::pair<void*, std::size_t> map(int descriptor)
 
 MappedFile::MappedFile(const std::filesystem::path& path)
 {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // A pipe must not make the opening wait for a writer.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) throw std::system_error(errno, std::generic_category());
     const auto [data, size] = map(descriptor);
     const int reason = errno;
-    ::close(descriptor);
-    if (data == MAP_FAILED) throw std::system_error(reason, std::generic_category());
+    ::close(descriptor); // the mapping outlives it
+    if (data == MAP_FAILED)
+    {
+        if (reason == ENODEV) throw std::runtime_error("it is a device or a pipe: only regular files are read");
+        throw std::system_error(reason, std::generic_category());
+    }
     data_ = data;
     size_ = size;
 }

@@ -12,7 +12,7 @@ class MappedFile
     std::size_t size_ = 0;
 
 public:
-    /// Throws std::system_error with the reason, as "No such file or directory".
+    /// Throws std::runtime_error with the reason, as "No such file or directory"; anything but a regular file is refused.
     explicit MappedFile(const std::filesystem::path&);
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;

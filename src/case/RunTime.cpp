@@ -118,7 +118,11 @@ void RunTime::findStart(const Case& c)
 void RunTime::restore(const Case& c)
 {
     const auto timeFile = startName_ + "/uniform/time", stateFile = startName_ + "/uniform/sphState";
-    if (!c.has(timeFile)) return;
+    if (!c.has(timeFile))
+    {
+        if (c.has(stateFile)) c.diagnostics().warning({timeFile, 0}, fmt::format("is missing: the run starts afresh at {}", startName_));
+        return;
+    }
     const auto stored = c.dictionary(timeFile);
     const double exact = stored.get<double>("value");
     if (!couldBeNamed(exact, startName_))
@@ -133,6 +137,8 @@ void RunTime::restore(const Case& c)
     value_ = exact;
     index_ = long(stored.get<double>("index", 0.0));
     if (controls_.adjustTimeStep) deltaT_ = stored.get<double>("deltaT", deltaT_);
+    if (!c.has(stateFile))
+        c.diagnostics().warning({stateFile, 0}, "is missing: the run goes on without the numbers that were stored with the fields, not as though it had never stopped");
     const auto state = c.dictionaryIfPresent(stateFile);
     for (const auto& key : state.keys()) restored_[key] = state.get<double>(key);
     const auto seen = c.dictionaryIfPresent(startName_ + "/uniform/functionObjects");

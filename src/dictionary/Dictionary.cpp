@@ -1,6 +1,8 @@
 #include "Dictionary.hpp"
-#include "DictionaryParser.hpp"
+#include "DictionaryNode.hpp"
 #include "TokenReader.hpp"
+#include "readText.hpp"
+#include "readWith.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -110,35 +112,24 @@ std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, con
 Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::string& file,
                             std::shared_ptr<Diagnostics> diagnostics)
 {
-    Dictionary d(newNode(file, diagnostics));
     const auto path = caseFolder / file;
-    const auto text = readText(path);
-    if (!text)
-    {
-        d.node_->missing = true;
-        std::vector<std::string> siblings;
-        std::error_code none;
-        for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), none))
-            siblings.push_back(entry.path().filename().string());
-        const auto near = nearest(path.filename().string(), siblings);
-        diagnostics->error({file, 0},
-                           std::string(std::filesystem::exists(path) ? "this file cannot be read" : "there is no such file") +
-                               (near.empty() || near == path.filename() ? "" : fmt::format(". Is \"{}\" meant?", near)));
-        return d;
-    }
-    DictionaryParser::Context context{.caseFolder = caseFolder, .diagnostics = diagnostics};
-    context.open.push_back(std::filesystem::weakly_canonical(path));
-    DictionaryParser(context, *text, file, path.parent_path()).parse(*d.node_);
+    std::string reason;
+    if (const auto text = readText(path, reason)) return readAs(*text, caseFolder, file, diagnostics);
+
+    Dictionary d(newNode(file, diagnostics));
+    d.node_->missing = true;
+    std::vector<std::string> siblings;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), none))
+        siblings.push_back(entry.path().filename().string());
+    const auto near = nearest(path.filename().string(), siblings);
+    diagnostics->error({file, 0}, reason + (near.empty() || near == path.filename() ? "" : fmt::format(". Is \"{}\" meant?", near)));
     return d;
 }
 
 Dictionary Dictionary::parse(const std::string& text, const std::string& file, std::shared_ptr<Diagnostics> diagnostics)
 {
-    Dictionary d(newNode(file, diagnostics));
-    DictionaryParser::Context context{.caseFolder = ".", .diagnostics = diagnostics};
-    context.open.push_back(std::filesystem::weakly_canonical(file));
-    DictionaryParser(context, text, file, std::filesystem::path(file).parent_path()).parse(*d.node_);
-    return d;
+    return readAs(text, ".", file, std::move(diagnostics));
 }
 
 Dictionary Dictionary::empty(const std::string& name, std::shared_ptr<Diagnostics> diagnostics)

@@ -1,5 +1,7 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
+#include "limits.hpp"
+#include "readText.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cstdlib>
@@ -101,21 +103,25 @@ void DictionaryParser::include(Dictionary::Node& scope, const Token& d)
         if (!project) return;
         file = std::filesystem::path(project) / "etc" / wanted;
     }
-    const auto canonical = std::filesystem::weakly_canonical(file);
+    std::error_code none;
+    const auto canonical = std::filesystem::weakly_canonical(file, none);
     if (std::find(context_.open.begin(), context_.open.end(), canonical) != context_.open.end())
     {
         error(d.line, fmt::format("\"{}\" includes itself", wanted.string()));
         return;
     }
-    const auto text = readText(file);
+    std::string reason;
+    const auto text = readText(file, reason);
     // Messages name files of the case relative to the case folder.
-    const auto relative = canonical.lexically_relative(std::filesystem::weakly_canonical(context_.caseFolder));
+    const auto relative = canonical.lexically_relative(std::filesystem::weakly_canonical(context_.caseFolder, none));
     const auto shown = relative.empty() || relative.begin()->string() == ".." ? canonical.string() : relative.string();
     if (!text)
     {
-        if (!optional) error(d.line, fmt::format("there is no file \"{}\" to include", shown));
+        if (std::filesystem::exists(file, none)) error(d.line, fmt::format("\"{}\" cannot be included: {}", shown, reason));
+        else if (!optional) error(d.line, fmt::format("there is no file \"{}\" to include", shown));
         return;
     }
+    if (++context_.included > limit::includes) return stop(d.line, fmt::format("more than {} files are included", limit::includes));
     context_.open.push_back(canonical);
     DictionaryParser(context_, *text, shown, file.parent_path()).parse(scope);
     context_.open.pop_back();
@@ -174,14 +180,14 @@ void DictionaryParser::remove(Dictionary::Node& scope, const Token& d)
 
     for (const auto& name : names) try
         {
-            const std::regex pattern(name.kind == Kind::string ? name.text : "", std::regex::extended);
-            std::erase_if(
-                scope.entries, [&](const DictionaryEntry& e)
-                { return e.keyword == name.text || (name.kind == Kind::string && std::regex_match(e.keyword, pattern)); });
+            const KeywordPattern pattern(name.kind == Kind::string ? name.text : "");
+            scope.removeIf(
+                [&](const DictionaryEntry& e)
+                { return e.keyword == name.text || (name.kind == Kind::string && pattern.matches(e.keyword)); });
         }
-        catch (const std::regex_error&)
+        catch (const PatternError& e)
         {
-            error(name.line, fmt::format("\"{}\" is not a valid regular expression", name.text));
+            error(name.line, fmt::format("\"{}\" {}", beginning(name.text), e.what()));
         }
 }
 

@@ -31,6 +31,12 @@ Token punctuationToken(const char* text, const Token& at)
 
 }
 
+void DictionaryParser::take(DictionaryEntry& entry, int line) const
+{
+    entry.used = true;
+    if (entry.taken.empty() || entry.taken.back().line != line || entry.taken.back().file != file_) entry.taken.push_back({file_, line});
+}
+
 /// `$base;` among entries takes over those of another dictionary; what is written behind it overrides them.
 void DictionaryParser::mergeMacro(Dictionary::Node& scope, const Token& variable)
 {
@@ -50,9 +56,9 @@ void DictionaryParser::mergeMacro(Dictionary::Node& scope, const Token& variable
               fmt::format("\"${}\" stands among entries, but \"{}\" is not a dictionary", variable.text, found->keyword));
     else
     {
-        found->used = true;
+        take(*found, variable.line);
         const auto base = found->dictionary; // the entry itself may move while entries are added
-        scope.mergeCopies(*base);
+        if (fits(variable.line, base->extent())) scope.mergeCopies(*base);
     }
 }
 
@@ -60,8 +66,8 @@ std::vector<Token> DictionaryParser::expand(Dictionary::Node& scope, const Token
 {
     if (auto* found = scope.findScoped(variable.text))
     {
-        found->used = true;
-        if (!found->dictionary) return found->value;
+        take(*found, variable.line);
+        if (!found->dictionary) return fits(variable.line, extentOf(found->value)) ? found->value : std::vector<Token>{};
         error(variable.line,
               fmt::format("\"${}\" is a dictionary and cannot be a value; its entries are taken over by {{ ${}; }}",
                           variable.text, variable.text));
@@ -94,7 +100,7 @@ void DictionaryParser::undefinedMacro(Dictionary::Node& scope, const Token& vari
                                      variable.text, meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
 }
 
-ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std::string& name) const
+ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std::string& name, int line) const
 {
     auto* found = scope.findScoped(name);
     if (!found)
@@ -108,7 +114,7 @@ ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std:
         throw ExpressionError(fmt::format("\"${}\" is not defined above{}", name,
                                           meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
     }
-    found->used = true;
+    take(*found, line);
     const auto& v = found->value;
     // "nu [0 2 -1 0 0 0 0] 1e-6" gives its number
     if (!v.empty() && v.back().kind == Kind::number && (v.size() == 1 || v[v.size() - 2].kind == Kind::dimensions))
@@ -141,7 +147,7 @@ std::vector<Token> DictionaryParser::eval(Dictionary::Node& scope, const Token& 
     const Token& text = tokens_[at_++];
     try
     {
-        const auto result = evaluate(text.text, [&](const std::string& name) { return macroValue(scope, name); });
+        const auto result = evaluate(text.text, [&](const std::string& name) { return macroValue(scope, name, directive.line); });
         if (!result.vector) return {numberToken(result.scalar, directive)};
         const auto [x, y, z] = *result.vector;
         return {punctuationToken("(", directive), numberToken(x, directive), numberToken(y, directive), numberToken(z, directive),
@@ -151,7 +157,7 @@ std::vector<Token> DictionaryParser::eval(Dictionary::Node& scope, const Token& 
     {
         const auto first = text.text.find_first_not_of(" \t\n"), last = text.text.find_last_not_of(" \t\n");
         const auto shown = first == std::string::npos ? "" : text.text.substr(first, last - first + 1);
-        error(directive.line, fmt::format("#eval \"{}\": {}", shown, e.what()));
+        error(directive.line, fmt::format("#eval \"{}\": {}", beginning(shown), e.what()));
         return {numberToken(1, directive)};
     }
 }

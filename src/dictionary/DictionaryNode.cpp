@@ -1,4 +1,5 @@
 #include "DictionaryNode.hpp"
+#include "limits.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -20,32 +21,39 @@ std::shared_ptr<Node> Node::child(const std::string& key, const Location& at)
 
 DictionaryEntry* Node::findExact(const std::string& key)
 {
-    for (auto& e : entries)
-        if (e.keyword == key) return &e;
-    return nullptr;
+    for (; placed_ < entries.size(); ++placed_) places_.try_emplace(entries[placed_].keyword, placed_);
+    const auto place = places_.find(key);
+    return place == places_.end() ? nullptr : &entries[place->second];
 }
 
 DictionaryEntry* Node::find(const std::string& key)
 {
     if (auto* exact = findExact(key)) return exact;
     for (auto e = entries.rbegin(); e != entries.rend(); ++e)
-        if (e->pattern && std::regex_match(key, *e->pattern)) return &*e;
+        if (e->pattern && e->pattern->matches(key)) return &*e;
     return nullptr;
 }
 
 /// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator. A pattern
 /// such as "p.*" would match any path that begins with p, so that patterns see whole paths last.
-DictionaryEntry* Node::descend(const std::string& path)
+DictionaryEntry* Node::descend(const std::string& path, Vain& vain)
 {
     if (auto* entry = findExact(path)) return entry;
+    if (!vain.emplace(this, path.size()).second) return nullptr;
     for (auto dot = path.find('.'); dot != path.npos; dot = path.find('.', dot + 1))
         if (auto* entry = find(path.substr(0, dot)); entry && entry->dictionary)
-            if (auto* inner = entry->dictionary->descend(path.substr(dot + 1)))
+            if (auto* inner = entry->dictionary->descend(path.substr(dot + 1), vain))
             {
                 entry->used = true;
                 return inner;
             }
     return find(path);
+}
+
+DictionaryEntry* Node::descend(const std::string& path)
+{
+    Vain vain;
+    return descend(path, vain);
 }
 
 DictionaryEntry* Node::findScoped(const std::string& path)
@@ -75,6 +83,25 @@ DictionaryEntry* Node::findScoped(const std::string& path)
     return nullptr;
 }
 
+namespace
+{
+/// "the macro in d:3", "the macros in d:3, d:4, .."
+std::string takers(const DictionaryEntry& entry)
+{
+    constexpr std::size_t most = 5;
+    std::string places;
+    for (std::size_t k = 0; k < std::min(most, entry.taken.size()); ++k) places += (k ? ", " : "") + toString(entry.taken[k]);
+    if (entry.taken.size() > most) places += fmt::format(" and {} more", entry.taken.size() - most);
+    return (entry.taken.size() > 1 ? "the macros in " : "the macro in ") + places;
+}
+
+bool sameValue(const DictionaryEntry& a, const DictionaryEntry& b)
+{
+    const auto same = [](const Token& s, const Token& t) { return s.kind == t.kind && s.text == t.text && s.dictionary == t.dictionary; };
+    return a.dictionary == b.dictionary && std::ranges::equal(a.value, b.value, same);
+}
+}
+
 void Node::add(DictionaryEntry entry, InputMode mode)
 {
     if (entry.dictionary) entry.dictionary->parent = this;
@@ -98,6 +125,8 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     case InputMode::merge:
         if (before->dictionary && entry.dictionary)
         {
+            if (!before->taken.empty() && !entry.dictionary->entries.empty())
+                diagnostics->warning(entry.where, previous + "; what is added here comes too late for " + takers(*before));
             for (auto& inner : entry.dictionary->entries) before->dictionary->add(std::move(inner), mode);
             if (entry.copied || (!before->copied && entry.where.file != before->where.file)) return;
             // New entries would be written into the last block of the text that is this dictionary's own.
@@ -114,15 +143,20 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     }
     // Overriding a macro's or an included file's value is the usual way to vary a base case; the same keyword twice in one
     // block is most likely a slip.
-    if (mode == InputMode::merge && !before->copied && !entry.copied && before->where.file == entry.where.file &&
-        before->where.line != entry.where.line)
+    // A macro's value is fixed where the macro stands, as in OpenFOAM.
+    if (!before->taken.empty() && !sameValue(*before, entry))
+        diagnostics->warning(entry.where, previous + "; the last one counts, but comes too late for " + takers(*before));
+    else if (mode == InputMode::merge && !before->copied && !entry.copied && before->where.file == entry.where.file &&
+             before->where.line != entry.where.line)
         diagnostics->warning(entry.where, previous + "; the last one counts");
     const bool pattern = before->pattern != nullptr;
     entry.used = entry.used || before->used;
     *before = std::move(entry);
     // Among patterns the last one wins, so a repeated pattern counts as new.
-    if (pattern)
-        std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+    if (!pattern) return;
+    std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
+    places_.clear();
+    placed_ = 0;
 }
 
 void Node::mergeCopies(const Node& other)
@@ -132,6 +166,7 @@ void Node::mergeCopies(const Node& other)
     {
         copy.copied = true;
         copy.used = copy.ignored = false;
+        copy.taken.clear();
         const auto duplicate = [&](std::shared_ptr<Node>& inner)
         {
             auto own = child(inner->keyword, inner->where);
@@ -144,6 +179,45 @@ void Node::mergeCopies(const Node& other)
             if (token.dictionary) duplicate(token.dictionary);
         add(std::move(copy), InputMode::merge);
     }
+}
+
+namespace
+{
+using Extent = Node::Extent;
+void measure(const std::vector<Token>&, int level, Extent&);
+
+void measure(const Node& node, int level, Extent& all)
+{
+    all.levels = std::max(all.levels, level);
+    for (const auto& e : node.entries)
+    {
+        if (++all.words > limit::words || level > limit::nesting) return;
+        if (e.dictionary) measure(*e.dictionary, level + 1, all);
+        measure(e.value, level, all);
+    }
+}
+
+void measure(const std::vector<Token>& value, int level, Extent& all)
+{
+    all.words += value.size();
+    for (const auto& token : value)
+        if (all.words > limit::words) return;
+        else if (token.dictionary) measure(*token.dictionary, level + 1, all);
+}
+}
+
+Extent Node::extent() const
+{
+    Extent all;
+    measure(*this, 1, all);
+    return all;
+}
+
+Extent extentOf(const std::vector<Token>& value)
+{
+    Extent all;
+    measure(value, 0, all);
+    return all;
 }
 
 void Node::lookUp(const std::string& key)

@@ -1,7 +1,9 @@
 /// What a Dictionary is a handle on: the parsed entries, their place in the files, and what was looked up.
 #pragma once
+#include "KeywordPattern.hpp"
 #include "Token.hpp"
-#include <regex>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace sph
@@ -25,7 +27,9 @@ struct DictionaryEntry
     std::vector<Token> value;
     std::shared_ptr<Dictionary::Node> dictionary = nullptr;
     /// Set where the keyword was written in quotes: it then stands for all keywords that it matches.
-    std::shared_ptr<const std::regex> pattern = nullptr;
+    std::shared_ptr<const KeywordPattern> pattern = nullptr;
+    /// Where macros have taken its value: what they made of it stays, whatever becomes of the entry.
+    std::vector<Location> taken = {};
 
     /// The text of the value (or of `{ .. }`) in the file `where.file`.
     std::size_t begin = 0, end = 0;
@@ -46,6 +50,7 @@ struct Dictionary::Node
     std::shared_ptr<Diagnostics> diagnostics;
     /// Valid while parsing alone: macros search the enclosing dictionaries.
     Node* parent = nullptr;
+    /// Added by `add` alone; `removeIf` removes.
     std::vector<DictionaryEntry> entries;
     /// Place of the closing brace, or the end of the file, in the text.
     std::size_t end = 0;
@@ -68,10 +73,34 @@ struct Dictionary::Node
     void add(DictionaryEntry, InputMode);
     /// Adds copies of the entries of another dictionary; they remember where they were written.
     void mergeCopies(const Node&);
+    /// The words that it holds, and how deep dictionaries nest in it, itself included; counted up to the limits alone.
+    struct Extent
+    {
+        std::size_t words = 0;
+        int levels = 0;
+    };
+    Extent extent() const;
     void lookUp(const std::string& key);
 
+    template<class Condition> void removeIf(const Condition& condition)
+    {
+        std::erase_if(entries, condition);
+        places_.clear();
+        placed_ = 0;
+    }
+
 private:
+    /// Where keywords stand in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
+    std::unordered_map<std::string, std::size_t> places_;
+    std::size_t placed_ = 0;
+
+    /// Names that were sought in vain below nodes, by their length: patterns could make the ways to read a name with dots countless.
+    using Vain = std::set<std::pair<const Node*, std::size_t>>;
+    DictionaryEntry* descend(const std::string& name, Vain&);
     DictionaryEntry* descend(const std::string& name);
 };
+
+/// Of a value: the dictionaries in it counted with all they hold.
+Dictionary::Node::Extent extentOf(const std::vector<Token>&);
 
 }

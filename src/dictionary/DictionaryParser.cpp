@@ -1,43 +1,57 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
+#include "limits.hpp"
+#include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
+#include <utility>
 
 namespace sph
 {
 
 using Kind = Token::Kind;
 
-std::optional<std::string> readText(const std::filesystem::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file)) return {};
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 DictionaryParser::DictionaryParser(Context& context, const std::string& text, std::string file, std::filesystem::path folder)
     : context_(context),
       file_(std::move(file)),
       folder_(std::move(folder)),
       tokens_(tokenise(text, file_, *context.diagnostics)),
-      textSize_(text.size())
+      textSize_(text.size()),
+      mostErrors_(context.diagnostics->errors() + limit::mistakes)
 {
+}
+
+void DictionaryParser::error(int line, std::string what)
+{
+    if (context_.stopped) return;
+    context_.diagnostics->error({file_, line}, std::move(what));
+    if (context_.diagnostics->errors() >= mostErrors_) stop(line, fmt::format("{} mistakes until here", limit::mistakes));
+}
+
+void DictionaryParser::stop(int line, const std::string& why)
+{
+    if (!std::exchange(context_.stopped, true)) context_.diagnostics->error({file_, line}, why + ": nothing behind this is read");
+}
+
+bool DictionaryParser::fits(int line, const Dictionary::Node::Extent& more)
+{
+    context_.words += more.words;
+    if (context_.words > limit::words) stop(line, fmt::format("more than {} words, with what macros and included files bring in", limit::words));
+    else if (context_.nesting + more.levels > limit::nesting) stop(line, fmt::format("dictionaries nest deeper than {} levels", limit::nesting));
+    return !context_.stopped;
 }
 
 void DictionaryParser::parse(Dictionary::Node& into)
 {
-    entries(into, nullptr);
+    if (fits(1, {tokens_.size(), 1})) entries(into, nullptr);
     if (context_.open.size() <= 1) into.end = textSize_;
     for (const auto& branch : branches_) error(branch.line, fmt::format("#{} is never ended by #endif", branch.directive));
 }
 
 void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
 {
-    while (!atEnd())
+    ++context_.nesting;
+    while (!atEnd() && !context_.stopped)
     {
         const Token& t = tokens_[at_++];
         if (t.is(';')) continue;
@@ -47,6 +61,7 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
             {
                 scope.end = t.begin;
                 checkBraces(scope, *opening, t);
+                --context_.nesting;
                 return;
             }
             error(t.line, "'}' closes nothing: there is no open '{'");
@@ -64,6 +79,7 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
             skipToNextEntry();
         }
     }
+    --context_.nesting;
     if (!opening) return;
     scope.end = textSize_;
     if (suspect_)
@@ -88,11 +104,11 @@ void DictionaryParser::entry(Dictionary::Node& scope, const Token& keyword, Inpu
     {
         try
         {
-            e.pattern = std::make_shared<std::regex>(keyword.text, std::regex::extended);
+            e.pattern = std::make_shared<KeywordPattern>(keyword.text);
         }
-        catch (const std::regex_error&)
+        catch (const PatternError& what)
         {
-            error(keyword.line, fmt::format("\"{}\" is not a valid regular expression", keyword.text));
+            error(keyword.line, fmt::format("\"{}\" {}", beginning(keyword.text), what.what()));
         }
     }
     if (!atEnd() && peek().is('{'))
@@ -108,7 +124,7 @@ void DictionaryParser::subDictionary(Dictionary::Node& scope, DictionaryEntry e,
 {
     const Token& opening = tokens_[at_++];
     e.dictionary = scope.child(e.keyword, e.where);
-    entries(*e.dictionary, &opening);
+    if (fits(opening.line, {0, 1})) entries(*e.dictionary, &opening);
     e.begin = opening.begin;
     e.end = std::min(e.dictionary->end + 1, textSize_);
     scope.add(std::move(e), mode);
@@ -126,6 +142,7 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
     };
     for (;;)
     {
+        if (context_.stopped) return finish();
         if (open.empty() ? atEnd() || semicolonMissing(keyword, at_ > begin) : false)
         {
             error(tokens_[at_ - 1].lastLine, fmt::format("entry \"{}\" is not closed by ';'", e.keyword));
@@ -222,7 +239,7 @@ void DictionaryParser::listedDictionary(Dictionary::Node& scope, DictionaryEntry
     Token t{.kind = Kind::dictionary, .text = named ? name : "", .line = opening.line, .lastLine = opening.line};
     t.dictionary = scope.child(e.keyword + "." + name, {file_, named ? tokens_[at_ - 2].line : opening.line});
     t.dictionary->keyword = name;
-    entries(*t.dictionary, &opening);
+    if (fits(opening.line, {0, 1})) entries(*t.dictionary, &opening);
     e.value.push_back(std::move(t));
 }
 

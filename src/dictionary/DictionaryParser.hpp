@@ -21,6 +21,11 @@ public:
         InputMode mode = InputMode::merge;
         /// Files being read, the including ones first.
         std::vector<std::filesystem::path> open = {};
+        /// Dictionaries and files that are open, and all words until now, those of macros included: see limits.hpp.
+        int nesting = 0, included = 0;
+        std::size_t words = 0;
+        /// A limit is passed: nothing more is read.
+        bool stopped = false;
     };
 
     /// `file` as messages name it; includes are sought relative to `folder`.
@@ -41,7 +46,7 @@ private:
     std::string file_;
     std::filesystem::path folder_;
     std::vector<Token> tokens_;
-    std::size_t at_ = 0, textSize_;
+    std::size_t at_ = 0, textSize_, mostErrors_;
     std::vector<Branch> branches_;
     /// The first block whose closing brace stands elsewhere than its opening one: where a brace is missing, it is here.
     std::optional<std::string> suspect_;
@@ -50,7 +55,11 @@ private:
     bool atEnd() const { return at_ >= tokens_.size(); }
     const Token& peek() const { return tokens_[at_]; }
     bool sameLine(int line) const { return !atEnd() && peek().line == line && !peek().firstOnLine; }
-    void error(int line, std::string what) { context_.diagnostics->error({file_, line}, std::move(what)); }
+    void error(int line, std::string what);
+    /// Records the error that a limit is passed, the last one.
+    void stop(int line, const std::string& why);
+    /// Whether so much more may come to be here.
+    bool fits(int line, const Dictionary::Node::Extent&);
 
     void entries(Dictionary::Node& scope, const Token* opening);
     void entry(Dictionary::Node& scope, const Token& keyword, InputMode);
@@ -67,7 +76,8 @@ private:
     void mergeMacro(Dictionary::Node& scope, const Token& variable);
     std::vector<Token> expand(Dictionary::Node& scope, const Token& variable);
     std::vector<Token> eval(Dictionary::Node& scope, const Token& directive);
-    ExpressionValue macroValue(Dictionary::Node& scope, const std::string& name) const;
+    void take(DictionaryEntry&, int line) const;
+    ExpressionValue macroValue(Dictionary::Node& scope, const std::string& name, int line) const;
     void undefinedMacro(Dictionary::Node& scope, const Token& variable);
 
     void directive(Dictionary::Node& scope, const Token& directive);
@@ -87,8 +97,5 @@ private:
 
 /// The words that OpenFOAM takes for true and false.
 std::optional<bool> toSwitch(const std::string& word);
-
-/// The text of a file, if it can be read.
-std::optional<std::string> readText(const std::filesystem::path&);
 
 }

@@ -1,10 +1,11 @@
 #include "DictionaryText.hpp"
 #include "DictionaryNode.hpp"
-#include "DictionaryParser.hpp"
+#include "OutputFile.hpp"
+#include "readText.hpp"
+#include "readWith.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace sph
 {
@@ -90,17 +91,36 @@ std::string entriesText(const Node& node, int indent)
     return text;
 }
 
-void checkValue(const std::string& value)
+constexpr const char* blanks = " \t\r\n";
+
+/// A dictionary, not a value.
+bool isBlock(const std::string& value)
 {
-    const auto diagnostics = std::make_shared<Diagnostics>();
-    const bool block = value.find_first_not_of(" \t\n") != value.npos && value[value.find_first_not_of(" \t\n")] == '{';
-    // Macros depend on where the value will stand: their names are checked when the dictionary is read.
-    std::string text = value;
-    std::replace(text.begin(), text.end(), '$', '_');
-    const auto d = Dictionary::parse("value " + text + (block ? "\n" : ";\n"), "", diagnostics);
-    if (!diagnostics->ok() || d.keys().size() != 1)
-        throw CaseError(fmt::format(
-            "\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", value));
+    const auto first = value.find_first_not_of(blanks);
+    return first != value.npos && value[first] == '{';
+}
+
+/// What would be written must be readable, and the value that was given be all of the entry's: it may name an unknown macro, or end too early.
+void checkEdited(const Dictionary& edited, const std::string& path, const std::string& value, std::size_t begin)
+{
+    try
+    {
+        edited.diagnostics().throwIfAny();
+    }
+    catch (const CaseError& e)
+    {
+        throw CaseError(fmt::format("With \"{}\" for \"{}\" the file would be unreadable and is left as it is:\n{}", beginning(value), beginning(path), e.what()));
+    }
+    const auto found = walk(edited.node(), withoutLeadingColon(path), false);
+    if (found.empty())
+        throw CaseError({edited.name(), 0}, fmt::format("\"{}\" cannot be an entry of this file", beginning(path)));
+    const auto& e = *found.back();
+    const auto first = value.find_first_not_of(blanks), last = value.find_last_not_of(blanks);
+    const bool whole = first == value.npos ? e.value.empty() : e.begin == begin + first && e.end == begin + last + 1;
+    if (!whole || bool(e.dictionary) != isBlock(value))
+        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", beginning(value)));
+    if (const auto* header = edited.node().findExact("FoamFile"); header && !header->dictionary)
+        throw CaseError(header->where, "the header FoamFile is a dictionary");
 }
 
 /// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
@@ -142,11 +162,11 @@ std::vector<std::string> keywords(const Dictionary& dictionary, const std::strin
 
 void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path, const std::string& value)
 {
-    checkValue(value);
     const auto diagnostics = std::make_shared<Diagnostics>();
     const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
     diagnostics->throwIfAny();
-    auto text = readText(caseFolder / file).value();
+    std::string reason;
+    auto text = readText(caseFolder / file, reason).value();
 
     const auto checkOwn = [&](const Path& entries)
     {
@@ -158,12 +178,15 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
                                             e->keyword, path, file));
     };
     const auto name = withoutLeadingColon(path);
+    std::size_t begin = 0; // of the value
     if (const auto found = walk(dictionary.node(), name, false); !found.empty())
     {
         checkOwn(found);
         const auto& e = *found.back();
-        // "keyword;" has no value to replace: one is put behind the keyword.
-        text.replace(e.begin, e.end - e.begin, e.begin == e.end ? " " + value : value);
+        // "keyword;" has no value to replace: one is put behind the keyword. A dictionary has no ';' that a value could use.
+        const bool needsEnd = e.dictionary && !isBlock(value);
+        begin = e.begin + (e.begin == e.end);
+        text.replace(e.begin, e.end - e.begin, (e.begin == e.end ? " " : "") + value + (needsEnd ? ";" : ""));
     }
     else
     {
@@ -176,18 +199,13 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
         const auto& node = outer.empty() ? dictionary.node() : *outer.back()->dictionary;
         const auto at = placeOfNewEntry(text, node);
         const bool ownLine = at == 0 || text[at - 1] == '\n';
-        const auto line = fmt::format("{:{}}{:<15} {};{}", "", ownLine ? 4 * outer.size() : std::size_t(1),
-                                      dot == name.npos ? name : name.substr(dot + 1), value, ownLine ? "\n" : " ");
-        text.insert(at, line);
+        const auto keyword = fmt::format("{:{}}{:<15} ", "", ownLine ? 4 * outer.size() : std::size_t(1), dot == name.npos ? name : name.substr(dot + 1));
+        begin = at + keyword.size();
+        text.insert(at, keyword + value + (ownLine ? ";\n" : "; "));
     }
 
-    const auto whole = caseFolder / file, part = std::filesystem::path(whole.string() + ".part");
-    std::ofstream out(part, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw CaseError({file, 0}, "this file cannot be written");
-    std::filesystem::permissions(part, std::filesystem::status(whole).permissions());
-    std::filesystem::rename(part, whole);
+    checkEdited(readAs(text, caseFolder, file, std::make_shared<Diagnostics>()), path, value, begin);
+    writeFile(caseFolder / file, text);
 }
 
 }

@@ -1,4 +1,5 @@
 #include "Expression.hpp"
+#include "limits.hpp"
 #include "words.hpp"
 #include <cctype>
 #include <charconv>
@@ -82,6 +83,18 @@ class Evaluation
     const std::string& text_;
     const std::function<ExpressionValue(const std::string&)>& lookUp_;
     std::size_t at_ = 0;
+    int depth_ = 0;
+
+    /// A bracket, sign, power or condition that is open.
+    struct Level
+    {
+        int& depth;
+        explicit Level(int& d) : depth(d)
+        {
+            if (++depth > 2*limit::nesting) fail(fmt::format("brackets, signs and conditions nest deeper than {} levels", limit::nesting));
+        }
+        ~Level() { --depth; }
+    };
 
 public:
     Evaluation(const std::string& text, const std::function<ExpressionValue(const std::string&)>& lookUp)
@@ -92,7 +105,7 @@ public:
     ExpressionValue run()
     {
         const auto value = conditional();
-        if (!atEnd()) fail(fmt::format("unexpected \"{}\"", text_.substr(at_)));
+        if (!atEnd()) fail(fmt::format("unexpected \"{}\"", beginning(text_.substr(at_))));
         if (!std::isfinite(value.scalar) || (value.vector && !std::isfinite(dot(*value.vector, *value.vector))))
             fail(fmt::format("the result is {}", value.vector               ? "not a finite vector"
                                                  : std::isnan(value.scalar) ? "not a number"
@@ -118,7 +131,7 @@ private:
     void expect(std::string_view s)
     {
         if (!accept(s))
-            fail(fmt::format("expected \"{}\" {}", s, atEnd() ? "at the end" : "before \"" + text_.substr(at_) + "\""));
+            fail(fmt::format("expected \"{}\" {}", s, atEnd() ? "at the end" : "before \"" + beginning(text_.substr(at_)) + "\""));
     }
 
     static double scalar(const ExpressionValue& a)
@@ -129,6 +142,7 @@ private:
 
     ExpressionValue conditional()
     {
+        const Level level(depth_);
         const auto condition = disjunction();
         if (!accept("?")) return condition;
         const auto a = conditional();
@@ -215,6 +229,7 @@ private:
     }
     ExpressionValue signedFactor()
     {
+        const Level level(depth_);
         if (accept("+")) return signedFactor();
         if (!sees("!=") && accept("!")) return {double(scalar(signedFactor()) == 0)};
         if (!accept("-")) return power();
@@ -242,7 +257,7 @@ private:
         if (std::isalpha(static_cast<unsigned char>(c))) return call();
         double value = 0;
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-        if (error != std::errc()) fail(fmt::format("expected a value before \"{}\"", text_.substr(at_)));
+        if (error != std::errc()) fail(fmt::format("expected a value before \"{}\"", beginning(text_.substr(at_))));
         at_ = std::size_t(end - text_.data());
         return {value};
     }

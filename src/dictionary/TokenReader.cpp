@@ -2,6 +2,8 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
 #include "UnitExpression.hpp"
+#include "limits.hpp"
+#include "words.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -28,7 +30,7 @@ bool TokenReader::accept(const char* word)
 void TokenReader::failAt(const char* expected) const
 {
     throw ValueError(atEnd() ? fmt::format("must be {}, but its value {}", expected, at_ == 0 ? "is missing" : "ends too early")
-                             : fmt::format("must be {}, found \"{}\"", expected, toString(tokens_[at_])));
+                             : fmt::format("must be {}, found \"{}\"", expected, beginning(toString(tokens_[at_]))));
 }
 
 void TokenReader::failCount(long announced, std::size_t found)
@@ -49,7 +51,7 @@ std::string TokenReader::rest() const
     {
         const bool tight = text.empty() || text.ends_with('(') || tokens_[i].is(')');
         text += (tight ? "" : " ") + toString(tokens_[i]);
-        if (text.size() > 60) return text.substr(0, 60) + "...";
+        if (const auto shown = beginning(text); shown != text) return shown;
     }
     return text;
 }
@@ -137,7 +139,8 @@ long TokenReader::listHead()
     if (!sees(Kind::number) || (!sees('(', 1) && !sees('{', 1))) return -1;
     int count = 0;
     read(count);
-    if (count < 0) throw ValueError(fmt::format("is a list of {} values", count));
+    if (count < 0 || std::size_t(count) > limit::words)
+        throw ValueError(fmt::format("is a list of {} values; 0 to {} are possible", count, limit::words));
     return count;
 }
 

@@ -1,4 +1,5 @@
 #include "Tokeniser.hpp"
+#include "limits.hpp"
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>
@@ -69,7 +70,9 @@ public:
 
     std::vector<Token> run()
     {
-        while (skipBlanks()) next();
+        const auto most = diagnostics_.errors() + limit::mistakes;
+        while (skipBlanks() && tokens_.size() <= limit::words && diagnostics_.errors() < most) next();
+        if (diagnostics_.errors() >= most) error(line_, fmt::format("{} mistakes until here: nothing behind this is read", limit::mistakes));
         return std::move(tokens_);
     }
 

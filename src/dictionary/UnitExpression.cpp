@@ -1,5 +1,6 @@
 #include "UnitExpression.hpp"
 #include "Tokeniser.hpp"
+#include "limits.hpp"
 #include "words.hpp"
 #include <cctype>
 #include <fmt/format.h>
@@ -126,6 +127,8 @@ private:
 
 DimensionSet parseDimensions(const std::string& text)
 {
+    if (text.size() > limit::dimensions)
+        throw std::invalid_argument(fmt::format("the text in the brackets is longer than {} characters", limit::dimensions));
     std::istringstream words(text);
     std::vector<double> exponents;
     std::string word;

@@ -1,22 +1,32 @@
 #include "readWith.hpp"
 #include "DictionaryParser.hpp"
+#include "readText.hpp"
 #include <fmt/format.h>
 
 namespace sph
 {
 
+Dictionary readAs(const std::string& text, const std::filesystem::path& caseFolder, const std::string& file,
+                  std::shared_ptr<Diagnostics> diagnostics)
+{
+    auto d = Dictionary::empty(file, diagnostics);
+    const auto path = caseFolder / file;
+    DictionaryParser::Context context{.caseFolder = caseFolder, .diagnostics = diagnostics};
+    std::error_code none;
+    context.open.push_back(std::filesystem::weakly_canonical(path, none));
+    DictionaryParser(context, text, file, path.parent_path()).parse(d.node());
+    return d;
+}
+
 Dictionary readWith(const std::string& entries, const std::filesystem::path& caseFolder, const std::string& file,
                     std::shared_ptr<Diagnostics> diagnostics)
 {
-    const auto path = caseFolder / file;
-    const auto text = readText(path);
+    std::string reason;
+    const auto text = readText(caseFolder / file, reason);
     if (!text) return Dictionary::read(caseFolder, file, diagnostics); // which says what is wrong with it
 
     const auto given = Dictionary::parse(entries, file, diagnostics).keys();
-    auto d = Dictionary::empty(file, diagnostics);
-    DictionaryParser::Context context{.caseFolder = caseFolder, .diagnostics = diagnostics};
-    context.open.push_back(std::filesystem::weakly_canonical(path));
-    DictionaryParser(context, entries + " " + *text, file, path.parent_path()).parse(d.node());
+    auto d = readAs(entries + " " + *text, caseFolder, file, diagnostics);
     for (const auto& key : given)
     {
         if (const auto& entry = *d.node().findExact(key); entry.included || entry.begin > entries.size())

@@ -2,11 +2,11 @@
 #include "components.hpp"
 #include "readShapes.hpp"
 #include "readSpace.hpp"
+#include "readText.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -33,7 +33,8 @@ public:
 void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesystem::path>& seen)
 {
     if (!seen.insert(file.lexically_normal()).second) return;
-    std::ifstream in(file);
+    std::string none;
+    std::istringstream in(readText(file, none).value_or(""));
     for (std::string line; std::getline(in, line);)
     {
         hash.add(line + '\n');

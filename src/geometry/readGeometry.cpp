@@ -57,7 +57,13 @@ void readSpace(const Dictionary& dict, Geometry& g)
 
 void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diagnostics)
 {
+    const double mostPlaces = 1e9; // indices are 32 bits wide, images included
     const auto before = diagnostics.errors();
+    double places = 1;
+    for (int k = 0; k < g.dimension; ++k) places *= g.length(k)/resolution.spacing;
+    if (places > mostPlaces)
+        diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m makes {:.2g} particles in the domain; at most {:.2g} are possible",
+                                                        resolution.spacing, places, mostPlaces));
     for (int k = 0; k < g.dimension; ++k)
     {
         const double least = resolution.H() + resolution.spacing;

@@ -13,16 +13,12 @@ namespace
 /// Particles nearer than this, in spacings, are one particle twice: no kernel sum can tell them apart.
 constexpr double coincidence = 0.05;
 
-/// Indices are 32 bits wide, images included.
-constexpr double mostPlaces = 1e9;
-
 std::string text(const Vector<3>& a) { return fmt::format("({:.6g} {:.6g} {:.6g})", a.x, a.y, a.z); }
 
 void checkSpacing(const PackingPlan& plan, const Box& box)
 {
     const auto& g = plan.geometry;
     const double spacing = plan.lattice.spacing;
-    double places = 1;
     for (int k = 0; k < g.dimension; ++k)
     {
         const double gap = box.high.*component(k) - box.low.*component(k);
@@ -32,11 +28,7 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
         if (spacing > gap*(1 + 1e-6))
             throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
                                                         coordinateNames[k]));
-        places *= gap/spacing;
     }
-    if (places > mostPlaces)
-        throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m makes {:.2g} particles; at most {:.2g} are possible", spacing,
-                                                    places, mostPlaces));
 }
 
 Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& packing)

@@ -53,7 +53,10 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
 {
     std::vector<FillRule> rules;
     phaseNames.push_back("none");
-    for (const auto& d : entry::fill(dict))
+    const auto given = entry::fill(dict);
+    if (given.empty() && entry::fill.given(dict))
+        entry::fill.error(dict, "fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase " + phaseNames[0] + "; } );");
+    for (const auto& d : given)
     {
         FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d), entry::p.ifGiven(d)};
         const auto phase = std::find(phaseNames.begin(), phaseNames.end(), entry::fillPhase.among(d, phaseNames)) - phaseNames.begin();

@@ -1,12 +1,13 @@
 #include "CsvReference.hpp"
 #include "csv.hpp"
+#include "readText.hpp"
 #include "sharedEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace sph
 {
@@ -99,8 +100,10 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
     if (fileName.empty() || coordinateName.empty() || valueName.empty()) return;
 
-    std::ifstream file(caseFolder / fileName);
-    std::string line;
+    std::string reason, line;
+    const auto text = readText(caseFolder / fileName, reason);
+    if (!text) return entry::file.error(d, fmt::format("cannot read {}: {}", fileName, reason));
+    std::istringstream file(*text);
     int number = 0;
     const auto nextLine = [&]
     {
@@ -108,7 +111,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
         while (std::getline(file, line) && line.starts_with('#'));
         return bool(file);
     };
-    if (!file || !nextLine()) return entry::file.error(d, fmt::format("cannot read {}", fileName));
+    if (!nextLine()) return entry::file.error(d, fmt::format("cannot read {}: it is empty", fileName));
     const auto header = csvCells(line);
     const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
     {

@@ -89,13 +89,17 @@ template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& pa
 template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& particles, const Summary& summary) const
 {
     const double slack = 0.02, noise = 0.01; // of the background pressure; Mach number
+    const double mostBackground = 0.05;      // of rho c^2: what a weakly compressible fluid can answer; a uniform pressure beyond it does no more work
     const auto& c = settings_.coefficients;
+    double stiffest = 0;
+    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
+    const double background = std::min(std::fabs(c.backgroundPressure), mostBackground*stiffest);
     const double *m = componentOf(particles, Mass::info.name), *rho = componentOf(particles, Density::info.name);
     const double* phase = settings_.multiphase() ? componentOf(particles, Phase::info.name) : nullptr;
     double total = sum(particles.size(), [&](std::size_t i)
     {
         const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-        return m[i]*(compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack*std::fabs(c.backgroundPressure)/rho[i]);
+        return m[i]*(compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack*background/rho[i]);
     });
     for (std::size_t k = 0; k < c.phases.size(); ++k) total += 0.5*summary.mass[k]*sqr(noise*c.soundSpeed[k]);
     return total;

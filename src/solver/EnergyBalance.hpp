@@ -2,14 +2,14 @@
 /// gains none; others may, and do where nothing takes it up (tutorials/stiff/dropOnFilm).
 ///
 ///   held       K(t) + S(t)
-///   supplied   K(0) + S(0) + sum_i m_i e(rho_i) + 0.02 p_b sum_i V_i + max_t W + sum_walls dgamma_s A + M u_w^2/2 + sum_i m_i (c/100)^2/2
+///   supplied   K(0) + S(0) + sum_i m_i e(rho_i) + 0.02 p_0 sum_i V_i + max_t W + sum_walls dgamma_s A + M u_w^2/2 + sum_i m_i (c/100)^2/2
 ///
 /// K [J] kinetic energy, S = sum gamma_kl A_kl of the interfaces between phases; at the start the compression by the state equation,
-/// e = int (p - p_b)/rho^2 drho [J/kg], and what a lattice may yield under the background pressure p_b; W the work of gravity and body
-/// force since then; what walls may give: the largest difference dgamma_s of their tensions with the phases on the area A of the particles
-/// at them, and the speed u_w of the fastest wall to the whole mass M; and sound of Mach 0.01, which any start makes. Each is an upper
-/// bound, dissipation is left out: a healthy run holds less than it was given. In 2-D all are per metre of depth. The area of an interface
-/// is counted by the pairs across it nearer than the support H,
+/// e = int (p - p_b)/rho^2 drho [J/kg], and what a lattice may yield under the background pressure, p_0 = min(|p_b|, max rho c^2/20); W the
+/// work of gravity and body force since then; what walls may give: the largest difference dgamma_s of their tensions with the phases on the
+/// area A of the particles at them, and the speed u_w of the fastest wall to the whole mass M; and sound of Mach 0.01, which any start
+/// makes. Each is an upper bound, dissipation is left out: a healthy run holds less than it was given. In 2-D all are per metre of depth.
+/// The area of an interface is counted by the pairs across it nearer than the support H,
 ///
 ///   A_kl = sum_(i of k, j of l) V_i V_j/(2 H^3/3) in 2-D, /(pi H^4/4) in 3-D
 ///

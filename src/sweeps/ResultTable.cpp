@@ -1,12 +1,13 @@
 #include "ResultTable.hpp"
 #include "OutputFile.hpp"
 #include "csv.hpp"
+#include "readText.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
+#include <sstream>
 
 namespace sph
 {
@@ -165,12 +166,14 @@ std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, cons
                                        Diagnostics& diagnostics)
 {
     std::vector<ResultRow> rows;
-    std::ifstream in(folder / file);
-    if (!in || !std::filesystem::is_regular_file(folder / file))
+    std::string reason;
+    const auto text = readText(folder / file, reason);
+    if (!text)
     {
-        diagnostics.error({file, 0}, "cannot be read");
+        diagnostics.error({file, 0}, "cannot be read: " + reason);
         return rows;
     }
+    std::istringstream in(*text);
     std::vector<std::string> header;
     std::string line;
     bool any = false;

@@ -122,6 +122,19 @@ TEST(Dictionaries, PeriodShorterThanTheSupport)
     }
 }
 
+// What makes more particles than can be counted is refused by the one check of all programs, before anything is made of it.
+TEST(Dictionaries, SpacingTooSmallForTheDomain)
+{
+    for (const char* spacing : {"1e-5", "1e-30", "1e-320"})
+    {
+        SCOPED_TRACE(spacing);
+        Damaged c;
+        c.replace("system/sphSchemes", "spacing 0.05", std::string("spacing ") + spacing);
+        for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike"})
+            c.isRefused(application, {"system/sphSchemes:1: spacing ", "particles in the domain; at most 1e+09 are possible"});
+    }
+}
+
 // Without a spacing nothing else can be made of the case: it is asked for first.
 TEST(Dictionaries, NoReadableSpacing)
 {

@@ -1,9 +1,14 @@
 /// Walls that reflection cannot represent, runs that blow up, and disks that are full.
 #include "refusal.hpp"
+#include <csignal>
+#include <fcntl.h>
 #include <memory>
 #include <regex>
 #include <sstream>
 #include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace sph::test
 {
@@ -122,6 +127,116 @@ TEST(Runs, OfNothingAtAll)
     c.runWell("packParticles");
     c.runWell("sphFoamLike");
     EXPECT_TRUE(c.has("0.04/lagrangian/sph/U"));
+}
+
+// A terminal that is closed ends a run as any other signal does: the present time is written.
+TEST(Runs, EndedBySignals)
+{
+    for (const char* signal : {"HUP", "TERM", "INT"})
+    {
+        Damaged c;
+        c.replace("system/controlDict", "endTime 0.04", "endTime 1e5");
+        c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 1e5");
+        const auto command = std::string("OMP_NUM_THREADS=1 timeout --preserve-status -s ") + signal + " 3 '" SPH_APPLICATIONS "/sphFoamLike' -case '" +
+                             c.folder().string() + "' > /dev/null 2>&1 < /dev/null";
+        EXPECT_EQ(std::system(command.c_str()), 0) << signal;
+        std::size_t times = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(c.folder())) times += std::filesystem::exists(entry.path() / "uniform/time");
+        EXPECT_EQ(times, 2u) << signal << ": 0.02, and where it was stopped";
+        EXPECT_FALSE(c.has(".lock"));
+    }
+}
+
+// Two runs in one case would take one another's time folders away: the second one says who has the case. What a killed run has left is taken over.
+TEST(Runs, TwoInOneCase)
+{
+    Damaged c;
+    c.replace("system/controlDict", "endTime 0.04", "endTime 1e5");
+    c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 1e5");
+    const auto first = fork();
+    if (first == 0)
+    {
+        const int nowhere = open("/dev/null", O_RDWR);
+        for (const int standard : {0, 1, 2}) dup2(nowhere, standard);
+        execl(SPH_APPLICATIONS "/sphFoamLike", "sphFoamLike", "-case", c.folder().c_str(), nullptr);
+        _exit(127);
+    }
+    const auto process = "sphFoamLike, process " + std::to_string(first);
+    for (int tenths = 0; tenths < 100 && c.read(".lock").find(process) == std::string::npos; ++tenths) usleep(100'000);
+    c.isRefused("sphFoamLike", {".lock: another program is at work in this case: " + process});
+    c.isRefused("packParticles", {process});
+    EXPECT_EQ(c.run("sphFoamLike", "-dry-run").code, 0);
+    kill(first, SIGKILL);
+    waitpid(first, nullptr, 0);
+    EXPECT_TRUE(c.has(".lock"));
+    c.replace("system/controlDict", "endTime 1e5", "endTime 0.04");
+    c.replace("system/controlDict", "writeInterval 1e5", "writeInterval 0.02");
+    c.runWell("sphFoamLike");
+    EXPECT_FALSE(c.has(".lock"));
+    c.replace("system/sphSchemes", "secondOrder", "nonsense");
+    c.isRefused("sphFoamLike", {"nonsense"});
+    EXPECT_FALSE(c.has(".lock"));
+}
+
+TEST(Runs, WithAnEndThatIsPast)
+{
+    Damaged c;
+    for (const char* end : {"0.02", "0.01", "-1"})
+    {
+        c.replace("system/controlDict", c.read("system/controlDict").find("endTime 0.04") != std::string::npos ? "endTime 0.04" : "endTime 0.01",
+                  std::string("endTime ") + end);
+        EXPECT_NE(c.runWell("sphFoamLike").find(std::string("--> Warning: nothing to do: the run starts at 0.02 s and endTime is ") + end + " s."),
+                  std::string::npos);
+        c.replace("system/controlDict", std::string("endTime ") + end, "endTime 0.01");
+    }
+}
+
+// A phase that nothing holds has no density to report.
+TEST(Runs, OfAPhaseWithoutParticles)
+{
+    Damaged c;
+    c.replace("constant/phaseProperties", "phases (water);", "phases (water oil);\noil { rho 900; mu 10; soundSpeed 15; }");
+    c.replace("system/sphSchemes", "secondOrder", "reflected");
+    const auto log = c.runWell("sphFoamLike");
+    EXPECT_NE(log.find("; oil: no particles"), std::string::npos) << log;
+    EXPECT_EQ(log.find("inf"), std::string::npos) << log;
+}
+
+/// Files cannot grow beyond some bytes while it lives: what a full disk does, on any machine.
+class SmallFiles
+{
+    rlimit before_{};
+
+public:
+    explicit SmallFiles(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallFiles() { setrlimit(RLIMIT_FSIZE, &before_); }
+};
+
+// What cannot be written whole leaves what was there: the particles of the start, the walls, a dictionary.
+TEST(Disk, FullForEveryProgramThatWrites)
+{
+    Damaged c;
+    c.write("system/sphSchemes", c.read("system/sphSchemes") + "// " + std::string(5000, '*') + "\n");
+    const auto before = c.files(".");
+    for (const auto& [application, arguments] : std::vector<std::pair<std::string, std::string>>{
+             {"packParticles", ""}, {"packParticles", "-time 0.5"}, {"meshToGhost", ""}, {"sphFoamLike", ""},
+             {"sphDictionary", "system/sphSchemes -entry wallVelocity -set reflected"}})
+    {
+        SCOPED_TRACE(application + " " + arguments);
+        {
+            const SmallFiles limit(4096);
+            c.isRefused(application, {"cannot be written: File too large"}, arguments);
+        }
+        auto after = c.files(".");
+        after.erase(c.folder().filename().string() + ".foam"); // whole, for it is empty
+        EXPECT_EQ(difference(before, after), "");
+    }
 }
 
 // A disk of 128 kB holds the first time folder and not the second: exit code 1, the first one whole, nothing half-written under

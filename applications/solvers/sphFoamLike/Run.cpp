@@ -2,6 +2,7 @@
 #include "DivergedError.hpp"
 #include "Walls.hpp"
 #include "outliers.hpp"
+#include "stopSignals.hpp"
 #include "viewOfScene.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
@@ -243,8 +244,8 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const auto s = simulation_->summary();
     std::string phases;
     for (std::size_t k = 0; k < s.mass.size(); ++k)
-        phases += fmt::format("{}: rho {:.6g} .. {:.6g}, mass {:.10g} kg", (k ? "; " : "") + settings_.coefficients.phases[k], s.minDensity[k],
-                              s.maxDensity[k], s.mass[k]);
+        phases += (k ? "; " : "") + settings_.coefficients.phases[k] +
+                  (s.count[k] == 0 ? ": no particles" : fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", s.minDensity[k], s.maxDensity[k], s.mass[k]));
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
@@ -307,12 +308,14 @@ void Run::reportLeaks() const
 
 void Run::solve()
 {
-    std::signal(SIGTERM, requestStop);
-    std::signal(SIGINT, requestStop);
+    onStopSignals(requestStop);
     reportPlan();
     writeBox(case_, geometry_);
     sample(true, false);
     noteLeaks();
+    if (!time_.running())
+        log_ << fmt::format("--> Warning: nothing to do: the run starts at {} s and endTime is {} s. A larger endTime in system/controlDict goes on with it\n",
+                            time_.startTime(), time_.endTime());
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
     StepLimit limit = simulation_->stepLimit();

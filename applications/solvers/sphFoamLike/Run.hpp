@@ -23,7 +23,7 @@ public:
     Run(const std::filesystem::path& caseFolder, std::ostream& log);
 
     void printPlan() const;
-    /// Until controlDict's stopAt, or a signal (TERM, INT), which writes the present time and ends.
+    /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends.
     void solve();
 
 private:

@@ -1,7 +1,9 @@
+#include "CaseLock.hpp"
 #include "CommandLine.hpp"
 #include "Run.hpp"
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <optional>
 
 int main(int argc, char** argv)
 {
@@ -10,6 +12,9 @@ int main(int argc, char** argv)
         [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop"); },
         [&](const std::filesystem::path& caseFolder)
         {
+            // A plan can be looked at while a run goes on.
+            std::optional<sph::CaseLock> lock;
+            if (!dryRun) lock.emplace(caseFolder, "sphFoamLike");
             sph::Run run(caseFolder, std::cout);
             if (dryRun) run.printPlan();
             else run.solve();

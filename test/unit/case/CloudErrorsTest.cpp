@@ -3,6 +3,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
+#include <sys/stat.h>
 
 namespace sph
 {
@@ -73,6 +74,8 @@ TEST(CloudErrors, nameWhatIsWrongWithTheHeader)
               U + ":3: FoamFile header: expected \"keyword value;\", found \"format ascii\"");
     EXPECT_EQ(ofField("FoamFile\n{\nformat asci;\n"),
               U + ":3: format \"asci\" is unknown. Did you mean \"ascii\"? Known formats: ascii, binary.");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat binary;\nclass scalarField;\nformat ascii;\n}\n3{1}\n"), U + ":5: FoamFile header: \"format\" is given twice");
+    EXPECT_EQ(ofField("FoamFile\n{\nlocation \"0;\nobject \"p\";\n}\n3{1}\n"), U + ":3: the string does not end on its line");
     EXPECT_EQ(ofField("FoamFile\n{\narch \"MSB;label=32;scalar=64\";\n"),
               U + ":3: arch \"MSB;label=32;scalar=64\": big-endian data is not supported");
     EXPECT_EQ(ofField("FoamFile\n{\narch \"LSB;label=16;scalar=64\";\n"),
@@ -205,6 +208,63 @@ TEST(CloudErrors, nameWhatIsNoValue)
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0 0)\n)\n"),
               P + ":10: expected the cell label after the position of particle 0, found \")\"");
     EXPECT_EQ(ofField("/* not closed"), U + ":1: the comment /* does not end");
+}
+
+// Two numbers with nothing between them, as where a byte is damaged or lost, are not read as two, nor as a part of one.
+TEST(CloudErrors, nameNumbersThatRunIntoOneAnother)
+{
+    for (const std::string run : {"1-2", "1.5.5", "1+2", "1x", "1,2"})
+    {
+        EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n" + run + "\n)\n"),
+                  U + ":10: expected a number for particle 1, found \"" + run + "\"");
+        EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n" + run + "\n)\n"), U + ":10: expected an integer for particle 1, found \"" + run + "\"");
+        EXPECT_EQ(ofField(header("scalarField") + "3{" + run + "}\n"), U + ":7: expected a number for particle 0, found \"" + run + "}\"");
+    }
+    EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0-1) 0\n)\n"), P + ":9: expected a number for particle 0, found \"0-1)\"");
+}
+
+// A field that was written and is no longer there is not one that was never given; particles that are fewer or more are others.
+TEST(CloudErrors, nameFieldsThatAreLost)
+{
+    const TemporaryCase c;
+    const std::vector<double> x{0, 1, 2}, p{5, 6, 7};
+    const FieldView positions{"positions", FieldClass::vector, {x.data(), nullptr, nullptr}};
+    writeCloud(c.folder() / "1", "sph", 3, positions, {{"p", FieldClass::scalar, {p.data()}}, {"q", FieldClass::scalar, {p.data()}}}, {});
+    const auto said = [&]
+    {
+        Diagnostics diagnostics;
+        readCloud(c.folder(), "1", "sph", diagnostics);
+        return messages(diagnostics);
+    };
+    const std::string properties = "1/uniform/lagrangian/sph/cloudProperties";
+    EXPECT_EQ(said(), "");
+    std::filesystem::remove(c.folder() / "1/lagrangian/sph/q");
+    EXPECT_EQ(said(), "1/lagrangian/sph/q: is missing, and was written with the others: see `fields` in " + properties +
+                          ", and leave it out there if it is not meant to be read");
+    auto text = c.read(properties);
+    c.write(properties, text.replace(text.find("(p q)"), 5, "(p)"));
+    EXPECT_EQ(said(), "");
+    c.write(properties, text.replace(text.find("3;"), 2, "4;"));
+    EXPECT_EQ(said(), "1/lagrangian/sph/positions: has 3 particles, and " + properties + " says 4");
+    c.write(properties, "geometry positions;\n"); // as another program may write it
+    EXPECT_EQ(said(), "");
+    c.write(properties, "geometry positions\n{");
+    EXPECT_NE(said().find(properties + ":"), std::string::npos) << said();
+    std::filesystem::remove(c.folder() / properties);
+    EXPECT_EQ(said(), "");
+}
+
+// A pipe without a writer, a device without an end.
+TEST(CloudErrors, nameFilesThatAreNone)
+{
+    const TemporaryCase c;
+    c.write("0/lagrangian/sph/positions", threePositions);
+    ASSERT_EQ(::mkfifo((c.folder() / U).c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", c.folder() / "0/lagrangian/sph/V");
+    Diagnostics diagnostics;
+    readCloud(c.folder(), "0", "sph", diagnostics);
+    const std::string none = ": cannot be read: it is a device or a pipe: only regular files are read\n";
+    EXPECT_EQ(messages(diagnostics), U + none + "0/lagrangian/sph/V" + none + "2 errors");
 }
 
 // The raw layout without inner parentheses, which other programs read as no particles without a word.

@@ -114,7 +114,7 @@ TEST(Cloud, hasOpenFoamsBytesInAscii)
     EXPECT_EQ(c.read("1/uniform/lagrangian/sph/cloudProperties"),
               "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
               "    location    \"1/uniform/lagrangian/sph\";\n    object      cloudProperties;\n}\n\n"
-              "geometry        positions;\n\nprocessor0\n{\n    particleCount   2;\n}\n");
+              "geometry        positions;\n\nprocessor0\n{\n    particleCount   2;\n}\n\nfields          (type p half U);\n");
 }
 
 TEST(Cloud, hasOpenFoamsBytesInBinary)

@@ -87,10 +87,33 @@ TEST(DictionaryEditing, refusesWhatWouldHarm)
               "d:1: \"v\" of \"p.v\" stands here, where changing it would change more than this entry; give it a line of its own "
               "in \"d\" "
               "first");
-    const std::string refused = " cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it";
-    for (const auto* value : {"1; b 2", "(1 2", "\"x", "}", "{ a 1;"})
-        EXPECT_EQ(edited("a 1;\n", "a", value), "\"" + std::string(value) + "\"" + refused) << value;
+    EXPECT_EQ(edited("a 1;\n", "a", "1; b 2"),
+              "\"1; b 2\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it");
+    for (const auto* value : {"(1 2", "\"x", "}", "{ a 1;", "1 // x", "/*"})
+        EXPECT_EQ(edited("a 1;\n", "a", value).find("With \"" + std::string(value) + "\" for \"a\" the file would be unreadable and is left as it is:\nd:1: "), 0u)
+            << value << edited("a 1;\n", "a", value);
     EXPECT_EQ(edited("a 1;\nb (2;\n", "a", "2"), "d:2: the '(' of \"b\" is never closed");
+}
+
+// What the edit would make is read before it is written: macros and keywords that are none are known by that alone.
+TEST(DictionaryEditing, refusesWhatCouldNotBeRead)
+{
+    const std::string text = "FoamFile { class dictionary; }\na 1;\ns { x 1; }\n";
+    const auto with = [](const std::string& value, const std::string& entry)
+    { return "With \"" + value + "\" for \"" + entry + "\" the file would be unreadable and is left as it is:\nd:"; };
+    EXPECT_EQ(edited(text, "a", "$nope"), with("$nope", "a") + "2: \"$nope\" is neither an entry that is defined above nor an environment variable");
+    EXPECT_EQ(edited(text, "a", "{ $nope; }").find(with("{ $nope; }", "a")), 0u);
+    EXPECT_EQ(edited(text, "a", "$s").find(with("$s", "a")), 0u);
+    EXPECT_EQ(edited(text, "b", "#eval{ 1/$nope }").find(with("#eval{ 1/$nope }", "b")), 0u);
+    for (const auto* keyword : {"3", "(U|p)", "}", "#include", "$a", "#{", "b;c", "a b", "b {"})
+        EXPECT_NE(edited(text, keyword, "1").find("\"" + std::string(keyword) + "\""), std::string::npos) << keyword;
+    EXPECT_EQ(edited(text, "FoamFile", "1"), "d:1: the header FoamFile is a dictionary");
+    // What can be read is written: a value for a dictionary has its own ';'.
+    EXPECT_EQ(edited(text, "s", "5"), "FoamFile { class dictionary; }\na 1;\ns 5;\n");
+    EXPECT_EQ(edited(text, "a", "{ y $s.x; }").find("With"), 0u) << "s comes behind a";
+    EXPECT_EQ(edited(text, "s.x", "{ y $a; }"), "FoamFile { class dictionary; }\na 1;\ns { x { y $a; }; }\n");
+    EXPECT_EQ(edited(text, "s.x", "#eval{ 1/$a }"), "FoamFile { class dictionary; }\na 1;\ns { x #eval{ 1/$a }; }\n");
+    EXPECT_EQ(edited(text, "FoamFile.class", "word"), "FoamFile { class word; }\na 1;\ns { x 1; }\n");
 }
 
 // Values and entries print in foamDictionary's layout, numbers with all the digits that were written.

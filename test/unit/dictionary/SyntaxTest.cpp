@@ -192,6 +192,31 @@ TEST(DictionarySyntax, duplicates)
               (Words{"constant/d:2: \"a\" is given twice, first in constant/d:1; the last one counts"}));
 }
 
+// A macro's value is fixed where the macro stands, as in OpenFOAM: what is given anew behind it comes too late for it, and the warning says so,
+// also where the value stands in an included file or in a copy and giving it anew is the usual way to vary it.
+TEST(DictionarySyntax, duplicatesBehindMacros)
+{
+    const Parsed p("unit 1;\na $unit;\nb #eval{ 2*$unit };\nunit 3;\nc $unit;\nunit 3;\n");
+    EXPECT_EQ(p.dict.get<int>("a"), 1);
+    EXPECT_EQ(p.dict.get<int>("b"), 2);
+    EXPECT_EQ(p.dict.get<int>("c"), 3);
+    const std::string twice = "\"unit\" is given twice, first in constant/d:";
+    EXPECT_EQ(p.diagnostics->warnings(),
+              (Words{"constant/d:4: " + twice + "1; the last one counts, but comes too late for the macros in constant/d:2, constant/d:3",
+                     "constant/d:6: " + twice + "4; the last one counts"}));
+
+    const Parsed copy("base { unit 1; }\nrun { $base; a $unit; unit 2; }\n");
+    EXPECT_EQ(copy.dict.subDict("run").get<int>("a"), 1);
+    EXPECT_EQ(copy.diagnostics->warnings(),
+              (Words{"constant/d:2: " + twice + "1; the last one counts, but comes too late for the macro in constant/d:2"}));
+
+    const Parsed block("base { unit 1; }\nrun { $base; }\nbase { unit 2; }\n");
+    EXPECT_EQ(block.dict.subDict("run").get<int>("unit"), 1);
+    EXPECT_EQ(block.diagnostics->warnings().front(),
+              "constant/d:3: \"base\" is given twice, first in constant/d:1; what is added here comes too late for the macro in constant/d:2");
+    EXPECT_EQ(Parsed("unit 1;\n#include \"none\"\na 1;\n").diagnostics->warnings(), Words{});
+}
+
 // Values may go on over several lines wherever OpenFOAM's own writers and tutorials do so.
 TEST(DictionarySyntax, valuesMayGoOnOverLines)
 {

@@ -269,6 +269,24 @@ TEST(Packing, writesACloudThatReadsBack)
     }
 }
 
+// Of a time folder the particles are replaced, and what a run has stored of them; what else is there stays.
+TEST(Packing, replacesTheParticlesOfATimeFolderAlone)
+{
+    CaseFolder c;
+    for (const char* file : {"0/lagrangian/sph/old", "0/lagrangian/tracers/positions", "0/uniform/time", "0/uniform/sphState", "0/notes"})
+    {
+        fs::create_directories((c.path() / file).parent_path());
+        c.write(file, "1;\n");
+    }
+    c.write("system/packParticlesDict", "fill ( { region all; phase air; } ); allowEmpty yes;\n");
+    const Case theCase(c.path());
+    const auto plan = readPackingPlan(theCase);
+    writePacking(theCase, "0", plan, pack(plan), {});
+    for (const char* gone : {"0/lagrangian/sph/old", "0/uniform/time", "0/uniform/sphState", "0.partial"}) EXPECT_FALSE(fs::exists(c.path() / gone)) << gone;
+    for (const char* there : {"0/lagrangian/tracers/positions", "0/notes", "0/lagrangian/sph/U", "0/uniform/lagrangian/sph/cloudProperties"})
+        EXPECT_TRUE(fs::exists(c.path() / there)) << there;
+}
+
 // The bed that is reported: one sphere a cell, the solid fraction of touching spheres and the Bond numbers worked out by hand,
 // 1000*9.81*0.5^2/0.072 = 34062.5 and four times that, 136250.
 TEST(Packing, reportsTheBed)
@@ -301,6 +319,15 @@ TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
         EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
 }
 
+// An empty list would leave the first phase everywhere, as though it were not there.
+TEST(PackingErrors, fillOfNothing)
+{
+    CaseFolder c;
+    c.write("system/packParticlesDict", "lattice cubic;\nfill ();\n");
+    EXPECT_EQ(c.error().find("system/packParticlesDict:2: fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase "), 0u)
+        << c.error();
+}
+
 TEST(PackingErrors, aPhaseWithoutParticlesUnlessAllowed)
 {
     // The phase's own place in constant/phaseProperties is named, and allowEmpty lets it pass.
@@ -320,7 +347,7 @@ TEST(PackingErrors, spacingAgainstGapAndSpace)
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.03;\n    support 2.6;\n}\n");
     EXPECT_EQ(c.error(), "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");
-    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles; at most 1e+09 are possible");
+    EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles in the domain; at most 1e+09 are possible");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n}\n");
     c.write("constant/geometry",
             "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); }\nwalls { roof { type plane; point (0 -1 0); normal "

@@ -75,6 +75,16 @@ TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
     EXPECT_NEAR(after.supplied - before.supplied, after.held - before.held, 1e-6);
 }
 
+TEST(EnergyBalance, IsNotBlindedByAUniformPressure)
+{
+    // The same everywhere, a pressure moves nothing, however large: 1/2 M (c/100)^2 and 0.02 of a twentieth of rho c^2 are all that it is allowed,
+    // and a fluid at a fifth of its sound speed holds five times as much.
+    const auto settings = settingsOfPhases("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\n", "backgroundPressure 1e12;\n");
+    const auto g = periodicSquare();
+    const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, false), {});
+    EXPECT_NEAR(simulation->energy().supplied, 0.5*1000*0.01 + 0.02*0.05*1000*100, 0.1);
+}
+
 TEST(EnergyBalance, AllowsForSoundOfAHundredthOfItsSpeed)
 {
     // Nothing moves, nothing can: what is left is 1/2 M (c/100)^2.

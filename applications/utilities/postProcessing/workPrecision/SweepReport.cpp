@@ -105,10 +105,7 @@ void Sweep::writeTable()
         setObservedOrders(rows);
         std::ranges::move(rows, std::back_inserter(all));
     }
-    // Beside its name first: a table that is cut short would be taken for the whole.
-    const auto part = outputFolder_ / "results.csv.part";
-    writeFile(part, resultTableText(all));
-    fs::rename(part, outputFolder_ / "results.csv");
+    writeFile(outputFolder_ / "results.csv", resultTableText(all));
 }
 
 void Sweep::printTable(std::size_t error) const

@@ -2,12 +2,12 @@
 #include "CaseCopy.hpp"
 #include "DivergedError.hpp"
 #include "OutputFile.hpp"
+#include "stopSignals.hpp"
 #include "Sweep.hpp"
 #include "convergence.hpp"
 #include "csv.hpp"
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
@@ -286,7 +286,7 @@ int Sweep::run()
     // No run may use more than its core; OpenMP reads this when a child starts.
     ::setenv("OMP_NUM_THREADS", "1", 1);
     interrupted = 0;
-    for (const int s : {SIGINT, SIGTERM}) std::signal(s, interrupt);
+    onStopSignals(interrupt);
     createFolders(outputFolder_);
     if (keepOld_)
         fs::copy_file(outputFolder_ / "results.csv", outputFolder_ / "results.old.csv", fs::copy_options::overwrite_existing);

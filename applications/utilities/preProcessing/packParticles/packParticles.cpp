@@ -1,4 +1,5 @@
 /// Fills the space between the walls with particles: see src/packing.
+#include "CaseLock.hpp"
 #include "CommandLine.hpp"
 #include "Packing.hpp"
 #include <CLI/CLI.hpp>
@@ -25,6 +26,7 @@ int main(int argc, char** argv)
         [&](CLI::App& app) { app.add_option("--time", time, "Time folder to write (default 0)")->type_name("<name>"); },
         [&](const std::filesystem::path& caseFolder)
         {
+            const sph::CaseLock lock(caseFolder, "packParticles");
             const sph::Case theCase(caseFolder);
             const auto options = writeOptions(theCase);
             const auto plan = sph::readPackingPlan(theCase);

@@ -12,7 +12,7 @@ namespace sph
 class OutputFile
 {
     static constexpr std::size_t capacity_ = 1 << 20;
-    std::filesystem::path path_;
+    std::filesystem::path shown_;
     std::unique_ptr<char[]> buffer_ = std::make_unique_for_overwrite<char[]>(capacity_);
     std::size_t used_ = 0;
     int descriptor_ = -1;
@@ -23,6 +23,8 @@ class OutputFile
 public:
     /// Creates the file, or empties it.
     explicit OutputFile(const std::filesystem::path&);
+    /// `shown`: its name in messages.
+    OutputFile(const std::filesystem::path&, const std::filesystem::path& shown);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     /// Drops what has not been flushed: a file is whole only after `close`, which can fail where a destructor must not.
@@ -38,7 +40,10 @@ public:
     void close();
 };
 
-/// A whole file at once.
+/// What carries this at the end of its name is being written, and gets its own name when it is whole.
+inline constexpr const char* partialSuffix = ".partial";
+
+/// A whole file at once: written beside, and renamed when it is whole. A failure leaves what had the name before, and nothing else.
 void writeFile(const std::filesystem::path&, std::string_view text);
 
 /// As std::filesystem::create_directories, with the reason of a failure in a CaseError.

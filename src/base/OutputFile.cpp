@@ -20,9 +20,22 @@ char* print(char* at, double value, int precision)
     return (precision > 0 ? std::to_chars(at, end, value, std::chars_format::general, precision) : std::to_chars(at, end, value))
         .ptr;
 }
+
+/// Removes its file unless it was renamed: what is left of one that could not be written.
+struct Unfinished
+{
+    std::filesystem::path path;
+    ~Unfinished()
+    {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+};
 }
 
-OutputFile::OutputFile(const std::filesystem::path& path) : path_(path)
+OutputFile::OutputFile(const std::filesystem::path& path) : OutputFile(path, path) {}
+
+OutputFile::OutputFile(const std::filesystem::path& path, const std::filesystem::path& shown) : shown_(shown)
 {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(errno);
@@ -35,7 +48,7 @@ OutputFile::~OutputFile()
 
 void OutputFile::fail(int reason) const
 {
-    throw CaseError({path_.string(), 0}, "cannot be written: " + std::generic_category().message(reason));
+    throw CaseError({shown_.string(), 0}, "cannot be written: " + std::generic_category().message(reason));
 }
 
 void OutputFile::send(const char* data, std::size_t size)
@@ -89,9 +102,21 @@ void OutputFile::close()
 
 void writeFile(const std::filesystem::path& path, std::string_view text)
 {
-    OutputFile file(path);
+    namespace fs = std::filesystem;
+    std::error_code reason;
+    // A link goes on pointing to what is now the new text; a device is written to, not replaced.
+    const auto target = fs::is_symlink(path, reason) ? fs::weakly_canonical(path, reason) : path;
+    const auto status = fs::status(target, reason);
+    const bool isThere = fs::exists(status), isPlain = !isThere || fs::is_regular_file(status);
+    const Unfinished written{isPlain ? fs::path(fmt::format("{}.{}{}", target.string(), ::getpid(), partialSuffix)) : fs::path()};
+    OutputFile file(isPlain ? written.path : target, path);
     file.write(text);
     file.close();
+    if (!isPlain) return;
+    reason.clear();
+    if (isThere) fs::permissions(written.path, status.permissions(), reason);
+    if (!reason) fs::rename(written.path, target, reason);
+    if (reason) throw CaseError({path.string(), 0}, "cannot be written: " + reason.message());
 }
 
 void createFolders(const std::filesystem::path& folder)
