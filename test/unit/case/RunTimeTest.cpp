@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace sph
 {
@@ -327,6 +328,36 @@ TEST(RunTime, noticesAnEditedControlDictAtOnce)
     time.advance(time.nextDeltaT(0.1));
     EXPECT_FALSE(time.running());
     EXPECT_TRUE(time.writeTime());
+}
+
+// Whatever has become of controlDict, a run of days goes on: what would take the stack, the memory or all time ends in words.
+TEST(RunTime, survivesAnyControlDict)
+{
+    const TemporaryCase c;
+    control(c, "endTime 5;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    const auto repeated = [](const std::string& text)
+    {
+        std::string all;
+        for (int k = 0; k < 10'000; ++k) all += text;
+        return all;
+    };
+    const auto file = c.folder() / "system/controlDict";
+    for (const auto& text : {repeated("a { "), repeated("a ("), "endTime #eval{ " + repeated("(") + " };", repeated("$a "), repeated("\"(a|aa)+b\" 1; $" + std::string(90, 'a') + ";\n")})
+    {
+        control(c, text);
+        EXPECT_EQ(time.rereadIfModified().find("system/controlDict has changed, but not all of it can be understood. The run goes on as before."), 0u)
+            << text.substr(0, 40);
+        EXPECT_EQ(time.endTime(), 5);
+    }
+    std::filesystem::remove(file);
+    EXPECT_EQ(time.rereadIfModified(), "") << "an editor may be about to write it";
+    ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+    EXPECT_NE(time.rereadIfModified().find("system/controlDict: this is a device or a pipe: only regular files are read"), std::string::npos);
+    std::filesystem::remove(file);
+    control(c, "endTime 7;");
+    EXPECT_EQ(time.rereadIfModified(), "system/controlDict has changed: endTime 5 -> 7");
 }
 
 TEST(RunTime, leavesControlDictAloneWhereItIsNotModifiable)
