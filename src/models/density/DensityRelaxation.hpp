@@ -2,7 +2,8 @@
 /// around it have been torn apart and come together as they may. Inside the fluid the density follows that of the particles' places, where the two differ
 /// by more than e:
 ///
-///   drho_i/dt += c/(n h) (rho_g - rho_i),    rho_g = m_i sum_j W_ij, brought nearer to rho_i by e rho_i;    inside: |sum_j V_j gradW_ij| < 0.2/H
+///   drho_i/dt += c/(n h) (rho_g - rho_i),    rho_g = m_i sum_j W_ij, brought nearer to rho_i by e rho_i
+/// inside: |sum_j V_j gradW_ij| < 0.2/H and m_i sum_j W_ij > 0.5 rho_i, which leaves spray out
 ///
 /// Too thin a liquid is then under tension, and contracts. m [kg], V [m^3], h = H/2 [m], c [m/s] the largest sound speed, n [1] the time in which it follows, in
 /// times of sound over h; e = 0.02, more than a lattice at rest or the disorder of a flow differ by. At rest there is none. Verified by test/unit/plan (plain
@@ -36,7 +37,7 @@ struct DensityRelaxation
     using Reads = Fields<Volume>;
     using ReadsOwn = Fields<Mass, Density>;
     static constexpr bool readsKernel = true;
-    static constexpr double allowed = 0.02;
+    static constexpr double allowed = 0.02, thinnest = 0.5;
     double rate, steepest;
 
     explicit DensityRelaxation(const Coefficients& c)
@@ -49,9 +50,9 @@ struct DensityRelaxation
     }
     auto finish(const auto& i, const auto& sum) const
     {
-        const double excess = i.m*sum.number - i.rho, band = allowed*i.rho;
+        const double ofPlaces = i.m*sum.number, excess = ofPlaces - i.rho, band = allowed*i.rho;
         const double beyond = excess - std::fmax(-band, std::fmin(band, excess));
-        return mag(sum.slope) < steepest ? rate*beyond : 0.0;
+        return mag(sum.slope) < steepest && ofPlaces > thinnest*i.rho ? rate*beyond : 0.0;
     }
 };
 

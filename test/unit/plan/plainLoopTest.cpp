@@ -858,7 +858,7 @@ template<int dim> void densityRelaxation()
                                   slope += s.at(Volume{}, j)*gradW;
                               });
                     const double difference = s.at(Mass{}, i)*number - rho;
-                    if (mag(slope)*c.support >= 0.2 || std::abs(difference) <= 0.02*rho) return ++even, 0.0;
+                    if (mag(slope)*c.support >= 0.2 || difference <= -0.5*rho || std::abs(difference) <= 0.02*rho) return ++even, 0.0;
                     ++(difference < 0 ? thin : dense);
                     return c.soundSpeed[0]/(50*0.5*c.support)*(difference < 0 ? difference + 0.02*rho : difference - 0.02*rho);
                 },
