@@ -1,10 +1,12 @@
 #include "CaseCopy.hpp"
 #include "DictionaryText.hpp"
 #include "OutputFile.hpp"
+#include "readText.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
+#include <regex>
 
 namespace sph
 {
@@ -40,6 +42,32 @@ public:
     std::string text() const { return fmt::format("{:016x}", value_); }
 };
 
+/// An include by a path out of the case leads to the same file from the copy.
+void keepIncludes(const fs::path& from, const fs::path& to)
+{
+    static const std::regex include(R"((#s?include(?:IfPresent)?\s+")([^"/$~<][^"]*)("))");
+    std::error_code unreadable;
+    for (const char* part : {"constant", "system"})
+        for (const auto& entry : fs::directory_iterator(to / part, unreadable))
+        {
+            std::string ignored, kept;
+            const auto text = readText(entry.path(), ignored).value_or("");
+            if (text.find("#") == std::string::npos) continue;
+            auto at = text.cbegin();
+            for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found)
+            {
+                const auto& m = *found;
+                const auto meant = fs::weakly_canonical(from / part / m.str(2));
+                const bool inCase = !meant.lexically_relative(fs::weakly_canonical(from)).string().starts_with("..");
+                kept.append(at, m[2].first);
+                kept += inCase ? m.str(2) : meant.lexically_relative(fs::weakly_canonical(to / part)).string();
+                at = m[2].second;
+            }
+            kept.append(at, text.cend());
+            if (kept != text) writeFile(entry.path(), kept);
+        }
+}
+
 bool has(const fs::path& folder, const Override& o, std::size_t depth)
 {
     auto d = Dictionary::read(folder, o.file, std::make_shared<Diagnostics>());
@@ -69,6 +97,7 @@ void copyInputs(const fs::path& from, const fs::path& to, bool withStart)
          {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
           "constant/lagrangian", "constant/uniform"})
         fs::remove_all(to / written, reason);
+    keepIncludes(from, to);
 }
 
 void apply(const std::vector<Override>& overrides, const fs::path& caseFolder, Diagnostics& diagnostics)

@@ -6,7 +6,7 @@ namespace sph
 {
 
 /// Copies what a run begins with into a new folder: constant, system, reference, 0.orig (or, with `withStart`, 0), without what
-/// meshToGhost and the solver write. A folder of that name is replaced.
+/// meshToGhost and the solver write; includes by paths out of the case follow. A folder of that name is replaced.
 void copyInputs(const std::filesystem::path& from, const std::filesystem::path& to, bool withStart);
 
 /// Gives the entries their values, in order; comments, macros and includes stay, so that entries made of others by macros follow.

@@ -45,6 +45,21 @@ std::string mistakesIn(const std::string& text)
     return "";
 }
 
+// What a case includes from outside is included by its copies, wherever they lie; what is its own is the copy's own.
+TEST(CaseCopy, KeepsIncludes)
+{
+    const TestCase c({{"base/common", "a 1;\n"}, {"case/constant/own", "b 2;\n"}, {"case/system/workPrecisionDict", ""},
+                      {"case/constant/phaseProperties", "#include \"../../base/common\"\n#include \"own\" // here\nc 3;\n"}});
+    const auto copy = c.folder()/"case/run/workPrecision/plain/8";
+    copyInputs(c.folder()/"case", copy, false);
+    c.write("case/run/workPrecision/plain/8/constant/own", "b 20;\n");
+    const auto dict = Dictionary::read(copy, "constant/phaseProperties", std::make_shared<Diagnostics>());
+    EXPECT_EQ(dict.get<double>("a"), 1);
+    EXPECT_EQ(dict.get<double>("b"), 20);
+    EXPECT_EQ(dict.get<double>("c"), 3);
+    dict.diagnostics().throwIfAny();
+}
+
 // Coarse first, all variants of a resolution together; $n is the resolution everywhere in the dictionary.
 TEST(SweepPlan, IsReadForEachResolution)
 {
