@@ -1,6 +1,7 @@
 #include "GeometryCheck.hpp"
 #include "closestApproach.hpp"
 #include "components.hpp"
+#include "fluidFraction.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -320,26 +321,11 @@ class Check
                                                  text(g_, gap.at)));
     }
 
-    /// Additive recurrence with the generalised golden ratio (Roberts 2018): evenly spread, so that the error of n points is
-    /// that of many more random ones; the standard error of random points is reported as its bound.
+    /// The standard error of random points is reported as a bound of the error.
     void volume()
     {
         const int n = 100000;
-        const double ratio = g_.dimension == 3 ? 1.22074408460575947536 : 1.32471795724474602596;
-        double inFluid = 0;
-        for (int i = 1; i <= n; ++i)
-        {
-            Vector<3> x;
-            double step = 1;
-            for (int k = 0; k < g_.dimension; ++k)
-            {
-                step /= ratio;
-                const double u = 0.5 + i * step;
-                x.*component(k) = g_.low.*component(k) + (u - std::floor(u)) * g_.length(k);
-            }
-            inFluid += g_.inFluid(x);
-        }
-        const double f = inFluid / n;
+        const double f = fluidFraction(g_, n);
         report_.fluidFraction = f;
         report_.fluidFractionError = std::sqrt(f * (1 - f) / n);
         if (f > 0 || g_.walls.empty()) return;

@@ -57,15 +57,14 @@ const Choice scheme{"scheme", names(), byScene("freeSurface where one liquid, wi
                     "the set of defaults"};
 }
 
-void addSchemeSet(const Dictionary& sphSchemes) { addDefaults(sphSchemes, dictionaryOf(set(entry::scheme(sphSchemes, "suite")), sphSchemes)); }
+void addSchemeSet(const Dictionary& sphSchemes) { addSchemeSet(sphSchemes, entry::scheme(sphSchemes, "suite")); }
 
-bool addSchemeSetUnlessChosen(const Dictionary& sphSchemes, const std::string& name)
+void addSchemeSet(const Dictionary& sphSchemes, const std::string& name) { addDefaults(sphSchemes, dictionaryOf(set(name), sphSchemes)); }
+
+bool givesWordsOf(const std::string& name, const Dictionary& sphSchemes)
 {
-    const auto defaults = dictionaryOf(set(name), sphSchemes);
-    const auto keys = defaults.keys();
-    if (std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return key != "integration" && sphSchemes.found(key); })) return false;
-    addDefaults(sphSchemes, defaults);
-    return true;
+    const auto keys = dictionaryOf(set(name), sphSchemes).keys();
+    return std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return key != "integration" && sphSchemes.found(key); });
 }
 
 const std::string& wordsOfSet(const std::string& name) { return set(name).words; }

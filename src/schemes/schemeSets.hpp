@@ -13,8 +13,10 @@ extern const Choice scheme;
 
 /// Adds the words of the set that `scheme` names. Every program that reads system/sphSchemes begins with it (readResolution).
 void addSchemeSet(const Dictionary& sphSchemes);
-/// Adds those of a set that is not named there; empty, and false, where the file gives one of its words itself: somebody has chosen.
-bool addSchemeSetUnlessChosen(const Dictionary& sphSchemes, const std::string& set);
+/// Those of another set.
+void addSchemeSet(const Dictionary& sphSchemes, const std::string& set);
+/// Whether the file gives a word of a set itself, but for `integration`: somebody has chosen.
+bool givesWordsOf(const std::string& set, const Dictionary& sphSchemes);
 /// The words of a set, as they would stand in the file.
 const std::string& wordsOfSet(const std::string& set);
 

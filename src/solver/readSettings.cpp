@@ -43,10 +43,14 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
 /// Where one liquid leaves a part of its space empty it has a free surface, for which the defaults of enclosed fluids are no choice at all.
 void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
 {
-    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties")) return;
+    const std::string set = "freeSurface";
+    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties") ||
+        givesWordsOf(set, schemes))
+        return;
     const auto share = shareFilled(theCase, geometry, settings.coefficients.spacing);
-    if (!share || *share > 0.95 || !addSchemeSetUnlessChosen(schemes, "freeSurface")) return;
-    settings.reasons.push_back(fmt::format("scheme freeSurface, for the liquid fills {:.3g} % of its space: {}", 100**share, wordsOfSet("freeSurface")));
+    if (!share || *share > 0.95) return;
+    addSchemeSet(schemes, set);
+    settings.reasons.push_back(fmt::format("scheme {}, for the liquid fills {:.3g} % of its space: {}", set, 100**share, wordsOfSet(set)));
 }
 }
 

@@ -117,6 +117,7 @@ template<int dim> std::string Migration<dim>::report(const Particles<dim>& parti
 
 template<int dim> std::string Migration<dim>::warning(const Particles<dim>& particles)
 {
+    if (warned_) return "";
     struct Rise
     {
         double most = 0;
@@ -144,7 +145,7 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
     }, larger);
     const double densest = most(particles.size(), [&](std::size_t i) { return phi[i]; });
     const bool passesDensest = s.Dc_a2 < s.Deta_a2 && densest > (1 + beyondDensest)*s.phiMax;
-    if (warned_ || !(rise.most > mostRise || passesDensest)) return "";
+    if (!(rise.most > mostRise || passesDensest)) return "";
     warned_ = true;
     if (!(rise.most > mostRise))
         return fmt::format("the powder's volume fraction has passed phiMax, {:.4g}: it is {:.4g}. Where powder gathers the particles are too coarse: take a smaller "
