@@ -28,8 +28,10 @@ Needed needed()
 {
     const auto [name, present] = needed();
     if (present) return;
-    std::fprintf(stderr, "This program was compiled for machines with %s, which this machine lacks.\n"
-                         "Possible: compile on this machine; -DSPH_NATIVE=OFF (any machine with AVX2); -DSPH_ARCH=x86-64 (any x86-64).\n", name);
+    std::fprintf(stderr,
+                 "This program was compiled for machines with %s, which this machine lacks.\n"
+                 "Possible: compile on this machine; -DSPH_NATIVE=OFF (any machine with AVX2); -DSPH_ARCH=x86-64 (any x86-64).\n",
+                 name);
     std::_Exit(1);
 }
 

@@ -6,10 +6,7 @@
 namespace sph
 {
 
-std::string toString(const Location& where)
-{
-    return where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file;
-}
+std::string toString(const Location& where) { return where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file; }
 
 CaseError::CaseError(const Location& where, const std::string& what)
     : runtime_error(where.file.empty() ? what : toString(where) + ": " + what)
@@ -38,7 +35,8 @@ void Diagnostics::throwIfAny() const
 {
     if (ok()) return;
     auto sorted = errors_;
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b)
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Entry& a, const Entry& b)
                      { return std::tie(a.where.file, a.where.line) < std::tie(b.where.file, b.where.line); });
     std::string all;
     for (const auto& e : sorted) all += (all.empty() ? "" : "\n") + std::string(CaseError(e.where, e.what).what());

@@ -12,7 +12,7 @@ class Clock
 
 public:
     /// Processor time of the process, all threads together [s].
-    static double executionTime() { return double(std::clock())/CLOCKS_PER_SEC; }
+    static double executionTime() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
     /// Wall time since this clock was made [s].
     double clockTime() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count(); }

@@ -76,10 +76,8 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
     for (auto& a : arguments)
     {
         if (a == "--") break;
-        if (a.size() > 2 && a[0] == '-' && std::isalpha(static_cast<unsigned char>(a[1])))
-            a.insert(0, "-");
-        else if (a.size() > 2 && a[0] == '-' && a[1] == '.')
-            a.insert(1, "0");
+        if (a.size() > 2 && a[0] == '-' && std::isalpha(static_cast<unsigned char>(a[1]))) a.insert(0, "-");
+        else if (a.size() > 2 && a[0] == '-' && a[1] == '.') a.insert(1, "0");
     }
     return arguments;
 }
@@ -92,7 +90,8 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         // An error comes behind what has been printed before it, also where both go to one file.
         std::cout.flush();
         std::fflush(stdout);
-        std::fputs(fmt::format("--> FATAL ERROR\n{}\n{}", what, hint).c_str(), stderr); // fmt::print would throw where a full disk holds stderr
+        std::fputs(fmt::format("--> FATAL ERROR\n{}\n{}", what, hint).c_str(),
+                   stderr); // fmt::print would throw where a full disk holds stderr
         return 1;
     };
     std::filesystem::path caseFolder = ".";
@@ -109,8 +108,7 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         std::reverse(arguments.begin(), arguments.end());
         app.parse(arguments);
         if (const auto rest = app.remaining(); !rest.empty()) refuse(app, rest.front());
-        if (!std::filesystem::is_directory(caseFolder))
-            throw CaseError(fmt::format("There is no case folder \"{}\"", caseFolder.string()));
+        if (!std::filesystem::is_directory(caseFolder)) throw CaseError(fmt::format("There is no case folder \"{}\"", caseFolder.string()));
     }
     catch (const CLI::CallForHelp&)
     {

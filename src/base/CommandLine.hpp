@@ -40,7 +40,6 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv);
 /// exception are written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that
 /// catches them.
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options,
-                   const std::function<int(const std::filesystem::path& caseFolder)>& body);
+                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path& caseFolder)>& body);
 
 }

@@ -31,9 +31,9 @@ std::string toString(const DimensionSet&);
 
 namespace units
 {
-inline constexpr DimensionSet none, kg{1}, m{0, 1}, s{0, 0, 1}, m2 = m*m, m3 = m*m*m, mPerS = m/s, mPerS2 = m/s/s;
-inline constexpr DimensionSet density = kg/m3, pressure = kg/m/s/s, viscosity = kg/m/s, kinematicViscosity = m2/s,
-                              surfaceTension = kg/s/s, forcePerVolume = pressure/m;
+inline constexpr DimensionSet none, kg{1}, m{0, 1}, s{0, 0, 1}, m2 = m * m, m3 = m * m * m, mPerS = m / s, mPerS2 = m / s / s;
+inline constexpr DimensionSet density = kg / m3, pressure = kg / m / s / s, viscosity = kg / m / s, kinematicViscosity = m2 / s,
+                              surfaceTension = kg / s / s, forcePerVolume = pressure / m;
 }
 
 }

@@ -25,10 +25,14 @@ constexpr std::span<const std::string_view> componentNames(FieldClass c)
 {
     switch (c)
     {
-    case FieldClass::vector: return detail::ofVector;
-    case FieldClass::symmTensor: return detail::ofSymmTensor;
-    case FieldClass::tensor: return detail::ofTensor;
-    default: return detail::one;
+    case FieldClass::vector:
+        return detail::ofVector;
+    case FieldClass::symmTensor:
+        return detail::ofSymmTensor;
+    case FieldClass::tensor:
+        return detail::ofTensor;
+    default:
+        return detail::one;
     }
 }
 

@@ -17,8 +17,7 @@ constexpr std::size_t longestNumber = 64;
 char* print(char* at, double value, int precision)
 {
     const auto end = at + longestNumber;
-    return (precision > 0 ? std::to_chars(at, end, value, std::chars_format::general, precision) : std::to_chars(at, end, value))
-        .ptr;
+    return (precision > 0 ? std::to_chars(at, end, value, std::chars_format::general, precision) : std::to_chars(at, end, value)).ptr;
 }
 
 /// Removes its file unless it was renamed: what is left of one that could not be written.

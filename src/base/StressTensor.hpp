@@ -28,15 +28,21 @@ struct PlaneStrainStress
     {
         return {a.xx - b.xx, a.xy - b.xy, a.yy - b.yy, a.zz - b.zz};
     }
-    friend constexpr PlaneStrainStress operator*(double s, PlaneStrainStress a) { return {s*a.xx, s*a.xy, s*a.yy, s*a.zz}; }
-    friend constexpr Vector<2> operator*(PlaneStrainStress a, Vector<2> b) { return {a.xx*b.x + a.xy*b.y, a.xy*b.x + a.yy*b.y}; }
+    friend constexpr PlaneStrainStress operator*(double s, PlaneStrainStress a) { return {s * a.xx, s * a.xy, s * a.yy, s * a.zz}; }
+    friend constexpr Vector<2> operator*(PlaneStrainStress a, Vector<2> b) { return {a.xx * b.x + a.xy * b.y, a.xy * b.x + a.yy * b.y}; }
     friend constexpr double trace(PlaneStrainStress a) { return a.xx + a.yy + a.zz; }
 };
 
 namespace detail
 {
-template<int dim> struct StressTensor { using type = SymmTensor<3>; };
-template<> struct StressTensor<2> { using type = PlaneStrainStress; };
+template<int dim> struct StressTensor
+{
+    using type = SymmTensor<3>;
+};
+template<> struct StressTensor<2>
+{
+    using type = PlaneStrainStress;
+};
 }
 template<int dim> using StressTensor = typename detail::StressTensor<dim>::type;
 
@@ -49,12 +55,12 @@ constexpr SymmTensor<2> inPlane(PlaneStrainStress a) { return {a.xx, a.xy, a.yy}
 constexpr SymmTensor<3> in3D(PlaneStrainStress a) { return {a.xx, a.xy, 0, a.yy, 0, a.zz}; }
 
 /// S : b, also with a strain rate: its zz is 0.
-constexpr double doubleDot(PlaneStrainStress a, PlaneStrainStress b) { return a.xx*b.xx + 2*a.xy*b.xy + a.yy*b.yy + a.zz*b.zz; }
-constexpr double doubleDot(PlaneStrainStress a, SymmTensor<2> rate) { return a.xx*rate.xx + 2*a.xy*rate.xy + a.yy*rate.yy; }
+constexpr double doubleDot(PlaneStrainStress a, PlaneStrainStress b) { return a.xx * b.xx + 2 * a.xy * b.xy + a.yy * b.yy + a.zz * b.zz; }
+constexpr double doubleDot(PlaneStrainStress a, SymmTensor<2> rate) { return a.xx * rate.xx + 2 * a.xy * rate.xy + a.yy * rate.yy; }
 
 /// S - tr(S)/3 I
-constexpr PlaneStrainStress deviator(PlaneStrainStress S) { return S - trace(S)/3*identity(S); }
-constexpr SymmTensor<3> deviator(SymmTensor<3> S) { return S - trace(S)/3*identity(S); }
+constexpr PlaneStrainStress deviator(PlaneStrainStress S) { return S - trace(S) / 3 * identity(S); }
+constexpr SymmTensor<3> deviator(SymmTensor<3> S) { return S - trace(S) / 3 * identity(S); }
 
 /// Mirrored, rotated and turning in the plane: zz stays as it is, and does not change.
 constexpr PlaneStrainStress mirrored(PlaneStrainStress S, Vector<2> n)
@@ -74,14 +80,14 @@ constexpr PlaneStrainStress turning(PlaneStrainStress S, Tensor<2> W) { return i
 /// The largest first. In three dimensions by the trigonometric form (Smith 1961).
 inline std::array<double, 3> principalValues(PlaneStrainStress S)
 {
-    const double mean = 0.5*(S.xx + S.yy), radius = std::sqrt(0.25*sqr(S.xx - S.yy) + sqr(S.xy));
+    const double mean = 0.5 * (S.xx + S.yy), radius = std::sqrt(0.25 * sqr(S.xx - S.yy) + sqr(S.xy));
     std::array<double, 3> values{mean + radius, mean - radius, S.zz};
     std::sort(values.begin(), values.end(), std::greater<>());
     return values;
 }
 inline std::array<double, 3> principalValues(SymmTensor<3> S)
 {
-    const double least = leastEigenvalue(S), largest = -leastEigenvalue(-1.0*S);
+    const double least = leastEigenvalue(S), largest = -leastEigenvalue(-1.0 * S);
     return {largest, trace(S) - largest - least, least};
 }
 

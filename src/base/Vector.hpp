@@ -17,16 +17,31 @@ template<> struct Vector<2>
     static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y); }
     static constexpr auto fieldClass = FieldClass::vector;
     static constexpr auto names = std::to_array<std::string_view>({"x", "y"});
-    constexpr Vector& operator+=(Vector b) { x += b.x; y += b.y; return *this; }
-    constexpr Vector& operator-=(Vector b) { x -= b.x; y -= b.y; return *this; }
-    constexpr Vector& operator*=(double s) { x *= s; y *= s; return *this; }
+    constexpr Vector& operator+=(Vector b)
+    {
+        x += b.x;
+        y += b.y;
+        return *this;
+    }
+    constexpr Vector& operator-=(Vector b)
+    {
+        x -= b.x;
+        y -= b.y;
+        return *this;
+    }
+    constexpr Vector& operator*=(double s)
+    {
+        x *= s;
+        y *= s;
+        return *this;
+    }
     friend constexpr Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
     friend constexpr Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
     friend constexpr Vector operator-(Vector a) { return {-a.x, -a.y}; }
-    friend constexpr Vector operator*(double s, Vector a) { return {s*a.x, s*a.y}; }
-    friend constexpr Vector operator/(Vector a, double s) { return {a.x/s, a.y/s}; }
+    friend constexpr Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
+    friend constexpr Vector operator/(Vector a, double s) { return {a.x / s, a.y / s}; }
     friend constexpr bool operator==(Vector, Vector) = default;
-    friend constexpr double dot(Vector a, Vector b) { return a.x*b.x + a.y*b.y; }
+    friend constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 };
 
 template<> struct Vector<3>
@@ -35,28 +50,43 @@ template<> struct Vector<3>
     static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y, q.z); }
     static constexpr auto fieldClass = FieldClass::vector;
     static constexpr auto names = std::to_array<std::string_view>({"x", "y", "z"});
-    constexpr Vector& operator+=(Vector b) { x += b.x; y += b.y; z += b.z; return *this; }
-    constexpr Vector& operator-=(Vector b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
-    constexpr Vector& operator*=(double s) { x *= s; y *= s; z *= s; return *this; }
+    constexpr Vector& operator+=(Vector b)
+    {
+        x += b.x;
+        y += b.y;
+        z += b.z;
+        return *this;
+    }
+    constexpr Vector& operator-=(Vector b)
+    {
+        x -= b.x;
+        y -= b.y;
+        z -= b.z;
+        return *this;
+    }
+    constexpr Vector& operator*=(double s)
+    {
+        x *= s;
+        y *= s;
+        z *= s;
+        return *this;
+    }
     friend constexpr Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend constexpr Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend constexpr Vector operator-(Vector a) { return {-a.x, -a.y, -a.z}; }
-    friend constexpr Vector operator*(double s, Vector a) { return {s*a.x, s*a.y, s*a.z}; }
-    friend constexpr Vector operator/(Vector a, double s) { return {a.x/s, a.y/s, a.z/s}; }
+    friend constexpr Vector operator*(double s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend constexpr Vector operator/(Vector a, double s) { return {a.x / s, a.y / s, a.z / s}; }
     friend constexpr bool operator==(Vector, Vector) = default;
-    friend constexpr double dot(Vector a, Vector b) { return a.x*b.x + a.y*b.y + a.z*b.z; }
-    friend constexpr Vector cross(Vector a, Vector b)
-    {
-        return {a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x};
-    }
+    friend constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend constexpr Vector cross(Vector a, Vector b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 };
 
-constexpr double sqr(double a) { return a*a; }
+constexpr double sqr(double a) { return a * a; }
 
 template<int dim> double mag(Vector<dim> a) { return std::sqrt(dot(a, a)); }
 
 /// a - 2 (a.n) n: the mirror image in a plane of unit normal n. A scalar is its own.
-template<int dim> constexpr Vector<dim> mirrored(Vector<dim> a, Vector<dim> n) { return a - 2*dot(a, n)*n; }
+template<int dim> constexpr Vector<dim> mirrored(Vector<dim> a, Vector<dim> n) { return a - 2 * dot(a, n) * n; }
 template<int dim> constexpr double mirrored(double a, Vector<dim>) { return a; }
 
 /// The number of dimensions of the space that the argument lives in.

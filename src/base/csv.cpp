@@ -11,12 +11,9 @@ std::vector<std::string> csvCells(const std::string& line)
     std::vector<std::string> cells(1);
     bool quoted = false;
     for (const char c : line)
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else if (c != '\r')
-            cells.back() += c;
+        if (c == '"') quoted = !quoted;
+        else if (c == ',' && !quoted) cells.emplace_back();
+        else if (c != '\r') cells.back() += c;
     for (auto& cell : cells)
     {
         cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));

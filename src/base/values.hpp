@@ -27,7 +27,10 @@ template<class T> struct Components
     static constexpr T zero{};
     static constexpr int count = T::parts(zero, []<class... Part>(const Part&...) { return (Components<Part>::count + ... + 0); });
 };
-template<> struct Components<double> { static constexpr int count = 1; };
+template<> struct Components<double>
+{
+    static constexpr int count = 1;
+};
 }
 /// How many numbers a value has.
 template<class T> constexpr int components = detail::Components<T>::count;
@@ -38,14 +41,14 @@ template<class T> constexpr void fetch(T& q, const auto& component)
 {
     [[maybe_unused]] int first = 0;
     T::parts(q, [&]<class... Part>(Part&... part)
-    { ((fetch(part, [&](int c) { return component(first + c); }), first += components<Part>), ...); });
+             { ((fetch(part, [&](int c) { return component(first + c); }), first += components<Part>), ...); });
 }
 constexpr void store(double q, const auto& set) { set(0, q); }
 template<class T> constexpr void store(const T& q, const auto& set)
 {
     [[maybe_unused]] int first = 0;
     T::parts(q, [&]<class... Part>(const Part&... part)
-    { ((store(part, [&](int c, double number) { set(first + c, number); }), first += components<Part>), ...); });
+             { ((store(part, [&](int c, double number) { set(first + c, number); }), first += components<Part>), ...); });
 }
 
 /// A value's type as known at run time: its class on disk, and the place there of each component. What has no place in a value is 0 on disk.
@@ -56,7 +59,8 @@ struct ValueType
     std::array<int, 9> place{};
     friend bool operator==(const ValueType&, const ValueType&) = default;
 };
-template<class T> constexpr ValueType valueType = []
+template<class T>
+constexpr ValueType valueType = []
 {
     static_assert(components<T> == int(T::names.size()));
     ValueType type{T::fieldClass, components<T>, {}};
@@ -70,7 +74,10 @@ template<> inline constexpr ValueType valueType<double>{};
 /// Calls f with a value of the type that `type` describes, of those whose components depend on the direction.
 template<int dim> void withDirectedValue(const ValueType& type, const auto& f)
 {
-    const auto consider = [&]<class T>(T q) { if (type == valueType<T>) f(q); };
+    const auto consider = [&]<class T>(T q)
+    {
+        if (type == valueType<T>) f(q);
+    };
     consider(Vector<dim>{});
     consider(SymmTensor<dim>{});
     consider(Tensor<dim>{});

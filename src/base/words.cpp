@@ -76,8 +76,7 @@ std::string suggestion(const std::string& word, const std::string& things, std::
 {
     const auto meant = nearest(word, known);
     const auto question = meant.empty() ? std::string() : fmt::format("Did you mean \"{}\"? ", meant);
-    return known.empty() ? fmt::format("There are no {}.", things)
-                         : fmt::format("{}Known {}: {}.", question, things, list(known));
+    return known.empty() ? fmt::format("There are no {}.", things) : fmt::format("{}Known {}: {}.", question, things, list(known));
 }
 
 }

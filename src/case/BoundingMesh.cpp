@@ -12,8 +12,7 @@ namespace
 
 void writeMeshFile(const std::filesystem::path& caseFolder, const char* className, const char* object, const std::string& list)
 {
-    writeFile(caseFolder / "constant" / "polyMesh" / object,
-              foamHeader(WriteFormat::ascii, className, "constant/polyMesh", object) + list);
+    writeFile(caseFolder / "constant" / "polyMesh" / object, foamHeader(WriteFormat::ascii, className, "constant/polyMesh", object) + list);
 }
 
 /// A direction without extent, as z of a 2-D scene, is given the half of the longest one to each side: a flat cell has no volume.
@@ -45,8 +44,7 @@ void writeBoundingMesh(const std::filesystem::path& caseFolder, const double (&l
         points += fmt::format("({} {} {})\n", shortestText(corner[k & 1][0]), shortestText(corner[k >> 1 & 1][1]),
                               shortestText(corner[k >> 2][2]));
     writeMeshFile(caseFolder, "vectorField", "points", points + ")\n");
-    writeMeshFile(caseFolder, "faceList", "faces",
-                  "6\n(\n4(0 4 6 2)\n4(1 3 7 5)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n)\n");
+    writeMeshFile(caseFolder, "faceList", "faces", "6\n(\n4(0 4 6 2)\n4(1 3 7 5)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n)\n");
     writeMeshFile(caseFolder, "labelList", "owner", "6\n(\n0\n0\n0\n0\n0\n0\n)\n");
     writeMeshFile(caseFolder, "labelList", "neighbour", "0\n(\n)\n");
     writeMeshFile(caseFolder, "polyBoundaryMesh", "boundary",

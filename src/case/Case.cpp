@@ -12,8 +12,7 @@ Case::Case(const std::filesystem::path& folder) : folder_(folder)
     std::error_code reason;
     const auto status = std::filesystem::status(folder, reason);
     if (status.type() == std::filesystem::file_type::directory) return;
-    if (status.type() == std::filesystem::file_type::not_found)
-        throw CaseError("case folder \"" + folder.string() + "\" does not exist");
+    if (status.type() == std::filesystem::file_type::not_found) throw CaseError("case folder \"" + folder.string() + "\" does not exist");
     throw CaseError("case \"" + folder.string() + "\" is not a folder");
 }
 

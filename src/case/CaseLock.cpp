@@ -26,7 +26,8 @@ std::string contents(int descriptor)
 bool isStill(const std::filesystem::path& file, int descriptor)
 {
     struct stat open, named;
-    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &named) == 0 && open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
 }
 }
 
@@ -42,7 +43,8 @@ CaseLock::CaseLock(const std::filesystem::path& caseFolder, const std::string& p
         {
             const auto other = contents(descriptor_);
             ::close(descriptor_);
-            fail(fmt::format("another program is at work in this case: {}. Wait for it, or stop it: a signal TERM makes it write and end", other));
+            fail(fmt::format("another program is at work in this case: {}. Wait for it, or stop it: a signal TERM makes it write and end",
+                             other));
         }
         if (isStill(file_, descriptor_)) break;
         ::close(descriptor_);

@@ -13,10 +13,7 @@ namespace
 {
 
 /// OpenFOAM's tools add barycentric `coordinates` beside the positions: the same particles once more.
-bool isField(const std::string& name)
-{
-    return name != "positions" && name != "coordinates" && name.front() != '.' && name.back() != '~';
-}
+bool isField(const std::string& name) { return name != "positions" && name != "coordinates" && name.front() != '.' && name.back() != '~'; }
 
 /// Sorted, so that errors come in the same order everywhere.
 std::vector<std::string> fieldsIn(const std::filesystem::path& folder)
@@ -58,9 +55,10 @@ void checkComplete(const std::filesystem::path& caseFolder, const std::string& t
         diagnostics.error({read.folder + "/positions", 0}, fmt::format("has {} particles, and {} says {}", read.size(), file, count));
     for (const auto& name : names)
         if (std::ranges::find(files, name) == files.end())
-            diagnostics.error({read.folder + "/" + name, 0}, fmt::format("is missing, and was written with the others: see `fields` in {}, and leave it out "
-                                                                         "there if it is not meant to be read",
-                                                                         file));
+            diagnostics.error({read.folder + "/" + name, 0},
+                              fmt::format("is missing, and was written with the others: see `fields` in {}, and leave it out "
+                                          "there if it is not meant to be read",
+                                          file));
 }
 
 std::string cloudFolder(const std::string& time, const std::string& cloud) { return time + "/lagrangian/" + cloud; }
@@ -69,8 +67,8 @@ std::string cloudFolder(const std::string& time, const std::string& cloud) { ret
 
 std::string Cloud::particle(std::size_t i) const { return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", i, x[i], y[i], z[i]); }
 
-Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud,
-                Diagnostics& diagnostics, const FieldClasses& wanted)
+Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics& diagnostics,
+                const FieldClasses& wanted)
 {
     const auto folder = cloudFolder(time, cloud);
     Cloud result;
@@ -87,9 +85,9 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
     {
         const auto file = folder + "/" + name;
         const auto its = wanted.find(name);
-        if (name.ends_with(".gz"))
-            diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
-        else if (auto field = readField(caseFolder, file, result.size(), its == wanted.end() ? std::nullopt : std::optional(its->second), diagnostics))
+        if (name.ends_with(".gz")) diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
+        else if (auto field = readField(caseFolder, file, result.size(), its == wanted.end() ? std::nullopt : std::optional(its->second),
+                                        diagnostics))
             result.fields[name] = std::move(*field);
     }
     return result;
@@ -104,8 +102,9 @@ std::vector<int> phasesOf(const Cloud& cloud, std::size_t phases)
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
         if (!(index[i] >= 0 && index[i] < double(phases) && index[i] == std::floor(index[i])))
-            throw CaseError({cloud.folder + "/phase", 0}, fmt::format("{} has phase {}, but constant/phaseProperties lists {}", cloud.particle(i),
-                                                                      index[i], phases == 1 ? "1 phase, 0" : fmt::format("{} phases, 0 to {}", phases, phases - 1)));
+            throw CaseError({cloud.folder + "/phase", 0},
+                            fmt::format("{} has phase {}, but constant/phaseProperties lists {}", cloud.particle(i), index[i],
+                                        phases == 1 ? "1 phase, 0" : fmt::format("{} phases, 0 to {}", phases, phases - 1)));
         result[i] = int(index[i]);
     }
     return result;
@@ -120,13 +119,14 @@ std::vector<double> volumesOf(const Cloud& cloud)
         const auto& values = found->second.component[0];
         for (std::size_t i = 0; i < cloud.size(); ++i)
             if (!(values[i] > 0))
-                throw CaseError({cloud.folder + "/" + name, 0}, fmt::format("{} has {} {}, which must be positive", cloud.particle(i), name, values[i]));
+                throw CaseError({cloud.folder + "/" + name, 0},
+                                fmt::format("{} has {} {}, which must be positive", cloud.particle(i), name, values[i]));
         return values;
     };
     if (cloud.fields.contains("V")) return positive("V");
     const auto &m = positive("m"), &rho = positive("rho");
     std::vector<double> volumes(cloud.size());
-    for (std::size_t i = 0; i < cloud.size(); ++i) volumes[i] = m[i]/rho[i];
+    for (std::size_t i = 0; i < cloud.size(); ++i) volumes[i] = m[i] / rho[i];
     return volumes;
 }
 

@@ -183,10 +183,10 @@ void writeCloud(const std::filesystem::path& timeFolder, const std::string& clou
     for (const auto& field : fields) names += (names.empty() ? "" : " ") + field.name;
     const auto properties = timeFolder / "uniform" / "lagrangian" / cloud;
     createFolders(properties);
-    writeFile(
-        properties / "cloudProperties",
-        foamHeader(WriteFormat::ascii, "dictionary", fmt::format("{}/uniform/lagrangian/{}", time, cloud), "cloudProperties") +
-            fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n\nfields          ({});\n", n, names));
+    writeFile(properties / "cloudProperties",
+              foamHeader(WriteFormat::ascii, "dictionary", fmt::format("{}/uniform/lagrangian/{}", time, cloud), "cloudProperties") +
+                  fmt::format("geometry        positions;\n\nprocessor0\n{{\n    particleCount   {};\n}}\n\nfields          ({});\n", n,
+                              names));
 }
 
 }

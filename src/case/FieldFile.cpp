@@ -85,8 +85,8 @@ FieldClass fieldClass(const Header& header, const std::string& field, std::optio
                                                       suggestion(header.className, "classes", known)));
     const auto found = FieldClass(at - known.begin());
     if (wanted && found != *wanted)
-        throw ScanError(header.classLine, fmt::format("class \"{}\" is not that of the field {}, {}", header.className, field,
-                                                      known[std::size_t(*wanted)]));
+        throw ScanError(header.classLine,
+                        fmt::format("class \"{}\" is not that of the field {}, {}", header.className, field, known[std::size_t(*wanted)]));
     return found;
 }
 
@@ -131,8 +131,8 @@ private:
         if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
         in_.enterBinary();
         if (count_ > in_.remaining() / bytes)
-            in_.fail(fmt::format("the file is truncated: {} values need {:.0f} bytes, {} are there", count_,
-                                 double(count_) * double(bytes), in_.remaining()));
+            in_.fail(fmt::format("the file is truncated: {} values need {:.0f} bytes, {} are there", count_, double(count_) * double(bytes),
+                                 in_.remaining()));
         reserve(count_);
         for (std::size_t i = 0; i < count_; ++i) append(i);
         if (!in_.takeHere(')')) in_.fail(fmt::format("expected ) right after {} values, found {}", count_, in_.found()));
@@ -203,10 +203,7 @@ double binaryNumber(FoamScanner& in, int bits, std::size_t i)
     return finite(in, bits == 64 ? in.raw<double>() : double(in.raw<float>()), i);
 }
 
-double binaryLabel(FoamScanner& in, int bits)
-{
-    return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>());
-}
+double binaryLabel(FoamScanner& in, int bits) { return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>()); }
 
 CloudField parseField(std::string_view text, const std::string& name, std::size_t expected, std::optional<FieldClass> wanted)
 {
@@ -224,9 +221,8 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
     {
         if (!header.binary && components > 1) bracket(in, '(', i, components);
         for (auto& values : field.component)
-            values.push_back(header.binary
-                                 ? (isLabel ? binaryLabel(in, header.labelBits) : binaryNumber(in, header.scalarBits, i))
-                                 : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
+            values.push_back(header.binary ? (isLabel ? binaryLabel(in, header.labelBits) : binaryNumber(in, header.scalarBits, i))
+                                           : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
         if (!header.binary && components > 1) bracket(in, ')', i, components);
     };
     const auto reserve = [&](std::size_t n)
@@ -256,8 +252,7 @@ Positions parsePositions(std::string_view text)
         for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(asciiNumber(in, i));
         bracket(in, ')', i, 3);
         std::int64_t cell;
-        if (!in.integer(cell))
-            in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
+        if (!in.integer(cell)) in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
     };
     const auto binary = [&](std::size_t i)
     {
@@ -282,8 +277,7 @@ Positions parsePositions(std::string_view text)
 }
 
 template<class Result>
-std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics,
-                              const auto& parse)
+std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics, const auto& parse)
 {
     try
     {

@@ -19,8 +19,8 @@ std::string foamHeader(WriteFormat format, const std::string& className, const s
                        "    location    \"{}\";\n"
                        "    object      {};\n"
                        "}}\n\n",
-                       binary ? "binary" : "ascii", binary ? "    arch        \"LSB;label=32;scalar=64\";\n" : "", className,
-                       location, object);
+                       binary ? "binary" : "ascii", binary ? "    arch        \"LSB;label=32;scalar=64\";\n" : "", className, location,
+                       object);
 }
 
 std::string finalName(const std::filesystem::path& timeFolder)

@@ -42,10 +42,8 @@ std::string FoamScanner::word()
     int depth = 0;
     for (; at_ != end_ && !isBlank(*at_) && !std::strchr(";{}", *at_); ++at_)
     {
-        if (*at_ == '(')
-            ++depth;
-        else if (*at_ == ')' && --depth < 0)
-            break;
+        if (*at_ == '(') ++depth;
+        else if (*at_ == ')' && --depth < 0) break;
     }
     return {start, at_};
 }

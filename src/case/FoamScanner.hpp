@@ -43,12 +43,9 @@ public:
     {
         while (at_ != end_ && (isBlank(*at_) || *at_ == '/'))
         {
-            if (*at_ != '/')
-                ++at_;
-            else if (at_ + 1 != end_ && (at_[1] == '/' || at_[1] == '*'))
-                skipComment();
-            else
-                return;
+            if (*at_ != '/') ++at_;
+            else if (at_ + 1 != end_ && (at_[1] == '/' || at_[1] == '*')) skipComment();
+            else return;
         }
     }
     /// The next character after white space, '\0' at the end.

@@ -1,9 +1,9 @@
 #include "MappedFile.hpp"
 #include <cerrno>
 #include <fcntl.h>
+#include <stdexcept>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <stdexcept>
 #include <system_error>
 #include <unistd.h>
 #include <utility>

@@ -6,8 +6,7 @@
 namespace sph
 {
 
-OutputTable::OutputTable(const std::filesystem::path& path, const std::vector<std::string>& header,
-                         const std::vector<std::string>& columns)
+OutputTable::OutputTable(const std::filesystem::path& path, const std::vector<std::string>& header, const std::vector<std::string>& columns)
     : file_(path), columns_(columns.size())
 {
     for (const auto& line : header) file_.write(fmt::format("# {}\n", line));

@@ -94,9 +94,8 @@ void RunTime::findStart(const Case& c)
     const bool hasZero = std::any_of(names.begin(), names.end(), [](const auto& name) { return timeValue(name) == 0; });
     const bool fromOriginal = !hasZero && c.has(originalFolder);
     if (fromOriginal)
-        names.insert(
-            std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
-            "0");
+        names.insert(std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
+                     "0");
     if (names.empty())
         return entry::startFrom.error(control_, "the case has no time folder to start from, and no folder 0.orig to make one of");
 
@@ -128,17 +127,18 @@ void RunTime::restore(const Case& c)
     if (!couldBeNamed(exact, startName_))
     {
         // Copied from another time, as a packed bed that a new run begins with.
-        c.diagnostics().warning(stored.where("value"),
-                                fmt::format("value {} does not belong to a folder named {}: the run starts "
-                                            "afresh at {}",
-                                            shortestText(exact), startName_, startName_));
+        c.diagnostics().warning(stored.where("value"), fmt::format("value {} does not belong to a folder named {}: the run starts "
+                                                                   "afresh at {}",
+                                                                   shortestText(exact), startName_, startName_));
         return;
     }
     value_ = exact;
     index_ = long(stored.get<double>("index", 0.0));
     if (controls_.adjustTimeStep) deltaT_ = stored.get<double>("deltaT", deltaT_);
     if (!c.has(stateFile))
-        c.diagnostics().warning({stateFile, 0}, "is missing: the run goes on without the numbers that were stored with the fields, not as though it had never stopped");
+        c.diagnostics().warning(
+            {stateFile, 0},
+            "is missing: the run goes on without the numbers that were stored with the fields, not as though it had never stopped");
     const auto state = c.dictionaryIfPresent(stateFile);
     for (const auto& key : state.keys()) restored_[key] = state.get<double>(key);
     const auto seen = c.dictionaryIfPresent(startName_ + "/uniform/functionObjects");
@@ -220,7 +220,8 @@ bool RunTime::writeTime() const
     return scheduled_ || !running();
 }
 
-void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state, const Histories& histories)
+void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state,
+                    const Histories& histories)
 {
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
     if (written_.empty()) removePartialFolders(caseFolder_);
@@ -236,7 +237,8 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                     createFolders(folder / "uniform");
                     writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
                     writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
-                    if (!histories.empty()) writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
+                    if (!histories.empty())
+                        writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
                 });
     named_[time] = value_;
     std::erase(written_, time);

@@ -9,11 +9,13 @@ namespace sph
 
 namespace entry
 {
-const Choice stopAt{
-    "stopAt",
-    {"endTime", {"writeNow", "write and stop"}, {"noWriteNow", "stop without writing"}, {"nextWrite", "stop at the next write"}}, // as StopAt
-    "endTime",
-    "when the run ends"};
+const Choice stopAt{"stopAt",
+                    {"endTime",
+                     {"writeNow", "write and stop"},
+                     {"noWriteNow", "stop without writing"},
+                     {"nextWrite", "stop at the next write"}}, // as StopAt
+                    "endTime",
+                    "when the run ends"};
 const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"), "end of the run"},
     deltaT{"deltaT", units::s, byScene("that of the limits; needed without adjustTimeStep"), positive, "time step"},
     maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step"},
@@ -36,12 +38,16 @@ const Count purgeWrite{"purgeWrite", 0, nonNegative.saying("purgeWrite must not 
                        "number of time folders that are kept; 0: all"};
 const Choice writeFormat{"writeFormat", {"ascii", "binary"}, "ascii", "of the files; packParticles writes binary by default"},
     timeFormat{"timeFormat", {"general", "fixed", "scientific"}, "general", "of the names of time folders"},
-    writeCompression{"writeCompression", {"off", "uncompressed", "no", "false", "none"}, "off", "for OpenFOAM's sake: nothing is compressed"};
+    writeCompression{"writeCompression",
+                     {"off", "uncompressed", "no", "false", "none"},
+                     "off",
+                     "for OpenFOAM's sake: nothing is compressed"};
 constexpr int mostDigits = std::numeric_limits<double>::max_digits10;
 const Count writePrecision{"writePrecision", byScene("as many as a number needs"),
                            between(1, mostDigits).saying(fmt::format("writePrecision must be 1 to {} digits, found {{}}", mostDigits)),
                            "digits of numbers in ascii files"},
-    timePrecision{"timePrecision", 6, between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
+    timePrecision{"timePrecision", 6,
+                  between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
                   "digits of the names of time folders"};
 }
 
@@ -59,8 +65,7 @@ double readInterval(const Dictionary& d, WriteControl control)
     if (control == WriteControl::none) return entry::writeInterval(d, 1.0);
     if (control != WriteControl::timeStep) return entry::writeInterval.needed(d);
     const double steps = entry::writeInterval.in(units::none).needed(d);
-    if (steps != std::floor(steps))
-        entry::writeInterval.error(d, fmt::format("writeInterval must be a number of steps, found {}", steps));
+    if (steps != std::floor(steps)) entry::writeInterval.error(d, fmt::format("writeInterval must be a number of steps, found {}", steps));
     return std::max(1.0, std::floor(steps));
 }
 
@@ -69,8 +74,7 @@ WriteOptions readOptions(const Dictionary& d)
     WriteOptions options;
     options.format = WriteFormat(entry::writeFormat.index(d));
     options.precision = entry::writePrecision(d, 0);
-    if (options.format == WriteFormat::ascii && options.precision > 0 &&
-        options.precision < std::numeric_limits<double>::max_digits10)
+    if (options.format == WriteFormat::ascii && options.precision > 0 && options.precision < std::numeric_limits<double>::max_digits10)
         d.diagnostics().warning(entry::writePrecision.where(d),
                                 fmt::format("{} digits lose the last ones of each number, and a restart from such files goes on "
                                             "slightly differently. Without writePrecision nothing is lost.",
@@ -113,8 +117,9 @@ TimeControls TimeControls::read(const Dictionary& d)
 EntryList TimeControls::entries()
 {
     using namespace entry;
-    return {entry::stopAt,     entry::endTime,    entry::deltaT,       entry::adjustTimeStep, entry::maxDeltaT,         entry::writeControl,
-            entry::writeInterval, entry::purgeWrite, writeFormat, writePrecision,        writeCompression,         entry::timeFormat,
+    return {entry::stopAt,        entry::endTime,           entry::deltaT,        entry::adjustTimeStep,
+            entry::maxDeltaT,     entry::writeControl,      entry::writeInterval, entry::purgeWrite,
+            writeFormat,          writePrecision,           writeCompression,     entry::timeFormat,
             entry::timePrecision, entry::runTimeModifiable, entry::maxClockTime};
 }
 
@@ -151,10 +156,7 @@ double TimeControls::end() const
     return std::abs(write - endTime) <= sameTime * writeInterval + 4 * roundOff * std::abs(endTime) ? write : endTime;
 }
 
-double TimeControls::nextTarget(double t) const
-{
-    return fitsSteps() ? std::min((writeIndex(t) + 1) * writeInterval, end()) : infinity;
-}
+double TimeControls::nextTarget(double t) const { return fitsSteps() ? std::min((writeIndex(t) + 1) * writeInterval, end()) : infinity; }
 
 double TimeControls::step(double t, double limit) const
 {

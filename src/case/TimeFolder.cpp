@@ -38,10 +38,7 @@ void moveTo(const fs::path& from, const fs::path& to)
 }
 
 /// Both names exist at every moment, where the file system can exchange them (Linux, local disks).
-bool exchange(const fs::path& a, const fs::path& b)
-{
-    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
-}
+bool exchange(const fs::path& a, const fs::path& b) { return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0; }
 
 void moveIntoPlace(const fs::path& partial, const fs::path& folder)
 {

@@ -8,7 +8,8 @@ namespace sph::entry
 const ListOf<std::string> phases{"phases", required, "names of the phases; each has a dictionary"};
 const FreeName phaseName{"<phase>", "dictionary", "a phase of that name"};
 const Scalar rho{"rho", units::density, required, positive, "density at rest"};
-const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative, "surface tension of pairs of phases: of none, or of each, 0 included"};
+const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative,
+                       "surface tension of pairs of phases: of none, or of each, 0 included"};
 const VectorParameter gravity{"value", units::mPerS2, required, "gravity"};
 
 }

@@ -91,8 +91,7 @@ template<class T> std::optional<T> plain(Dictionary::Node& node, const std::stri
                    });
 }
 
-template<class T>
-std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, const DimensionSet& expected, bool required)
+template<class T> std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, const DimensionSet& expected, bool required)
 {
     return valueOf(node, key, required,
                    [&](TokenReader& tokens)
@@ -109,8 +108,7 @@ std::optional<T> dimensioned(Dictionary::Node& node, const std::string& key, con
 
 }
 
-Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::string& file,
-                            std::shared_ptr<Diagnostics> diagnostics)
+Dictionary Dictionary::read(const std::filesystem::path& caseFolder, const std::string& file, std::shared_ptr<Diagnostics> diagnostics)
 {
     const auto path = caseFolder / file;
     std::string reason;
@@ -184,8 +182,7 @@ Dictionary Dictionary::subDict(const std::string& key) const
         entry->dictionary->visited = true;
         return Dictionary(entry->dictionary);
     }
-    if (!entry)
-        missing(*node_, key, "dictionary");
+    if (!entry) missing(*node_, key, "dictionary");
     else
     {
         entry->used = true;
@@ -323,8 +320,7 @@ std::vector<Dictionary::PairValue> Dictionary::pairs(const std::string& key) con
                        while (!tokens.accept(')'))
                        {
                            PairValue pair;
-                           if (!tokens.accept('('))
-                               throw ValueError(fmt::format("must be {}, found \"{}\" in it", list, tokens.rest()));
+                           if (!tokens.accept('(')) throw ValueError(fmt::format("must be {}, found \"{}\" in it", list, tokens.rest()));
                            tokens.read(pair.first);
                            tokens.accept("and");
                            tokens.read(pair.second);
@@ -361,8 +357,8 @@ void reportUnusedIn(Dictionary::Node& node)
         // mistake.
         const auto meant = nearest(e.keyword, node.lookedUp);
         if (e.included && (meant.empty() || node.find(meant))) continue;
-        node.diagnostics->error(e.where, fmt::format("{} \"{}\" is not used here. {}", e.dictionary ? "dictionary" : "entry",
-                                                     e.keyword, suggestion(e.keyword, "entries", node.lookedUp)));
+        node.diagnostics->error(e.where, fmt::format("{} \"{}\" is not used here. {}", e.dictionary ? "dictionary" : "entry", e.keyword,
+                                                     suggestion(e.keyword, "entries", node.lookedUp)));
     }
 }
 

@@ -26,56 +26,31 @@ void DictionaryParser::directive(Dictionary::Node& scope, const Token& d)
     const auto& name = d.text;
     if (name == "include" || name == "includeIfPresent" || name == "sinclude" || name == "includeEtc" || name == "sincludeEtc")
         include(scope, d);
-    else if (name == "inputMode")
-        inputMode(d);
-    else if (name == "default" || name == "merge" || name == "overwrite" || name == "warn" || name == "error")
-        modifiedEntry(scope, d);
-    else if (name == "remove")
-        remove(scope, d);
-    else if (name == "if" || name == "ifeq")
-        openBranch(scope, d);
-    else if (name == "else" || name == "elif" || name == "endif")
-        endOrElse(scope, d);
-    else
-        unsupported(d);
+    else if (name == "inputMode") inputMode(d);
+    else if (name == "default" || name == "merge" || name == "overwrite" || name == "warn" || name == "error") modifiedEntry(scope, d);
+    else if (name == "remove") remove(scope, d);
+    else if (name == "if" || name == "ifeq") openBranch(scope, d);
+    else if (name == "else" || name == "elif" || name == "endif") endOrElse(scope, d);
+    else unsupported(d);
 }
 
 void DictionaryParser::unsupported(const Token& d)
 {
-    static const std::vector<std::string> valid{"default",
-                                                "elif",
-                                                "else",
-                                                "endif",
-                                                "error",
-                                                "eval",
-                                                "if",
-                                                "ifeq",
-                                                "include",
-                                                "includeEtc",
-                                                "includeIfPresent",
-                                                "inputMode",
-                                                "merge",
-                                                "overwrite",
-                                                "remove",
-                                                "sinclude",
-                                                "sincludeEtc",
-                                                "warn"};
+    static const std::vector<std::string> valid{
+        "default",          "elif",      "else",  "endif",     "error",  "eval",     "if",          "ifeq", "include", "includeEtc",
+        "includeIfPresent", "inputMode", "merge", "overwrite", "remove", "sinclude", "sincludeEtc", "warn"};
     if (d.text == "calc" || d.text == "codeStream")
-        error(d.line,
-              fmt::format("#{} is not supported: it compiles C++ code against OpenFOAM's own libraries while the case is read. "
-                          "#eval{{ ... }} calculates values",
-                          d.text));
+        error(d.line, fmt::format("#{} is not supported: it compiles C++ code against OpenFOAM's own libraries while the case is read. "
+                                  "#eval{{ ... }} calculates values",
+                                  d.text));
     else if (d.text == "includeFunc")
         error(d.line, "#includeFunc is not supported: it names a function object of OpenFOAM. Write the function object out, or "
                       "#include a file with it");
-    else
-        error(d.line, fmt::format("directive \"#{}\" is unknown. {}", d.text, suggestion(d.text, "directives", valid)));
+    else error(d.line, fmt::format("directive \"#{}\" is unknown. {}", d.text, suggestion(d.text, "directives", valid)));
 
     // Its argument goes with it.
-    if (sameLine(d.line) && (peek().kind == Kind::string || peek().kind == Kind::verbatim))
-        ++at_;
-    else if (!atEnd() && peek().is('{') && d.text == "codeStream")
-        skipBlock();
+    if (sameLine(d.line) && (peek().kind == Kind::string || peek().kind == Kind::verbatim)) ++at_;
+    else if (!atEnd() && peek().is('{') && d.text == "codeStream") skipBlock();
     else
         while (d.firstOnLine && sameLine(d.line) && !peek().is('}')) ++at_;
 }
@@ -153,10 +128,8 @@ void DictionaryParser::modifiedEntry(Dictionary::Node& scope, const Token& d)
                                                         {"overwrite", InputMode::overwrite},
                                                         {"warn", InputMode::warn},
                                                         {"error", InputMode::error}};
-    if (!atEnd() && peek().isText())
-        entry(scope, tokens_[at_++], modes.at(d.text));
-    else
-        error(d.line, fmt::format("#{} is not followed by an entry", d.text));
+    if (!atEnd() && peek().isText()) entry(scope, tokens_[at_++], modes.at(d.text));
+    else error(d.line, fmt::format("#{} is not followed by an entry", d.text));
 }
 
 /// `#remove x`, `#remove (x "y.*")`
@@ -167,23 +140,18 @@ void DictionaryParser::remove(Dictionary::Node& scope, const Token& d)
     {
         const auto opening = at_++;
         while (!atEnd() && peek().isText()) names.push_back(tokens_[at_++]);
-        if (!atEnd() && peek().is(')'))
-            ++at_;
-        else
-            error(tokens_[opening].line, "the '(' of #remove is never closed");
+        if (!atEnd() && peek().is(')')) ++at_;
+        else error(tokens_[opening].line, "the '(' of #remove is never closed");
     }
-    else if (sameLine(d.line) && peek().isText())
-        names.push_back(tokens_[at_++]);
-    else
-        error(d.line, "#remove is not followed by a keyword or a list of keywords");
+    else if (sameLine(d.line) && peek().isText()) names.push_back(tokens_[at_++]);
+    else error(d.line, "#remove is not followed by a keyword or a list of keywords");
     if (!atEnd() && sameLine(d.line) && peek().is(';')) ++at_;
 
     for (const auto& name : names) try
         {
             const KeywordPattern pattern(name.kind == Kind::string ? name.text : "");
-            scope.removeIf(
-                [&](const DictionaryEntry& e)
-                { return e.keyword == name.text || (name.kind == Kind::string && pattern.matches(e.keyword)); });
+            scope.removeIf([&](const DictionaryEntry& e)
+                           { return e.keyword == name.text || (name.kind == Kind::string && pattern.matches(e.keyword)); });
         }
         catch (const PatternError& e)
         {
@@ -201,8 +169,7 @@ std::vector<Token> DictionaryParser::restOfLine(Dictionary::Node& scope, int lin
             for (auto& expanded : expand(scope, t)) tokens.push_back(std::move(expanded));
         else if (t.kind == Kind::directive)
             for (auto& result : eval(scope, t)) tokens.push_back(std::move(result));
-        else
-            tokens.push_back(t);
+        else tokens.push_back(t);
     }
     return tokens;
 }
@@ -230,8 +197,8 @@ bool DictionaryParser::condition(Dictionary::Node& scope, const Token& d)
     }
     std::string found;
     for (const auto& v : values) found += (found.empty() ? "" : " ") + toString(v);
-    error(d.line, fmt::format("#{} needs a number or yes/no, found \"{}\"; comparisons are written #{} #eval{{ ... }}", d.text,
-                              found, d.text));
+    error(d.line,
+          fmt::format("#{} needs a number or yes/no, found \"{}\"; comparisons are written #{} #eval{{ ... }}", d.text, found, d.text));
     return false;
 }
 
@@ -257,8 +224,7 @@ void DictionaryParser::endOrElse(Dictionary::Node& scope, const Token& d)
         return;
     }
     auto& branch = branches_.back();
-    if (branch.elseSeen)
-        error(d.line, fmt::format("#{} after the #else of the #{} in line {}", d.text, branch.directive, branch.line));
+    if (branch.elseSeen) error(d.line, fmt::format("#{} after the #else of the #{} in line {}", d.text, branch.directive, branch.line));
     branch.elseSeen = true;
     skipBranch(scope, false);
 }
@@ -285,8 +251,7 @@ void DictionaryParser::skipBranch(Dictionary::Node& scope, bool seekElse)
         const Token& t = tokens_[at_++];
         markMentioned(scope, t);
         if (t.kind != Kind::directive) continue;
-        if (t.text == "if" || t.text == "ifeq")
-            ++depth;
+        if (t.text == "if" || t.text == "ifeq") ++depth;
         else if (t.text == "endif" && depth-- == 0)
         {
             branches_.pop_back();
@@ -297,8 +262,7 @@ void DictionaryParser::skipBranch(Dictionary::Node& scope, bool seekElse)
             branches_.back().elseSeen = true;
             return;
         }
-        else if (depth == 0 && seekElse && t.text == "elif" && condition(scope, t))
-            return;
+        else if (depth == 0 && seekElse && t.text == "elif" && condition(scope, t)) return;
     }
 }
 

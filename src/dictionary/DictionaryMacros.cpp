@@ -49,11 +49,9 @@ void DictionaryParser::mergeMacro(Dictionary::Node& scope, const Token& variable
         return;
     }
     if (!atEnd() && peek().is(';')) ++at_;
-    if (!found)
-        undefinedMacro(scope, variable);
+    if (!found) undefinedMacro(scope, variable);
     else if (!found->dictionary)
-        error(variable.line,
-              fmt::format("\"${}\" stands among entries, but \"{}\" is not a dictionary", variable.text, found->keyword));
+        error(variable.line, fmt::format("\"${}\" stands among entries, but \"{}\" is not a dictionary", variable.text, found->keyword));
     else
     {
         take(*found, variable.line);
@@ -68,16 +66,13 @@ std::vector<Token> DictionaryParser::expand(Dictionary::Node& scope, const Token
     {
         take(*found, variable.line);
         if (!found->dictionary) return fits(variable.line, extentOf(found->value)) ? found->value : std::vector<Token>{};
-        error(variable.line,
-              fmt::format("\"${}\" is a dictionary and cannot be a value; its entries are taken over by {{ ${}; }}",
-                          variable.text, variable.text));
+        error(variable.line, fmt::format("\"${}\" is a dictionary and cannot be a value; its entries are taken over by {{ ${}; }}",
+                                         variable.text, variable.text));
         return {};
     }
     std::optional<std::string> fromEnvironment;
-    if (const char* text = std::getenv(variable.text.c_str()))
-        fromEnvironment = text;
-    else if (variable.text == "FOAM_CASE")
-        fromEnvironment = std::filesystem::absolute(context_.caseFolder).lexically_normal().string();
+    if (const char* text = std::getenv(variable.text.c_str())) fromEnvironment = text;
+    else if (variable.text == "FOAM_CASE") fromEnvironment = std::filesystem::absolute(context_.caseFolder).lexically_normal().string();
     if (fromEnvironment)
     {
         Token t = variable;
@@ -96,8 +91,8 @@ void DictionaryParser::undefinedMacro(Dictionary::Node& scope, const Token& vari
         for (const auto& e : s->entries)
             if (!e.pattern && e.keyword != "FoamFile") known.push_back(e.keyword);
     const auto meant = nearest(variable.text, known);
-    error(variable.line, fmt::format("\"${}\" is neither an entry that is defined above nor an environment variable{}",
-                                     variable.text, meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
+    error(variable.line, fmt::format("\"${}\" is neither an entry that is defined above nor an environment variable{}", variable.text,
+                                     meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
 }
 
 ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std::string& name, int line) const
@@ -111,8 +106,8 @@ ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std:
         for (auto* s = &scope; s; s = s->parent)
             for (const auto& e : s->entries) known.push_back(e.keyword);
         const auto meant = nearest(name, known);
-        throw ExpressionError(fmt::format("\"${}\" is not defined above{}", name,
-                                          meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
+        throw ExpressionError(
+            fmt::format("\"${}\" is not defined above{}", name, meant.empty() ? "" : fmt::format(". Did you mean \"${}\"?", meant)));
     }
     take(*found, line);
     const auto& v = found->value;
@@ -133,10 +128,8 @@ std::vector<Token> DictionaryParser::eval(Dictionary::Node& scope, const Token& 
 {
     if (directive.text != "eval")
     {
-        if (directive.text == "calc" || directive.text == "codeStream")
-            unsupported(directive);
-        else
-            error(directive.line, fmt::format("#{} cannot stand inside a value", directive.text));
+        if (directive.text == "calc" || directive.text == "codeStream") unsupported(directive);
+        else error(directive.line, fmt::format("#{} cannot stand inside a value", directive.text));
         return {};
     }
     if (atEnd() || (peek().kind != Kind::verbatim && peek().kind != Kind::string))

@@ -18,8 +18,7 @@ DictionaryParser::DictionaryParser(Context& context, const std::string& text, st
       tokens_(tokenise(text, file_, *context.diagnostics)),
       textSize_(text.size()),
       mostErrors_(context.diagnostics->errors() + limit::mistakes)
-{
-}
+{}
 
 void DictionaryParser::error(int line, std::string what)
 {
@@ -36,8 +35,10 @@ void DictionaryParser::stop(int line, const std::string& why)
 bool DictionaryParser::fits(int line, const Dictionary::Node::Extent& more)
 {
     context_.words += more.words;
-    if (context_.words > limit::words) stop(line, fmt::format("more than {} words, with what macros and included files bring in", limit::words));
-    else if (context_.nesting + more.levels > limit::nesting) stop(line, fmt::format("dictionaries nest deeper than {} levels", limit::nesting));
+    if (context_.words > limit::words)
+        stop(line, fmt::format("more than {} words, with what macros and included files bring in", limit::words));
+    else if (context_.nesting + more.levels > limit::nesting)
+        stop(line, fmt::format("dictionaries nest deeper than {} levels", limit::nesting));
     return !context_.stopped;
 }
 
@@ -66,12 +67,9 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
             }
             error(t.line, "'}' closes nothing: there is no open '{'");
         }
-        else if (t.kind == Kind::directive)
-            directive(scope, t);
-        else if (t.kind == Kind::variable)
-            mergeMacro(scope, t);
-        else if (t.isText())
-            entry(scope, t, context_.mode);
+        else if (t.kind == Kind::directive) directive(scope, t);
+        else if (t.kind == Kind::variable) mergeMacro(scope, t);
+        else if (t.isText()) entry(scope, t, context_.mode);
         else
         {
             error(t.line, fmt::format("expected a keyword, found \"{}\"", toString(t)));
@@ -82,17 +80,15 @@ void DictionaryParser::entries(Dictionary::Node& scope, const Token* opening)
     --context_.nesting;
     if (!opening) return;
     scope.end = textSize_;
-    if (suspect_)
-        error(suspectLine_, *suspect_);
-    else
-        error(opening->line, fmt::format("the '{{' of \"{}\" is never closed", scope.keyword));
+    if (suspect_) error(suspectLine_, *suspect_);
+    else error(opening->line, fmt::format("the '{{' of \"{}\" is never closed", scope.keyword));
 }
 
 void DictionaryParser::checkBraces(const Dictionary::Node& scope, const Token& opening, const Token& closing)
 {
     if (suspect_ || !opening.firstOnLine || !closing.firstOnLine || opening.column == closing.column) return;
-    suspect_ = fmt::format("the '{{' of \"{}\" is never closed, to judge by the indentation of the '}}' in line {}",
-                           scope.keyword, closing.line);
+    suspect_ =
+        fmt::format("the '{{' of \"{}\" is never closed, to judge by the indentation of the '}}' in line {}", scope.keyword, closing.line);
     suspectLine_ = opening.line;
 }
 
@@ -199,8 +195,7 @@ void DictionaryParser::value(Dictionary::Node& scope, DictionaryEntry& e, const 
             const char opening = t.is(')') ? '(' : '{';
             if (open.empty() || !tokens_[open.back()].is(opening))
             {
-                error(t.line, fmt::format("'{}' closes nothing: there is no open '{}' in the value of \"{}\"", t.text, opening,
-                                          e.keyword));
+                error(t.line, fmt::format("'{}' closes nothing: there is no open '{}' in the value of \"{}\"", t.text, opening, e.keyword));
                 continue;
             }
             open.pop_back();

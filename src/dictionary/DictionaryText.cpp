@@ -67,11 +67,9 @@ std::string valueText(const DictionaryEntry& e, int indent)
     std::string text;
     for (const auto& token : e.value)
     {
-        const bool tight =
-            text.empty() || text.ends_with('(') || text.ends_with('{') || token.is(')') || token.is('}') || token.is('{');
+        const bool tight = text.empty() || text.ends_with('(') || text.ends_with('{') || token.is(')') || token.is('}') || token.is('{');
         if (!tight) text += ' ';
-        text +=
-            token.dictionary ? token.text + (token.text.empty() ? "" : " ") + block(*token.dictionary, indent) : toString(token);
+        text += token.dictionary ? token.text + (token.text.empty() ? "" : " ") + block(*token.dictionary, indent) : toString(token);
     }
     return text;
 }
@@ -109,16 +107,17 @@ void checkEdited(const Dictionary& edited, const std::string& path, const std::s
     }
     catch (const CaseError& e)
     {
-        throw CaseError(fmt::format("With \"{}\" for \"{}\" the file would be unreadable and is left as it is:\n{}", beginning(value), beginning(path), e.what()));
+        throw CaseError(fmt::format("With \"{}\" for \"{}\" the file would be unreadable and is left as it is:\n{}", beginning(value),
+                                    beginning(path), e.what()));
     }
     const auto found = walk(edited.node(), withoutLeadingColon(path), false);
-    if (found.empty())
-        throw CaseError({edited.name(), 0}, fmt::format("\"{}\" cannot be an entry of this file", beginning(path)));
+    if (found.empty()) throw CaseError({edited.name(), 0}, fmt::format("\"{}\" cannot be an entry of this file", beginning(path)));
     const auto& e = *found.back();
     const auto first = value.find_first_not_of(blanks), last = value.find_last_not_of(blanks);
     const bool whole = first == value.npos ? e.value.empty() : e.begin == begin + first && e.end == begin + last + 1;
     if (!whole || bool(e.dictionary) != isBlock(value))
-        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it", beginning(value)));
+        throw CaseError(fmt::format("\"{}\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it",
+                                    beginning(value)));
     if (const auto* header = edited.node().findExact("FoamFile"); header && !header->dictionary)
         throw CaseError(header->where, "the header FoamFile is a dictionary");
 }
@@ -130,8 +129,7 @@ std::size_t placeOfNewEntry(const std::string& text, const Node& node)
     auto at = std::min(node.end, text.size());
     if (at == text.size())
         if (const auto last = text.find_last_not_of(" \t\n"); last != text.npos)
-            if (const auto begin = text.rfind('\n', last); begin != text.npos && text.compare(begin + 1, 4, "// *") == 0)
-                return begin + 1;
+            if (const auto begin = text.rfind('\n', last); begin != text.npos && text.compare(begin + 1, 4, "// *") == 0) return begin + 1;
     const auto line = text.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
     if (line != text.npos && line < at && text[line] == '\n') at = line + 1;
     return at;
@@ -172,10 +170,9 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
     {
         for (const auto* e : entries)
             if (e->copied || e->where.file != file)
-                throw CaseError(e->where,
-                                fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
-                                            "give it a line of its own in \"{}\" first",
-                                            e->keyword, path, file));
+                throw CaseError(e->where, fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
+                                                      "give it a line of its own in \"{}\" first",
+                                                      e->keyword, path, file));
     };
     const auto name = withoutLeadingColon(path);
     std::size_t begin = 0; // of the value
@@ -193,13 +190,14 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
         const auto dot = name.find_last_of("./:");
         const auto outer = dot == name.npos ? Path{} : walk(dictionary.node(), name.substr(0, dot), false);
         if (dot != name.npos && (outer.empty() || !outer.back()->dictionary))
-            throw CaseError({file, 0}, fmt::format("there is no dictionary \"{}\" to add \"{}\" to", name.substr(0, dot),
-                                                   name.substr(dot + 1)));
+            throw CaseError({file, 0},
+                            fmt::format("there is no dictionary \"{}\" to add \"{}\" to", name.substr(0, dot), name.substr(dot + 1)));
         checkOwn(outer);
         const auto& node = outer.empty() ? dictionary.node() : *outer.back()->dictionary;
         const auto at = placeOfNewEntry(text, node);
         const bool ownLine = at == 0 || text[at - 1] == '\n';
-        const auto keyword = fmt::format("{:{}}{:<15} ", "", ownLine ? 4 * outer.size() : std::size_t(1), dot == name.npos ? name : name.substr(dot + 1));
+        const auto keyword =
+            fmt::format("{:{}}{:<15} ", "", ownLine ? 4 * outer.size() : std::size_t(1), dot == name.npos ? name : name.substr(dot + 1));
         begin = at + keyword.size();
         text.insert(at, keyword + value + (ownLine ? ";\n" : "; "));
     }

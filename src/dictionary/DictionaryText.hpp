@@ -18,7 +18,6 @@ std::vector<std::string> keywords(const Dictionary&, const std::string& path);
 /// Gives one entry of `caseFolder/file` another value and leaves every other character of the file as it is: comments, macros and
 /// includes stay. A missing entry is added at the end of its dictionary, which must exist. Throws CaseError where the file or the
 /// value has mistakes, or where the entry's text stands in an included file or in the dictionary that a macro takes over.
-void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path,
-              const std::string& value);
+void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path, const std::string& value);
 
 }

@@ -14,7 +14,7 @@ using Cases = std::vector<std::pair<ChoiceWord, EntryList>>;
 struct ListedEntry
 {
     ParameterInfo info;
-    std::vector<ListedEntry> inside;                ///< of a sub-dictionary
+    std::vector<ListedEntry> inside;                                     ///< of a sub-dictionary
     std::vector<std::pair<std::string, std::vector<ListedEntry>>> cases; ///< of a choice: what comes beside it with each word
 
     ListedEntry(const Parameter& p) : info(p.info()) {}

@@ -91,16 +91,14 @@ class Evaluation
         int& depth;
         explicit Level(int& d) : depth(d)
         {
-            if (++depth > 2*limit::nesting) fail(fmt::format("brackets, signs and conditions nest deeper than {} levels", limit::nesting));
+            if (++depth > 2 * limit::nesting)
+                fail(fmt::format("brackets, signs and conditions nest deeper than {} levels", limit::nesting));
         }
         ~Level() { --depth; }
     };
 
 public:
-    Evaluation(const std::string& text, const std::function<ExpressionValue(const std::string&)>& lookUp)
-        : text_(text), lookUp_(lookUp)
-    {
-    }
+    Evaluation(const std::string& text, const std::function<ExpressionValue(const std::string&)>& lookUp) : text_(text), lookUp_(lookUp) {}
 
     ExpressionValue run()
     {
@@ -204,27 +202,20 @@ private:
             {
                 const auto b = signedFactor();
                 if (a.vector && b.vector) fail("two vectors are multiplied");
-                if (b.vector)
-                    a = {0, a.scalar * *b.vector};
-                else if (a.vector)
-                    *a.vector *= b.scalar;
-                else
-                    a.scalar *= b.scalar;
+                if (b.vector) a = {0, a.scalar * *b.vector};
+                else if (a.vector) *a.vector *= b.scalar;
+                else a.scalar *= b.scalar;
             }
             else if (accept("/") || sees("%"))
             {
                 const bool remainder = accept("%");
                 const double b = scalar(signedFactor());
                 if (b == 0) fail("division by zero");
-                if (remainder)
-                    a.scalar = std::fmod(scalar(a), b);
-                else if (a.vector)
-                    *a.vector *= 1 / b;
-                else
-                    a.scalar /= b;
+                if (remainder) a.scalar = std::fmod(scalar(a), b);
+                else if (a.vector) *a.vector *= 1 / b;
+                else a.scalar /= b;
             }
-            else
-                return a;
+            else return a;
         }
     }
     ExpressionValue signedFactor()
@@ -280,8 +271,7 @@ private:
         while (at_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[at_]))) name += text_[at_++];
         const auto function = functions().find(name);
         if (function == functions().end() && name != "mag" && name != "vector")
-            fail(fmt::format("\"{}\" is unknown (a macro is written ${}). {}", name, name,
-                             suggestion(name, "functions", functionNames())));
+            fail(fmt::format("\"{}\" is unknown (a macro is written ${}). {}", name, name, suggestion(name, "functions", functionNames())));
         expect("(");
         std::vector<ExpressionValue> arguments;
         while (!atEnd() && !sees(")"))
@@ -291,8 +281,7 @@ private:
         }
         expect(")");
         const std::size_t expected = name == "mag" ? 1 : name == "vector" ? 3 : function->second.arguments;
-        if (arguments.size() != expected)
-            fail(fmt::format("{}() takes {} arguments, found {}", name, expected, arguments.size()));
+        if (arguments.size() != expected) fail(fmt::format("{}() takes {} arguments, found {}", name, expected, arguments.size()));
         if (name == "mag") return {arguments[0].vector ? mag(*arguments[0].vector) : std::fabs(arguments[0].scalar)};
         Arguments values;
         for (const auto& a : arguments) values.push_back(scalar(a));

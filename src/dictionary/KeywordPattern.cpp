@@ -20,14 +20,15 @@ double writtenOut(const std::string& expression)
             if (at == open + 1 || expression[at - 1] == ',') most = std::max(most, std::strtod(expression.c_str() + at, nullptr));
         times *= most;
     }
-    return double(expression.size())*times;
+    return double(expression.size()) * times;
 }
 }
 
 KeywordPattern::KeywordPattern(const std::string& expression)
 {
     if (writtenOut(expression) > double(limit::pattern))
-        throw PatternError(fmt::format("is too long for a regular expression: at most {} characters, repetitions written out", limit::pattern));
+        throw PatternError(
+            fmt::format("is too long for a regular expression: at most {} characters, repetitions written out", limit::pattern));
     try
     {
         // The search of libstdc++ that follows all branches at once: the usual one takes a time exponential in the length of the word for

@@ -14,11 +14,17 @@ namespace
 /// As engineers write it where there is such a name, else in base units: "kg m s^-2".
 std::string unitText(const DimensionSet& d)
 {
-    static const std::vector<std::pair<DimensionSet, std::string>> named{
-        {units::none, ""},          {units::density, "kg/m^3"},         {units::pressure, "Pa"},
-        {units::viscosity, "Pa s"}, {units::kinematicViscosity, "m^2/s"}, {units::surfaceTension, "N/m"},
-        {units::mPerS, "m/s"},      {units::mPerS2, "m/s^2"},           {units::forcePerVolume, "N/m^3"},
-        {units::none/units::s, "1/s"}, {units::m3/units::s, "m^3/s"}};
+    static const std::vector<std::pair<DimensionSet, std::string>> named{{units::none, ""},
+                                                                         {units::density, "kg/m^3"},
+                                                                         {units::pressure, "Pa"},
+                                                                         {units::viscosity, "Pa s"},
+                                                                         {units::kinematicViscosity, "m^2/s"},
+                                                                         {units::surfaceTension, "N/m"},
+                                                                         {units::mPerS, "m/s"},
+                                                                         {units::mPerS2, "m/s^2"},
+                                                                         {units::forcePerVolume, "N/m^3"},
+                                                                         {units::none / units::s, "1/s"},
+                                                                         {units::m3 / units::s, "m^3/s"}};
     for (const auto& [dimensions, text] : named)
         if (dimensions == d) return text;
     static const std::array<const char*, 7> base{"kg", "m", "s", "K", "mol", "A", "cd"};
@@ -29,10 +35,17 @@ std::string unitText(const DimensionSet& d)
     return text;
 }
 
-ParameterInfo describe(std::string keyword, std::string type, std::string unit, std::string range, std::string meaning, ChoiceWords choices = {})
+ParameterInfo describe(std::string keyword, std::string type, std::string unit, std::string range, std::string meaning,
+                       ChoiceWords choices = {})
 {
-    return {.keyword = std::move(keyword), .type = std::move(type), .unit = std::move(unit), .fallback = {}, .example = {},
-            .range = std::move(range), .meaning = std::move(meaning), .choices = std::move(choices)};
+    return {.keyword = std::move(keyword),
+            .type = std::move(type),
+            .unit = std::move(unit),
+            .fallback = {},
+            .example = {},
+            .range = std::move(range),
+            .meaning = std::move(meaning),
+            .choices = std::move(choices)};
 }
 
 }
@@ -44,7 +57,7 @@ bool Range::holds(double value) const
     return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
 }
 
-double Range::harmless() const { return holds(0) ? 0 : holds(1) ? 1 : lowIncluded ? low : highIncluded ? high : 0.5*(low + high); }
+double Range::harmless() const { return holds(0) ? 0 : holds(1) ? 1 : lowIncluded ? low : highIncluded ? high : 0.5 * (low + high); }
 
 std::string Range::text() const
 {
@@ -93,7 +106,8 @@ std::string written(const Vector<3>& v) { return fmt::format("({} {} {})", v.x, 
 
 Scalar::Scalar(std::string keyword, const Unit& unit, const Default<double>& fallback, const Range& range, std::string meaning)
     : ValueParameter(describe(std::move(keyword), "number", unit.text, range.text(), std::move(meaning)), fallback, range.harmless()),
-      dimensions_(unit.dimensions), range_(range)
+      dimensions_(unit.dimensions),
+      range_(range)
 {}
 
 double Scalar::read(const Dictionary& d, const double& harmless) const
@@ -140,7 +154,7 @@ Direction::Direction(std::string keyword, const Default<Vector<3>>& fallback, st
 Vector<3> Direction::read(const Dictionary& d, const Vector<3>& harmless) const
 {
     const auto v = d.getVector(keyword(), units::none, harmless);
-    if (const double length = mag(v); length > 0) return scaled_ ? v/length : v;
+    if (const double length = mag(v); length > 0) return scaled_ ? v / length : v;
     error(d, fmt::format("{} must have a direction, not (0 0 0)", keyword()));
     return harmless;
 }
@@ -174,14 +188,16 @@ Word::Word(std::string keyword, const Default<std::string>& fallback, std::strin
     if (!info_.isFixed) info_.example = "name";
 }
 
-Text::Text(std::string keyword, const Default<std::string>& fallback, std::string meaning) : Word(std::move(keyword), fallback, std::move(meaning))
+Text::Text(std::string keyword, const Default<std::string>& fallback, std::string meaning)
+    : Word(std::move(keyword), fallback, std::move(meaning))
 {
     info_.type = "text";
     info_.example = info_.isFixed ? fmt::format("\"{}\"", info_.fallback) : "\"..\"";
     if (info_.isFixed) info_.fallback = info_.example;
 }
 
-template<class T> ListOf<T>::ListOf(std::string keyword, const Unit& unit, const Default<std::vector<T>>& fallback, std::string meaning)
+template<class T>
+ListOf<T>::ListOf(std::string keyword, const Unit& unit, const Default<std::vector<T>>& fallback, std::string meaning)
     : ValueParameter<std::vector<T>>(describe(std::move(keyword),
                                               std::is_same_v<T, double>        ? "list of numbers"
                                               : std::is_same_v<T, int>         ? "list of whole numbers"
@@ -197,22 +213,21 @@ template class ListOf<std::string>;
 template class ListOf<Vector<3>>;
 template class ListOf<std::vector<double>>;
 
-Choices::Choices(std::string keyword, std::string things, ChoiceWords choices, const Default<std::vector<std::string>>& fallback, std::string meaning)
+Choices::Choices(std::string keyword, std::string things, ChoiceWords choices, const Default<std::vector<std::string>>& fallback,
+                 std::string meaning)
     : ListOf(std::move(keyword), fallback, std::move(meaning)), things_(std::move(things))
 {
     info_.choices = std::move(choices);
 }
 
-std::vector<std::string> Choices::operator()(const Dictionary& d) const
-{
-    return among(d, info_.choices.words(), ListOf::operator()(d));
-}
+std::vector<std::string> Choices::operator()(const Dictionary& d) const { return among(d, info_.choices.words(), ListOf::operator()(d)); }
 std::vector<std::string> Choices::operator()(const Dictionary& d, const std::vector<std::string>& fallback) const
 {
     return among(d, info_.choices.words(), fallback);
 }
 
-std::vector<std::string> Choices::among(const Dictionary& d, std::span<const std::string> known, const std::vector<std::string>& fallback) const
+std::vector<std::string> Choices::among(const Dictionary& d, std::span<const std::string> known,
+                                        const std::vector<std::string>& fallback) const
 {
     auto words = ListOf::operator()(d, fallback);
     std::erase_if(words,
@@ -226,7 +241,9 @@ std::vector<std::string> Choices::among(const Dictionary& d, std::span<const std
 }
 
 PairValues::PairValues(std::string keyword, std::string what, const Unit& unit, const Range& range, std::string meaning)
-    : Parameter(describe(std::move(keyword), "list of pairs with values", unit.text, range.text(), std::move(meaning))), what_(std::move(what)), range_(range)
+    : Parameter(describe(std::move(keyword), "list of pairs with values", unit.text, range.text(), std::move(meaning))),
+      what_(std::move(what)),
+      range_(range)
 {
     info_.fallback = "none";
     info_.example = fmt::format("( (a b) {} )", range.harmless());
@@ -239,13 +256,14 @@ std::vector<Dictionary::PairValue> PairValues::operator()(const Dictionary& d) c
     for (const auto& pair : d.pairs(keyword()))
     {
         const auto& [first, second, value] = pair;
-        const auto earlier = std::find_if(good.begin(), good.end(), [&](const auto& q)
+        const auto earlier = std::find_if(good.begin(), good.end(),
+                                          [&](const auto& q)
                                           { return (q.first == first && q.second == second) || (q.first == second && q.second == first); });
         if (first == second) error(d, fmt::format("\"{}\" has no {} with itself", first, what_));
         else if (!range_.holds(value)) error(d, range_.wrong(fmt::format("{} of {} and {}", what_, first, second), value));
         else if (earlier != good.end())
-            error(d, fmt::format("the {} of {} and {} is there twice, ({} {}) {} and ({} {}) {}: each pair has one", what_, first, second, earlier->first,
-                                 earlier->second, earlier->value, first, second, value));
+            error(d, fmt::format("the {} of {} and {} is there twice, ({} {}) {} and ({} {}) {}: each pair has one", what_, first, second,
+                                 earlier->first, earlier->second, earlier->value, first, second, value));
         else good.push_back(pair);
     }
     return good;

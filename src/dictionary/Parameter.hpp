@@ -54,7 +54,9 @@ inline Range positiveBelow(double high) { return {.low = 0, .high = high, .lowIn
 inline Range positiveUpTo(double high) { return {.low = 0, .high = high, .lowIncluded = false}; }
 
 /// In place of a default: the entry must be there.
-inline constexpr struct Required {} required;
+inline constexpr struct Required
+{
+} required;
 
 /// In place of a default: the reader decides, and the reference prints these words, "3 spacings".
 struct ByScene
@@ -71,7 +73,8 @@ template<class T> struct Default
     std::optional<std::string> words;
     Default(Required) {}
     Default(ByScene b) : words(std::move(b.text)) {}
-    template<class V> requires std::convertible_to<V, T> Default(const V& v) : value(T(v)) {}
+    template<class V>
+    requires std::convertible_to<V, T> Default(const V& v) : value(T(v)) {}
 };
 
 /// A word and, where the word does not say all, its meaning.
@@ -95,9 +98,9 @@ struct ChoiceWords : std::vector<ChoiceWord>
 struct ParameterInfo
 {
     std::string keyword, type, unit;
-    std::string fallback; ///< the default as a dictionary writes it, or the words that tell how it is chosen
+    std::string fallback;                     ///< the default as a dictionary writes it, or the words that tell how it is chosen
     bool isRequired = false, isFixed = false; ///< isFixed: `fallback` is a value
-    std::string example;  ///< a value that the entry may have, as a dictionary writes it
+    std::string example;                      ///< a value that the entry may have, as a dictionary writes it
     std::string range, meaning;
     ChoiceWords choices = {};
 };

@@ -105,10 +105,8 @@ void TokenReader::read(int& value)
 void TokenReader::read(bool& value)
 {
     std::optional<bool> yes;
-    if (sees(Kind::word))
-        yes = toSwitch(tokens_[at_].text);
-    else if (sees(Kind::number) && (tokens_[at_].text == "0" || tokens_[at_].text == "1"))
-        yes = tokens_[at_].text == "1";
+    if (sees(Kind::word)) yes = toSwitch(tokens_[at_].text);
+    else if (sees(Kind::number) && (tokens_[at_].text == "0" || tokens_[at_].text == "1")) yes = tokens_[at_].text == "1";
     if (!yes) failAt("yes or no (on/off, true/false)");
     value = *yes;
     ++at_;
@@ -128,8 +126,7 @@ void TokenReader::read(Vector<3>& value)
     std::vector<double> components;
     if (!sees('(')) failAt("a vector \"(x y z)\"");
     read(components);
-    if (components.size() != 3)
-        throw ValueError(fmt::format("must be a vector \"(x y z)\", found {} components", components.size()));
+    if (components.size() != 3) throw ValueError(fmt::format("must be a vector \"(x y z)\", found {} components", components.size()));
     value = {components[0], components[1], components[2]};
 }
 

@@ -22,10 +22,7 @@ public:
 
     bool atEnd() const { return at_ == tokens_.size(); }
     bool sees(char c, std::size_t ahead = 0) const { return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].is(c); }
-    bool sees(Token::Kind kind, std::size_t ahead = 0) const
-    {
-        return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].kind == kind;
-    }
+    bool sees(Token::Kind kind, std::size_t ahead = 0) const { return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].kind == kind; }
     bool accept(char c);
     bool accept(const char* word);
     const Token& take(const char* expected);

@@ -13,8 +13,7 @@ std::optional<double> toNumber(std::string_view text)
 {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     const auto first = text.find_first_not_of('-');
-    if (first == text.npos || first > 1 || !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.'))
-        return {};
+    if (first == text.npos || first > 1 || !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.')) return {};
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size() || error == std::errc::invalid_argument) return {};
@@ -72,7 +71,8 @@ public:
     {
         const auto most = diagnostics_.errors() + limit::mistakes;
         while (skipBlanks() && tokens_.size() <= limit::words && diagnostics_.errors() < most) next();
-        if (diagnostics_.errors() >= most) error(line_, fmt::format("{} mistakes until here: nothing behind this is read", limit::mistakes));
+        if (diagnostics_.errors() >= most)
+            error(line_, fmt::format("{} mistakes until here: nothing behind this is read", limit::mistakes));
         return std::move(tokens_);
     }
 
@@ -102,8 +102,7 @@ private:
     {
         while (!atEnd())
         {
-            if (std::isspace(static_cast<unsigned char>(peek())))
-                take();
+            if (std::isspace(static_cast<unsigned char>(peek()))) take();
             else if (sees("//"))
                 while (!atEnd() && peek() != '\n') take();
             else if (sees("/*"))
@@ -113,8 +112,7 @@ private:
                 if (close == text_.npos) error(opened, "this comment is never closed by */");
                 take((close == text_.npos ? text_.size() : close + 2) - at_);
             }
-            else
-                return true;
+            else return true;
         }
         return false;
     }
@@ -136,22 +134,14 @@ private:
     {
         const char c = peek();
         const bool digitFollows = std::isdigit(static_cast<unsigned char>(peek(1))) || peek(1) == '.';
-        if (c == '"')
-            readString();
-        else if (sees("#{"))
-            readVerbatim();
-        else if (c == '#')
-            readDirective();
-        else if (c == '$')
-            readVariable();
-        else if (c == '[')
-            readDimensions();
-        else if (std::isdigit(static_cast<unsigned char>(c)) || ((c == '-' || c == '+' || c == '.') && digitFollows))
-            readNumber();
-        else if (std::string_view(";{}(),/=]").find(c) != std::string_view::npos)
-            readPunctuation();
-        else
-            readWord();
+        if (c == '"') readString();
+        else if (sees("#{")) readVerbatim();
+        else if (c == '#') readDirective();
+        else if (c == '$') readVariable();
+        else if (c == '[') readDimensions();
+        else if (std::isdigit(static_cast<unsigned char>(c)) || ((c == '-' || c == '+' || c == '.') && digitFollows)) readNumber();
+        else if (std::string_view(";{}(),/=]").find(c) != std::string_view::npos) readPunctuation();
+        else readWord();
         finish();
     }
 
@@ -170,12 +160,9 @@ private:
         take();
         while (!atEnd() && peek() != '"' && peek() != '\n')
         {
-            if (sees("\\\"") || sees("\\\n"))
-                take();
-            else if (sees("\\\r\n"))
-                take(2);
-            else if (sees("\\\\"))
-                t.text += take();
+            if (sees("\\\"") || sees("\\\n")) take();
+            else if (sees("\\\r\n")) take(2);
+            else if (sees("\\\\")) t.text += take();
             t.text += take();
         }
         if (peek() == '"' && !atEnd())
@@ -270,10 +257,8 @@ private:
         auto& t = begin(Token::Kind::dimensions);
         take();
         while (!atEnd() && peek() != ']' && peek() != ';' && peek() != '\n') t.text += take();
-        if (peek() == ']' && !atEnd())
-            take();
-        else
-            error(t.line, "'[' is not closed by ']' on its line");
+        if (peek() == ']' && !atEnd()) take();
+        else error(t.line, "'[' is not closed by ']' on its line");
     }
 
     /// "3(1 2 3)" and "5{0.5}" are a number and a list; "2D" is a word.
@@ -295,8 +280,7 @@ private:
 
     bool isWordCharacter(char c) const
     {
-        return c != '\0' && !std::isspace(static_cast<unsigned char>(c)) &&
-               std::string_view("\"'/;{}[]").find(c) == std::string_view::npos;
+        return c != '\0' && !std::isspace(static_cast<unsigned char>(c)) && std::string_view("\"'/;{}[]").find(c) == std::string_view::npos;
     }
 
     /// A word may hold balanced parentheses, "div(phi,U)", and ends before one that closes a list.
@@ -312,8 +296,7 @@ private:
         }
         if (depth > 0)
         {
-            error(line_, fmt::format("'(' is not closed in the word \"{}\": is a blank missing before '('?",
-                                     text_.substr(at_, end - at_)));
+            error(line_, fmt::format("'(' is not closed in the word \"{}\": is a blank missing before '('?", text_.substr(at_, end - at_)));
             end = opened;
         }
         const auto word = text_.substr(at_, end - at_);

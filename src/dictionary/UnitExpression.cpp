@@ -81,8 +81,7 @@ private:
         if (text_[at_] != '/' && !accept('1')) d = factor();
         while (!atEnd() && text_[at_] != ')')
         {
-            if (accept('/'))
-                d = d / factor();
+            if (accept('/')) d = d / factor();
             else
             {
                 if (!accept('*')) accept('.');
@@ -99,8 +98,7 @@ private:
             d = product();
             if (!accept(')')) throw std::invalid_argument(fmt::format("'(' is not closed in the units [{}]", text_));
         }
-        else
-            d = unit();
+        else d = unit();
         if (!accept('^')) return d;
         const bool bracket = accept('(');
         const auto exponent = run([](unsigned char c) { return std::isdigit(c) || c == '-' || c == '+' || c == '.'; });
@@ -117,9 +115,8 @@ private:
         if (found != knownUnits().end()) return found->second;
         std::vector<std::string> names;
         for (const auto& [known, dimensions] : knownUnits()) names.push_back(known);
-        throw std::invalid_argument(name.empty()
-                                        ? fmt::format("a unit is missing in [{}]", text_)
-                                        : fmt::format("unit \"{}\" is unknown. {}", name, suggestion(name, "units", names)));
+        throw std::invalid_argument(name.empty() ? fmt::format("a unit is missing in [{}]", text_)
+                                                 : fmt::format("unit \"{}\" is unknown. {}", name, suggestion(name, "units", names)));
     }
 };
 
@@ -142,8 +139,7 @@ DimensionSet parseDimensions(const std::string& text)
     }
     if (exponents.empty()) return {};
     if (exponents.size() != 5 && exponents.size() != 7)
-        throw std::invalid_argument(
-            fmt::format("[{}] has {} exponents, expected 7: [kg m s K mol A cd]", text, exponents.size()));
+        throw std::invalid_argument(fmt::format("[{}] has {} exponents, expected 7: [kg m s K mol A cd]", text, exponents.size()));
     exponents.resize(7);
     DimensionSet d;
     for (int k = 0; k < 7; ++k) d.exponent[k] = exponents[k];

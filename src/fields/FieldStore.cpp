@@ -31,7 +31,7 @@ template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
         {
             const std::size_t length = field.imaged ? n : owned;
             // The number of images changes a little at each rebuild: some room spares most reallocations.
-            if (length > a.capacity()) a.reserve(length + (n - owned)/20);
+            if (length > a.capacity()) a.reserve(length + (n - owned) / 20);
             a.resize(length, 0.0);
         }
 }
@@ -53,7 +53,7 @@ template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order)
 template<int dim> std::size_t FieldStore<dim>::bytesPerParticle() const
 {
     std::size_t n = 0;
-    for (const auto& [_, field] : fields_) n += field.component.size()*sizeof(double);
+    for (const auto& [_, field] : fields_) n += field.component.size() * sizeof(double);
     return n;
 }
 
@@ -61,7 +61,7 @@ template<int dim> std::size_t FieldStore<dim>::bytes() const
 {
     std::size_t n = 0;
     for (const auto& [_, field] : fields_)
-        for (const auto& a : field.component) n += a.capacity()*sizeof(double);
+        for (const auto& a : field.component) n += a.capacity() * sizeof(double);
     return n;
 }
 

@@ -21,7 +21,7 @@ template<class T> struct AlignedAllocator
     static constexpr std::align_val_t alignment{64};
     AlignedAllocator() = default;
     template<class U> AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n*sizeof(T), alignment)); }
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
     void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
     friend bool operator==(AlignedAllocator, AlignedAllocator) { return true; }
 };
@@ -35,8 +35,8 @@ public:
         FieldInfo info;
         ValueType type;
         std::vector<Array> component;
-        bool state = false;      ///< travels with the particles when they are sorted; derived fields are recomputed instead
-        bool imaged = true;      ///< has room for images; what no pass reads at a neighbour needs none
+        bool state = false; ///< travels with the particles when they are sorted; derived fields are recomputed instead
+        bool imaged = true; ///< has room for images; what no pass reads at a neighbour needs none
     };
 
     /// An array of the current size for each component, filled with 0; asking twice is harmless.
@@ -51,7 +51,9 @@ public:
     template<class F> void allocateState(F) { allocateState(F::info.name, F::info, valueType<FieldValue<F, dim>>); }
 
     bool has(const std::string& name) const { return fields_.contains(name); }
-    template<class F> requires requires { F::info; } bool has(F) const { return has(std::string(F::info.name)); }
+    template<class F>
+    requires requires { F::info; }
+    bool has(F) const { return has(std::string(F::info.name)); }
 
     double* component(const std::string& name, int c);
     const double* component(const std::string& name, int c) const { return const_cast<FieldStore&>(*this).component(name, c); }

@@ -10,18 +10,31 @@ namespace sph
 /// copied: the source's own value; mirrored: rotated with the wall (vectors, tensors); ruled: by the rule of the field `ofRule`, without one copied;
 /// ruledChange: what that rule makes of a change; ruledGradient: what it makes of a gradient of such values; interface: mirrored, or copied where walls prescribe the interface's direction; placed: what an
 /// image is rather than what its source has, written when images are moved and never refreshed.
-enum class Image { copied, mirrored, ruled, ruledChange, ruledGradient, interface, placed };
+enum class Image
+{
+    copied,
+    mirrored,
+    ruled,
+    ruledChange,
+    ruledGradient,
+    interface,
+    placed
+};
 
 /// What a particle of a wall layer has: by its pair, whatever each particle of the fluid sees in it; or one value of its own, a mean over the fluid
 /// within sight (WallLayers.hpp).
-enum class InLayers { byPair, extrapolated };
+enum class InLayers
+{
+    byPair,
+    extrapolated
+};
 
 struct FieldInfo
 {
     const char *name, *unit;
     Image image = Image::copied;
-    const char* ofGhosts = nullptr;  ///< field that wall ghosts take their value from, where the scene has it
-    const char* ofRule = nullptr;    ///< field whose rule images follow
+    const char* ofGhosts = nullptr; ///< field that wall ghosts take their value from, where the scene has it
+    const char* ofRule = nullptr;   ///< field whose rule images follow
     InLayers inLayers = InLayers::byPair;
 };
 

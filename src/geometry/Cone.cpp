@@ -15,8 +15,7 @@ Cone::Cone(const Vector<3>& apex, const Vector<3>& axis, double halfAngle, Fluid
       sine_(std::sin(halfAngle * pi / 180)),
       cosine_(std::cos(halfAngle * pi / 180)),
       fluid_(fluid)
-{
-}
+{}
 
 Foot Cone::foot(const Vector<3>& x) const
 {
@@ -49,10 +48,7 @@ Box Cone::bounds() const
     return b;
 }
 
-std::unique_ptr<Shape> Cone::shifted(const Vector<3>& by) const
-{
-    return std::make_unique<Cone>(apex_ + by, axis_, halfAngle_, fluid_);
-}
+std::unique_ptr<Shape> Cone::shifted(const Vector<3>& by) const { return std::make_unique<Cone>(apex_ + by, axis_, halfAngle_, fluid_); }
 
 ShapeDescription Cone::description() const
 {

@@ -8,8 +8,7 @@ namespace sph
 
 Cylinder::Cylinder(const Vector<3>& point, const Vector<3>& axis, double radius, FluidSide fluid)
     : point_(point), axis_(unitVector(axis)), R_(radius), fluid_(fluid)
-{
-}
+{}
 
 Foot Cylinder::foot(const Vector<3>& x) const
 {
@@ -32,10 +31,7 @@ Box Cylinder::bounds() const
     return b;
 }
 
-std::unique_ptr<Shape> Cylinder::shifted(const Vector<3>& by) const
-{
-    return std::make_unique<Cylinder>(point_ + by, axis_, R_, fluid_);
-}
+std::unique_ptr<Shape> Cylinder::shifted(const Vector<3>& by) const { return std::make_unique<Cylinder>(point_ + by, axis_, R_, fluid_); }
 
 ShapeDescription Cylinder::description() const
 {
@@ -58,8 +54,7 @@ TriangleSurface Cylinder::triangles(const Box& within, double size) const
                              [&, e1 = e1, e2 = e2](double u, double v)
                              {
                                  const double phi = 2 * pi * u;
-                                 return point_ + (low + v * (high - low)) * axis_ +
-                                        R_ * (std::cos(phi) * e1 + std::sin(phi) * e2);
+                                 return point_ + (low + v * (high - low)) * axis_ + R_ * (std::cos(phi) * e1 + std::sin(phi) * e2);
                              });
 }
 

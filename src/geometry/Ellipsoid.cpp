@@ -70,8 +70,7 @@ Ellipsoid::Nearest Ellipsoid::nearest(const Vector<3>& point) const
     for (int i = 0; i < 3; ++i)
     {
         const double denominator = g[i] + tau * w[i];
-        if (x[i] != 0)
-            p[i] = x[i] / denominator;
+        if (x[i] != 0) p[i] = x[i] / denominator;
         else if (rest && a[i] == least_)
         {
             p[i] = least_ * std::sqrt(1 - sum);
@@ -103,10 +102,7 @@ std::unique_ptr<Shape> Ellipsoid::shifted(const Vector<3>& by) const
     return std::make_unique<Ellipsoid>(centre_ + by, semiAxes_, fluid_);
 }
 
-ShapeDescription Ellipsoid::description() const
-{
-    return {"ellipsoid", {{"centre", centre_}, {"semiAxes", semiAxes_}}, {}, true, fluid_};
-}
+ShapeDescription Ellipsoid::description() const { return {"ellipsoid", {{"centre", centre_}, {"semiAxes", semiAxes_}}, {}, true, fluid_}; }
 
 bool Ellipsoid::invariantAlong(int direction) const { return std::isinf(semiAxes_.*component(direction)); }
 
@@ -119,17 +115,16 @@ TriangleSurface Ellipsoid::triangles(const Box& within, double size) const
                                  [&](double u, double v)
                                  {
                                      const double phi = 2 * pi * u;
-                                     return Vector<3>{centre_.x + semiAxes_.x * std::cos(phi),
-                                                      centre_.y + semiAxes_.y * std::sin(phi),
+                                     return Vector<3>{centre_.x + semiAxes_.x * std::cos(phi), centre_.y + semiAxes_.y * std::sin(phi),
                                                       within.low.z + v * (within.high.z - within.low.z)};
                                  });
-    return parametricSurface(round, segments(pi * largest_, size),
-                             [&](double u, double v)
-                             {
-                                 const double phi = 2 * pi * u, theta = pi * v;
-                                 return centre_ + product(semiAxes_, {std::sin(theta) * std::cos(phi),
-                                                                      std::sin(theta) * std::sin(phi), std::cos(theta)});
-                             });
+    return parametricSurface(
+        round, segments(pi * largest_, size),
+        [&](double u, double v)
+        {
+            const double phi = 2 * pi * u, theta = pi * v;
+            return centre_ + product(semiAxes_, {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+        });
 }
 
 }

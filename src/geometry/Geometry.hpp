@@ -19,18 +19,18 @@ struct WallProperties
     struct PhaseAngle
     {
         std::string first, second;
-        double angle;         ///< [degrees], through the first
+        double angle; ///< [degrees], through the first
     };
 
     std::string name;
-    double contactAngle = 90; ///< [degrees] of two phases, through that which the scene names first
-    std::vector<PhaseAngle> contactAngles;   ///< of any number of phases, in place of the one
-    bool wets = false;        ///< true where the dictionary gives a contact angle
-    Location anglesAt;        ///< in constant/geometry
+    double contactAngle = 90;              ///< [degrees] of two phases, through that which the scene names first
+    std::vector<PhaseAngle> contactAngles; ///< of any number of phases, in place of the one
+    bool wets = false;                     ///< true where the dictionary gives a contact angle
+    Location anglesAt;                     ///< in constant/geometry
     /// Through `first`, as the wall says of the two phases; none where it says nothing of them.
     std::optional<double> angleOf(const std::string& first, const std::string& second) const;
-    Vector<3> velocity;       ///< [m/s] of the wall as a rigid body
-    Vector<3> origin, omega;  ///< rotation about `origin` [rad/s]
+    Vector<3> velocity;      ///< [m/s] of the wall as a rigid body
+    Vector<3> origin, omega; ///< rotation about `origin` [rad/s]
     Location where;
 };
 
@@ -89,11 +89,14 @@ struct Geometry
     /// Of the wall as a rigid body: velocity + omega x (x - origin) [m/s].
     Vector<3> wallVelocity(int wall, const Vector<3>& x) const;
     /// True where some wall has a contact angle.
-    bool wets() const { return std::any_of(walls.begin(), walls.end(), [](const WallProperties& w) { return w.wets; }); }
+    bool wets() const
+    {
+        return std::any_of(walls.begin(), walls.end(), [](const WallProperties& w) { return w.wets; });
+    }
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
     /// Lengths below which surfaces touch [m].
-    double tolerance() const { return 1e-6*std::max(length(0), length(1)); }
+    double tolerance() const { return 1e-6 * std::max(length(0), length(1)); }
 
     /// Whether x lies in or on one of the patch's `coverers`.
     bool isCovered(int patch, const Vector<3>& x) const;

@@ -63,9 +63,11 @@ class Check
         if (!any) return;
         const auto& wall = g_.walls[w];
         if (isOutside)
-            diagnostics_.error(wall.where, fmt::format("wall \"{}\" lies outside the domain {} {}: no fluid can reach it", wall.name, text(g_, g_.low), text(g_, g_.high)));
+            diagnostics_.error(wall.where, fmt::format("wall \"{}\" lies outside the domain {} {}: no fluid can reach it", wall.name,
+                                                       text(g_, g_.low), text(g_, g_.high)));
         else if (isHidden)
-            diagnostics_.error(wall.where, fmt::format("wall \"{}\" lies in other walls, where no fluid can reach it: leave it out", wall.name));
+            diagnostics_.error(wall.where,
+                               fmt::format("wall \"{}\" lies in other walls, where no fluid can reach it: leave it out", wall.name));
     }
 
     bool isInOthers(int patch)
@@ -100,10 +102,9 @@ class Check
         for (std::size_t w = 0; w < g_.walls.size(); ++w)
             if (std::none_of(g_.patches.begin(), g_.patches.end(), [&](const Patch& p) { return p.wall == int(w); }) &&
                 report_.walls[w].shapes > 0)
-                diagnostics_.error(g_.walls[w].where,
-                                   fmt::format("wall \"{}\" coincides with walls given before, or lies out of reach of "
-                                               "the domain",
-                                               g_.walls[w].name));
+                diagnostics_.error(g_.walls[w].where, fmt::format("wall \"{}\" coincides with walls given before, or lies out of reach of "
+                                                                  "the domain",
+                                                                  g_.walls[w].name));
     }
 
     /// A shape whose tightest curve is wide enough needs no search; the others are looked at where the fluid touches them.
@@ -137,8 +138,7 @@ class Check
                     g_.walls[w].where,
                     fmt::format("wall \"{}\" curves with a radius of {:.4g} m at {}, less than the kernel support {:.4g} m: "
                                 "reflection needs more. Make the spacing less than {:.3g} of what it is, or the wall rounder",
-                                g_.walls[w].name, wall.smallestRadius, text(g_, wall.smallestRadiusAt), H_,
-                                wall.smallestRadius / H_));
+                                g_.walls[w].name, wall.smallestRadius, text(g_, wall.smallestRadiusAt), H_, wall.smallestRadius / H_));
     }
 
     /// True where no fluid touches the face of a box that looks along `normal`: all of it lies in other solids, or outside the domain.
@@ -176,10 +176,11 @@ class Check
             if (thinnest >= 2 * H_ * (1 - 1e-12)) continue;
             refused.insert(p.wall);
             {
-                diagnostics_.error(g_.walls[p.wall].where,
-                                   fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
-                                               "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
-                                               g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
+                diagnostics_.error(
+                    g_.walls[p.wall].where,
+                    fmt::format("wall \"{}\" is {:.4g} m thin, less than twice the kernel support {:.4g} m: the images of the fluid on one "
+                                "side would reach the other. Make the spacing less than {:.3g} of what it is, or the wall thicker",
+                                g_.walls[p.wall].name, thinnest, H_, thinnest / (2 * H_)));
             }
         }
     }
@@ -203,10 +204,12 @@ class Check
                 worst = x;
             }
             if (into > slidingTolerance * fastest)
-                diagnostics_.error(g_.walls[w].where,
-                                   fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
-                                               "only along them, as of a belt or a shaft, is possible",
-                                               g_.walls[w].name, into, text(g_, worst)));
+                diagnostics_.error(
+                    g_.walls[w].where,
+                    fmt::format(
+                        "wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
+                        "only along them, as of a belt or a shaft, is possible",
+                        g_.walls[w].name, into, text(g_, worst)));
         }
     }
 
@@ -278,15 +281,12 @@ class Check
             {
                 const auto &a = bounds[order[i]], &b = bounds[order[k]];
                 if (b.low.x > a.high.x + near) break;
-                if (a.low.y > b.high.y + near || b.low.y > a.high.y + near || a.low.z > b.high.z + near ||
-                    b.low.z > a.high.z + near)
+                if (a.low.y > b.high.y + near || b.low.y > a.high.y + near || a.low.z > b.high.z + near || b.low.z > a.high.z + near)
                     continue;
                 // The samples lie on the smaller one.
                 const auto extent = [](const Box& box) { return mag(box.high - box.low); };
-                if (extent(a) <= extent(b))
-                    pair(order[i], order[k]);
-                else
-                    pair(order[k], order[i]);
+                if (extent(a) <= extent(b)) pair(order[i], order[k]);
+                else pair(order[k], order[i]);
             }
         reportOverlaps();
         reportGaps();
@@ -297,16 +297,14 @@ class Check
         for (const auto& [between, overlap] : overlaps_)
         {
             const auto& last = g_.walls[between.second];
-            const auto what = fmt::format(
-                "wall \"{}\" and wall \"{}\" overlap{} near {} and leave a wedge of fluid of {:.0f} degrees: reflection "
-                "needs 90 or more. Let them touch, or keep them apart",
-                g_.walls[between.first].name, last.name,
-                overlap.count > 1 ? fmt::format(" in {} places, most sharply", overlap.count) : "", text(g_, overlap.at),
-                overlap.wedge);
-            if (overlap.ofBody)
-                diagnostics_.error(last.where, what);
-            else
-                diagnostics_.warning(last.where, what);
+            const auto what =
+                fmt::format("wall \"{}\" and wall \"{}\" overlap{} near {} and leave a wedge of fluid of {:.0f} degrees: reflection "
+                            "needs 90 or more. Let them touch, or keep them apart",
+                            g_.walls[between.first].name, last.name,
+                            overlap.count > 1 ? fmt::format(" in {} places, most sharply", overlap.count) : "", text(g_, overlap.at),
+                            overlap.wedge);
+            if (overlap.ofBody) diagnostics_.error(last.where, what);
+            else diagnostics_.warning(last.where, what);
         }
     }
 
@@ -317,8 +315,7 @@ class Check
                 diagnostics_.warning(g_.walls[w].where,
                                      fmt::format("the gap between \"{}\" and \"{}\" narrows to {:.4g} m, {:.2g} of the kernel "
                                                  "support, at {}: the flow through it is not resolved",
-                                                 g_.walls[w].name, g_.walls[gap.wall].name, gap.width, gap.width / H_,
-                                                 text(g_, gap.at)));
+                                                 g_.walls[w].name, g_.walls[gap.wall].name, gap.width, gap.width / H_, text(g_, gap.at)));
     }
 
     /// The standard error of random points is reported as a bound of the error.

@@ -47,8 +47,7 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
     {
         if (k >= dim || shape.enclosesFluid()) return {0, cells_[k] - 1};
         const auto c = component(k);
-        const auto index = [&](double x)
-        { return int(std::clamp(std::floor((x - low_.*c) / size.*c), -1.0, double(cells_[k]))); };
+        const auto index = [&](double x) { return int(std::clamp(std::floor((x - low_.*c) / size.*c), -1.0, double(cells_[k]))); };
         const auto b = shape.bounds();
         return {std::max(0, index(b.low.*c - reach)), std::min(cells_[k] - 1, index(b.high.*c + reach))};
     };

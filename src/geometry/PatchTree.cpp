@@ -17,10 +17,7 @@ double distanceTo(const Box& b, const Vector<3>& x)
 }
 
 /// Twice the middle; 0 along directions without end.
-double middle(const Box& b, double Vector<3>::*c)
-{
-    return std::isfinite(b.low.*c) && std::isfinite(b.high.*c) ? b.low.*c + b.high.*c : 0;
-}
+double middle(const Box& b, double Vector<3>::*c) { return std::isfinite(b.low.*c) && std::isfinite(b.high.*c) ? b.low.*c + b.high.*c : 0; }
 
 }
 
@@ -52,8 +49,7 @@ int PatchTree::build(const std::vector<Box>& bounds, int first, int last)
     if (last - first <= 4) return index;
 
     auto longest = coordinates[0];
-    const auto extent = [&](double Vector<3>::*c)
-    { return std::isfinite(all.high.*c - all.low.*c) ? all.high.*c - all.low.*c : 0; };
+    const auto extent = [&](double Vector<3>::*c) { return std::isfinite(all.high.*c - all.low.*c) ? all.high.*c - all.low.*c : 0; };
     for (const auto c : coordinates)
         if (extent(c) > extent(longest)) longest = c;
     const int half = (first + last) / 2;

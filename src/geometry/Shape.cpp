@@ -7,9 +7,7 @@ namespace sph
 double Shape::distanceTo(const Box& box) const
 {
     const auto own = bounds();
-    const auto gap = [](double lowA, double highA, double lowB, double highB) {
-        return std::max({0.0, lowA - highB, lowB - highA});
-    };
+    const auto gap = [](double lowA, double highA, double lowB, double highB) { return std::max({0.0, lowA - highB, lowB - highA}); };
     return mag(Vector<3>{gap(own.low.x, own.high.x, box.low.x, box.high.x), gap(own.low.y, own.high.y, box.low.y, box.high.y),
                          gap(own.low.z, own.high.z, box.low.z, box.high.z)});
 }

@@ -43,15 +43,12 @@ struct Foot
 };
 
 /// From 0 at s = 0 to 1 at s = 1, flat beyond both.
-constexpr double smoothStep(double s) { return s <= 0 ? 0 : s >= 1 ? 1 : s*s*(3 - 2*s); }
+constexpr double smoothStep(double s) { return s <= 0 ? 0 : s >= 1 ? 1 : s * s * (3 - 2 * s); }
 
 /// Share of a mirror image that belongs to the face it was mirrored in. It fades from 1 to 0 over a width across the bisector of an edge, on
 /// whose other side the image of the other face fades in: what is behind an edge is filled once, and nothing comes or goes at once. What is
 /// hidden in another solid has none.
-constexpr double faceShare(const Foot& f, double width)
-{
-    return f.exposure*smoothStep(f.margin/width + 0.5);
-}
+constexpr double faceShare(const Foot& f, double width) { return f.exposure * smoothStep(f.margin / width + 0.5); }
 
 /// V'/V of the mirror image of a particle at distance d: prod_i (1 + k_i d)/(1 - k_i d), eq. (18) with signed curvatures.
 /// At most 0 where the image does not exist (d beyond a centre of curvature).
@@ -97,7 +94,10 @@ public:
     using Covered = std::function<bool(const Vector<3>&)>;
     /// The foot on the face of the given normal, for a shape with faces. A face goes on beyond those of its edges that are covered at the place
     /// next to `source`, of which x may be an image: where a block stands on a floor there is no edge that the fluid could go round.
-    virtual Foot footOnFace(const Vector<3>& x, const Vector<3>& /*normal*/, const Vector<3>& /*source*/, const Covered&) const { return foot(x); }
+    virtual Foot footOnFace(const Vector<3>& x, const Vector<3>& /*normal*/, const Vector<3>& /*source*/, const Covered&) const
+    {
+        return foot(x);
+    }
     /// The feet of an x in the solid: on each face of a shape with faces.
     virtual std::vector<Foot> feetFromInside(const Vector<3>& x) const { return {foot(x)}; }
     /// Encloses the surface; infinite along directions in which it does not end.

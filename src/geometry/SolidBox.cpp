@@ -48,7 +48,8 @@ Foot SolidBox::footOnFace(const Vector<3>& x, const Vector<3>& normal, const Vec
         at.*c = level;
         return covered({std::clamp(at.x, low_.x, high_.x), std::clamp(at.y, low_.y, high_.y), std::clamp(at.z, low_.z, high_.z)});
     };
-    double depth = isCovered(n, upper ? low_.*n : high_.*n) ? Box::infinity : 0.5 * (high_.*n - low_.*n); // at which another free face is as near
+    double depth =
+        isCovered(n, upper ? low_.*n : high_.*n) ? Box::infinity : 0.5 * (high_.*n - low_.*n); // at which another free face is as near
     for (const auto c : coordinates)
     {
         if (c == n) continue;
@@ -104,16 +105,15 @@ TriangleSurface SolidBox::triangles(const Box& within, double size) const
         for (const double level : {low_.*normal, high_.*normal})
         {
             if (!(level >= within.low.*normal && level <= within.high.*normal)) continue;
-            append(surface,
-                   parametricSurface(segments(high.*first - low.*first, size), segments(high.*second - low.*second, size),
-                                     [&](double u, double v)
-                                     {
-                                         Vector<3> p;
-                                         p.*normal = level;
-                                         p.*first = low.*first + u * (high.*first - low.*first);
-                                         p.*second = low.*second + v * (high.*second - low.*second);
-                                         return p;
-                                     }));
+            append(surface, parametricSurface(segments(high.*first - low.*first, size), segments(high.*second - low.*second, size),
+                                              [&](double u, double v)
+                                              {
+                                                  Vector<3> p;
+                                                  p.*normal = level;
+                                                  p.*first = low.*first + u * (high.*first - low.*first);
+                                                  p.*second = low.*second + v * (high.*second - low.*second);
+                                                  return p;
+                                              }));
         }
     }
     return surface;

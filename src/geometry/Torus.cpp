@@ -8,8 +8,7 @@ namespace sph
 
 Torus::Torus(const Vector<3>& centre, const Vector<3>& axis, double ringRadius, double tubeRadius, FluidSide fluid)
     : centre_(centre), axis_(unitVector(axis)), R1_(ringRadius), R2_(tubeRadius), fluid_(fluid)
-{
-}
+{}
 
 Foot Torus::foot(const Vector<3>& x) const
 {
@@ -42,10 +41,7 @@ Box Torus::bounds() const
 
 double Torus::smallestRadius() const { return std::min(R2_, R1_ - R2_); }
 
-std::unique_ptr<Shape> Torus::shifted(const Vector<3>& by) const
-{
-    return std::make_unique<Torus>(centre_ + by, axis_, R1_, R2_, fluid_);
-}
+std::unique_ptr<Shape> Torus::shifted(const Vector<3>& by) const { return std::make_unique<Torus>(centre_ + by, axis_, R1_, R2_, fluid_); }
 
 ShapeDescription Torus::description() const
 {

@@ -62,10 +62,7 @@ TriangleSurface cropped(const TriangleSurface& surface, const Box& box)
     TriangleSurface result;
     std::vector<int> newIndex(surface.points.size(), -1);
     const auto inside = [&](const Vector<3>& p)
-    {
-        return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y && p.z >= box.low.z &&
-               p.z <= box.high.z;
-    };
+    { return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y && p.z >= box.low.z && p.z <= box.high.z; };
     const auto kept = [&](int i)
     {
         if (newIndex[i] < 0)

@@ -116,7 +116,7 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
     Geometry g;
     readSpace(dict, g);
     checkFit(g, resolution, dict.diagnostics());
-    g.reach = std::max(supportsOfSolver*resolution.H(), dict.get("reach", units::m));
+    g.reach = std::max(supportsOfSolver * resolution.H(), dict.get("reach", units::m));
     wallsStamp(dict);
     std::vector<std::string> names;
     const auto walls = dict.subDict("walls");
@@ -125,7 +125,8 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
         const auto wall = walls.subDict(name);
         g.walls.push_back(readWallProperties(wall, g.dimension, true));
         const std::string at = wall.get("anglesAt", "");
-        if (const auto colon = at.rfind(':'); colon != std::string::npos) g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
+        if (const auto colon = at.rfind(':'); colon != std::string::npos)
+            g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
         names.push_back(name);
     }
     for (const auto& patch : dict.dictionaries("patches"))
@@ -134,8 +135,7 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end())
         {
-            if (patch.found("wall"))
-                patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
+            if (patch.found("wall")) patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
             continue;
         }
         for (auto& shape : readShapes(patch, g)) g.originals.push_back({std::move(shape), int(found - names.begin())});

@@ -79,8 +79,7 @@ Vector<3> descend(const Shape& a, const Shape& b, const Geometry& g, Vector<3> x
 }
 
 /// Sharpest wedge along the edges of the triangles that cross `b`.
-double sharpestWedge(const Shape& a, const Shape& b, const TriangleSurface& samples, const std::vector<double>& distances,
-                     double tolerance)
+double sharpestWedge(const Shape& a, const Shape& b, const TriangleSurface& samples, const std::vector<double>& distances, double tolerance)
 {
     double sharpest = 180;
     for (const auto& [i, j, k] : samples.triangles)

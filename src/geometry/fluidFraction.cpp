@@ -16,12 +16,12 @@ double fluidFraction(const Geometry& g, int n)
         for (int k = 0; k < g.dimension; ++k)
         {
             step /= ratio;
-            const double u = 0.5 + i*step;
-            x.*component(k) = g.low.*component(k) + (u - std::floor(u))*g.length(k);
+            const double u = 0.5 + i * step;
+            x.*component(k) = g.low.*component(k) + (u - std::floor(u)) * g.length(k);
         }
         inFluid += g.inFluid(x);
     }
-    return inFluid/n;
+    return inFluid / n;
 }
 
 }

@@ -12,7 +12,7 @@ template<class F> void forEachPeriodicShift(const Geometry& g, const F& f)
     for (int i = -most[0]; i <= most[0]; ++i)
         for (int k = -most[1]; k <= most[1]; ++k)
             for (int l = -most[2]; l <= most[2]; ++l)
-                if (i != 0 || k != 0 || l != 0) f(Vector<3>{i*g.length(0), k*g.length(1), l*g.length(2)});
+                if (i != 0 || k != 0 || l != 0) f(Vector<3>{i * g.length(0), k * g.length(1), l * g.length(2)});
 }
 
 }

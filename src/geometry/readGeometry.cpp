@@ -17,9 +17,11 @@ const ListOf<std::string> periodic{"periodic", std::vector<std::string>{}, "dire
 const SubDictionary walls{"walls", notGiven, "the walls"};
 const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
 const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
-                          between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"), "of two phases, through the first of them"};
-const PairValues contactAngles{"contactAngles", "contact angle", degrees, between(0, 180).saying("a contact angle must be between 0 and 180 degrees, not {}"),
-                               "of pairs of phases, each through the first-named of its pair; as many as tell all others, one less than phases"};
+                          between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"),
+                          "of two phases, through the first of them"};
+const PairValues contactAngles{
+    "contactAngles", "contact angle", degrees, between(0, 180).saying("a contact angle must be between 0 and 180 degrees, not {}"),
+    "of pairs of phases, each through the first-named of its pair; as many as tell all others, one less than phases"};
 const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"},
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
@@ -39,19 +41,16 @@ void readSpace(const Dictionary& dict, Geometry& g)
         const auto c = component(k);
         if (g.high.*c > g.low.*c) continue;
         if (k < g.dimension && given)
-            entry::max.error(domain, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
-                                                 g.high.*c, g.low.*c));
+            entry::max.error(domain, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], g.high.*c,
+                                                 g.low.*c));
         g.high.*c = g.low.*c + 1;
     }
     static const std::vector<std::string> directions{"x", "y", "z"};
     for (const auto& word : entry::periodic(domain))
     {
-        if (word == "x" || word == "y" || (word == "z" && g.dimension == 3))
-            g.periodic[word[0] - 'x'] = true;
-        else if (word == "z")
-            entry::periodic.error(domain, "a 2-D scene does not vary with z: it cannot be periodic there");
-        else
-            entry::periodic.error(domain, fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
+        if (word == "x" || word == "y" || (word == "z" && g.dimension == 3)) g.periodic[word[0] - 'x'] = true;
+        else if (word == "z") entry::periodic.error(domain, "a 2-D scene does not vary with z: it cannot be periodic there");
+        else entry::periodic.error(domain, fmt::format("\"{}\" is no direction. {}", word, suggestion(word, "directions", directions)));
     }
 }
 
@@ -60,19 +59,22 @@ void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diag
     const double mostPlaces = 1e9; // indices are 32 bits wide, images included
     const auto before = diagnostics.errors();
     double places = 1;
-    for (int k = 0; k < g.dimension; ++k) places *= g.length(k)/resolution.spacing;
+    for (int k = 0; k < g.dimension; ++k) places *= g.length(k) / resolution.spacing;
     if (places > mostPlaces)
-        diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m makes {:.2g} particles in the domain; at most {:.2g} are possible",
-                                                        resolution.spacing, places, mostPlaces));
+        diagnostics.error(resolution.where,
+                          fmt::format("spacing {:.4g} m makes {:.2g} particles in the domain; at most {:.2g} are possible",
+                                      resolution.spacing, places, mostPlaces));
     for (int k = 0; k < g.dimension; ++k)
     {
         const double least = resolution.H() + resolution.spacing;
-        if (resolution.spacing > g.length(k)*(1 + 1e-6))
-            diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m is larger than the domain, {:.4g} m along {}", resolution.spacing, g.length(k),
-                                                            coordinateNames[k]));
+        if (resolution.spacing > g.length(k) * (1 + 1e-6))
+            diagnostics.error(resolution.where, fmt::format("spacing {:.4g} m is larger than the domain, {:.4g} m along {}",
+                                                            resolution.spacing, g.length(k), coordinateNames[k]));
         else if (g.periodic[k] && g.length(k) < least)
-            diagnostics.error(resolution.where, fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
-                                                            g.length(k), coordinateNames[k], least));
+            diagnostics.error(
+                resolution.where,
+                fmt::format("the domain's periodic length {:.4g} m along {} is less than the kernel support and a spacing, {:.4g} m",
+                            g.length(k), coordinateNames[k], least));
     }
     if (diagnostics.errors() > before) diagnostics.throwIfAny();
 }
@@ -86,7 +88,8 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     wall.wets = one || pairs;
     wall.contactAngle = entry::contactAngle(dict, wall.contactAngle);
     for (const auto& [first, second, angle] : entry::contactAngles(dict)) wall.contactAngles.push_back({first, second, angle});
-    if (one && pairs) entry::contactAngles.error(dict, "contactAngle and contactAngles say the same of a wall: leave out the one or the other");
+    if (one && pairs)
+        entry::contactAngles.error(dict, "contactAngle and contactAngles say the same of a wall: leave out the one or the other");
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
     entry::velocity.checkPlane(dict, wall.velocity, dimension);
@@ -95,7 +98,9 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
         wall.omega = entry::omega(dict);
         wall.origin = entry::origin(dict);
         if (dimension == 2 && (wall.omega.x != 0 || wall.omega.y != 0))
-            entry::omega.error(dict, fmt::format("in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found {} and {}", wall.omega.x, wall.omega.y));
+            entry::omega.error(dict,
+                               fmt::format("in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found {} and {}",
+                                           wall.omega.x, wall.omega.y));
     }
     return wall;
 }
@@ -151,7 +156,7 @@ Geometry readGeometry(const Dictionary& dict, double reach)
 Geometry readGeometry(const Dictionary& dict, const Resolution& resolution, double supports)
 {
     Geometry g;
-    g.reach = supports*resolution.H();
+    g.reach = supports * resolution.H();
     readSpace(dict, g);
     checkFit(g, resolution, dict.diagnostics());
     readWallsAndRepeat(dict, g);

@@ -16,9 +16,10 @@ namespace sph
 namespace entry
 {
 const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the surface on which the fluid is"};
-const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"}, centre{"centre", units::m, required, "of the shape"},
-    apex{"apex", units::m, required, "tip of the cone"}, semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"},
-    min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"},
+const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"},
+    centre{"centre", units::m, required, "of the shape"}, apex{"apex", units::m, required, "tip of the cone"},
+    semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"}, min{"min", units::m, required, "lowest corner"},
+    max{"max", units::m, required, "highest corner"},
     latticeOrigin{"origin", units::m, byScene("the lowest corner of the domain"), "where a cell of the lattice begins"};
 const Direction normal{"normal", required, "into the fluid"},
     axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
@@ -40,10 +41,7 @@ using Shapes = std::vector<std::shared_ptr<const Shape>>;
 /// Steps between a domain's length and a whole number of cells that are taken for rounding in the dictionary.
 constexpr double rounding = 1e-6;
 
-FluidSide fluidSide(const Dictionary& wall)
-{
-    return entry::fluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside;
-}
+FluidSide fluidSide(const Dictionary& wall) { return entry::fluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside; }
 
 Shapes plane(const Dictionary& wall, const Geometry& g)
 {
@@ -79,8 +77,7 @@ Shapes cylinder(const Dictionary& wall, const Geometry& g)
 
 void refuse2D(const Dictionary& wall, const Geometry& g, const std::string& instead)
 {
-    if (g.dimension == 2)
-        shapeType().error(wall, fmt::format("a {} varies with z, a 2-D scene does not: {}", shapeType()(wall), instead));
+    if (g.dimension == 2) shapeType().error(wall, fmt::format("a {} varies with z, a 2-D scene does not: {}", shapeType()(wall), instead));
 }
 
 Shapes cone(const Dictionary& wall, const Geometry& g)
@@ -174,12 +171,11 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
         {
             if (cells < 1 || std::abs(cells * (lattice.period.*c) - L) > rounding * L)
                 entry::period.error(wall,
-                           fmt::format("the domain repeats in {0} after {1:.9g} m, which is not a whole number of cells of the "
-                                       "{2} lattice ({3:.9g} m each): make it {4:.9g} m",
-                                       coordinateNames[k], L, name, lattice.period.*c,
-                                       std::max(1.0, cells) * (lattice.period.*c)));
-            else
-                stretch.*c = L / (cells * (lattice.period.*c));
+                                    fmt::format("the domain repeats in {0} after {1:.9g} m, which is not a whole number of cells of the "
+                                                "{2} lattice ({3:.9g} m each): make it {4:.9g} m",
+                                                coordinateNames[k], L, name, lattice.period.*c,
+                                                std::max(1.0, cells) * (lattice.period.*c)));
+            else stretch.*c = L / (cells * (lattice.period.*c));
             first[k] = 0;
             last[k] = int(cells) - 1;
         }
@@ -221,10 +217,8 @@ Shapes spheres(const Dictionary& wall, const Geometry& g)
         const auto& row = rows[i];
         if (row.size() != 4)
             entry::spheres.error(wall, fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
-        else if (!(row[3] > 0))
-            entry::spheres.error(wall, fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
-        else
-            shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
+        else if (!(row[3] > 0)) entry::spheres.error(wall, fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
+        else shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
     }
     if (rows.empty() && entry::spheres.given(wall)) entry::spheres.error(wall, "there are no spheres in the list");
     return shapes;
@@ -239,11 +233,11 @@ void checkPeriodicity(const Dictionary& wall, const Geometry& g, const Shape& sh
         const auto b = shape.bounds();
         if (!g.periodic[k] || shape.invariantAlong(k)) continue;
         if (shape.enclosesFluid())
-            shapeType().error(wall, fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}",
-                                           coordinateNames[k]));
+            shapeType().error(wall,
+                              fmt::format("the fluid ends at this wall, so that the domain cannot be periodic in {}", coordinateNames[k]));
         else if (std::isinf(b.low.*c) || std::isinf(b.high.*c))
             shapeType().error(wall, fmt::format("a {} that does not end, oblique to the periodic direction {}, does not repeat there",
-                                           shape.description().type, coordinateNames[k]));
+                                                shape.description().type, coordinateNames[k]));
     }
 }
 
@@ -264,7 +258,9 @@ const std::vector<ShapeType>& catalogue()
     using namespace entry;
     static const std::vector<ShapeType> types{
         {{"plane", ""}, plane, {point, entry::normal}},
-        {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"}, box, {entry::min, entry::max, fluid}},
+        {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"},
+         box,
+         {entry::min, entry::max, fluid}},
         {{"sphere", "in 2-D a circle"}, sphere, {centre, radius, fluid}},
         {{"cylinder", "without ends"}, cylinder, {point, axis, radius, fluid}},
         {{"cone", "one nappe, without end; in 3-D"}, cone, {apex, axis, halfAngle, fluid}},

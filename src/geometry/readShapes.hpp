@@ -18,5 +18,4 @@ bool isSingleShape(const Dictionary& wall);
 const Choice& shapeType();
 Cases shapes();
 
-
 }

@@ -30,8 +30,7 @@ std::array<int, 2> shifts(const Geometry& g, const Shape& shape, int direction, 
     const auto b = shape.bounds();
     if (std::isinf(b.low.*c) || std::isinf(b.high.*c)) return {0, 0};
     const double L = g.length(direction);
-    return {int(std::ceil((g.low.*c - reach - b.high.*c) / L - 1e-9)),
-            int(std::floor((g.high.*c + reach - b.low.*c) / L + 1e-9))};
+    return {int(std::ceil((g.low.*c - reach - b.high.*c) / L - 1e-9)), int(std::floor((g.high.*c + reach - b.low.*c) / L + 1e-9))};
 }
 
 /// Copies of two originals may coincide: spheres given on both sides of a periodic domain.

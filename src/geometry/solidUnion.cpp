@@ -71,13 +71,17 @@ void sinkIntoPlanes(Geometry& g)
                 for (const auto d : coordinates)
                     if (std::isinf(face.low.*d)) face.low.*d = face.high.*d = 0;
                 const auto points = corners(face);
-                const bool isBehind = std::any_of(g.patches.begin(), g.patches.end(), [&](const Patch& q)
-                {
-                    if (!dynamic_cast<const Plane*>(q.shape.get()) || side*(q.shape->foot(points[0]).normal.*c) > -0.5) return false;
-                    return std::all_of(points.begin(), points.end(), [&](const auto& x) { return q.shape->foot(x).distance <= g.tolerance(); });
-                });
+                const bool isBehind =
+                    std::any_of(g.patches.begin(), g.patches.end(),
+                                [&](const Patch& q)
+                                {
+                                    if (!dynamic_cast<const Plane*>(q.shape.get()) || side * (q.shape->foot(points[0]).normal.*c) > -0.5)
+                                        return false;
+                                    return std::all_of(points.begin(), points.end(),
+                                                       [&](const auto& x) { return q.shape->foot(x).distance <= g.tolerance(); });
+                                });
                 auto& end = side < 0 ? box.low : box.high;
-                if (isBehind) end.*c += side*2*g.reach;
+                if (isBehind) end.*c += side * 2 * g.reach;
             }
         if (box.low != given.low || box.high != given.high) patch.shape = std::make_shared<SolidBox>(box.low, box.high);
     }
@@ -111,10 +115,10 @@ std::vector<std::vector<int>> findCoverers(const Geometry& g)
             auto box = within;
             if (g.dimension == 2)
             {
-                box.low.z = -0.5*g.reach;
-                box.high.z = 0.5*g.reach;
+                box.low.z = -0.5 * g.reach;
+                box.high.z = 0.5 * g.reach;
             }
-            of = triangulate(shape(p), box, 0.5*g.reach).points;
+            of = triangulate(shape(p), box, 0.5 * g.reach).points;
             if (g.dimension == 2)
                 for (auto& x : of) x.z = 0;
             if (of.empty()) of.push_back({Box::infinity, 0, 0});
@@ -128,7 +132,7 @@ std::vector<std::vector<int>> findCoverers(const Geometry& g)
     {
         const bool ballP = isBall(shape(p), g.dimension), ballQ = isBall(shape(q), g.dimension), both = !shape(q).enclosesFluid();
         static const std::vector<Vector<3>> none;
-        const bool meet = ballP ? meets(shape(p), shape(q), none, true, tolerance)
+        const bool meet = ballP   ? meets(shape(p), shape(q), none, true, tolerance)
                           : ballQ ? meets(shape(q), shape(p), none, true, tolerance)
                                   : meets(shape(p), shape(q), pointsOf(p), false, tolerance) ||
                                         (both && meets(shape(q), shape(p), pointsOf(q), false, tolerance));
@@ -160,7 +164,7 @@ bool Geometry::isCovered(int patch, const Vector<3>& x) const
 
 double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
 {
-    const auto y = x - f.distance*f.normal;
+    const auto y = x - f.distance * f.normal;
     const double touching = tolerance();
     if (f.on != Foot::On::face) return isCovered(patch, y) ? 0 : 1;
     double share = 1;
@@ -179,9 +183,9 @@ double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
             if (alongside < -parallel || (alongside > parallel && q < patch)) return 0;
             continue;
         }
-        const double twice = 2*f.distance*(1 - alongside);
+        const double twice = 2 * f.distance * (1 - alongside);
         if (alongside < 0 || !(twice > 0)) return 0;
-        share *= smoothStep(1 - depth/twice);
+        share *= smoothStep(1 - depth / twice);
     }
     return share;
 }
@@ -214,7 +218,7 @@ Foot Geometry::footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>
     const auto& shape = *patches[std::size_t(patch)].shape;
     const Foot seen = footInUnion(patch, source);
     Foot f = seen.on == Foot::On::face ? shape.footOnFace(x, seen.normal, source, [&](const Vector<3>& y) { return isCovered(patch, y); })
-                                           : shape.foot(x);
+                                       : shape.foot(x);
     f.exposure = seen.exposure;
     return f;
 }

@@ -24,16 +24,17 @@ void writeWallLayers(const std::filesystem::path& caseFolder, const std::vector<
         factor.push_back(particle.volumeFactor);
     }
     const FieldView positions{"positions", FieldClass::vector, {x[0].data(), x[1].data(), x[2].data()}};
-    writeCloud(caseFolder/"constant", cloudName, layers.size(), positions,
+    writeCloud(caseFolder / "constant", cloudName, layers.size(), positions,
                {{"wall", FieldClass::label, {wall.data()}}, {"volumeFactor", FieldClass::scalar, {factor.data()}}}, {});
 }
 
 void removeWallLayers(const std::filesystem::path& caseFolder)
 {
-    std::filesystem::remove_all(caseFolder/"constant"/"lagrangian"/cloudName);
-    std::filesystem::remove_all(caseFolder/"constant"/"uniform"/"lagrangian"/cloudName);
+    std::filesystem::remove_all(caseFolder / "constant" / "lagrangian" / cloudName);
+    std::filesystem::remove_all(caseFolder / "constant" / "uniform" / "lagrangian" / cloudName);
     for (const char* folder : {"lagrangian", "uniform/lagrangian", "uniform"})
-        if (const auto emptied = caseFolder/"constant"/folder; std::filesystem::is_directory(emptied) && std::filesystem::is_empty(emptied))
+        if (const auto emptied = caseFolder / "constant" / folder;
+            std::filesystem::is_directory(emptied) && std::filesystem::is_empty(emptied))
             std::filesystem::remove(emptied);
 }
 
@@ -42,11 +43,13 @@ std::vector<LayerParticle> readWallLayers(const std::filesystem::path& caseFolde
     const std::string folder = fieldFolder;
     if (!hasCloud(caseFolder, "constant", cloudName))
     {
-        diagnostics.error({"constant/lagrangian/wallLayers", 0},
-                          "is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost, which makes it from constant/geometry");
+        diagnostics.error(
+            {"constant/lagrangian/wallLayers", 0},
+            "is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost, which makes it from constant/geometry");
         return {};
     }
-    const auto cloud = readCloud(caseFolder, "constant", cloudName, diagnostics, {{"wall", FieldClass::label}, {"volumeFactor", FieldClass::scalar}});
+    const auto cloud =
+        readCloud(caseFolder, "constant", cloudName, diagnostics, {{"wall", FieldClass::label}, {"volumeFactor", FieldClass::scalar}});
     const auto wall = cloud.fields.find("wall"), factor = cloud.fields.find("volumeFactor");
     for (const auto& [field, name] : {std::pair{wall, "wall"}, std::pair{factor, "volumeFactor"}})
         if (field == cloud.fields.end() && diagnostics.ok()) diagnostics.error({folder + name, 0}, "is missing: run meshToGhost again");

@@ -56,18 +56,18 @@ std::string vtpText(const Geometry& g, const std::vector<TriangleSurface>& surfa
         for (std::size_t i = 0; i < count; ++i) fmt::format_to(to, "{}\n", value(i));
         fmt::format_to(to, "</DataArray>\n");
     };
-    fmt::format_to(
-        to,
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
-        "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-        all.points.size(), all.triangles.size());
+    fmt::format_to(to,
+                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+                   "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                   all.points.size(), all.triangles.size());
     fmt::format_to(to, "<CellData Scalars=\"wall\">\n");
     array("Int32", "Name=\"wall\"", wallOf.size(), [&](std::size_t i) { return wallOf[i]; });
-    array("Float64", "Name=\"contactAngle\"", wallOf.size(), [&](std::size_t i)
-    {
-        const auto& wall = g.walls[wallOf[i]];
-        return wall.contactAngles.empty() ? wall.contactAngle : wall.contactAngles.front().angle;
-    });
+    array("Float64", "Name=\"contactAngle\"", wallOf.size(),
+          [&](std::size_t i)
+          {
+              const auto& wall = g.walls[wallOf[i]];
+              return wall.contactAngles.empty() ? wall.contactAngle : wall.contactAngles.front().angle;
+          });
     fmt::format_to(to, "</CellData>\n<Points>\n");
     array("Float64", "NumberOfComponents=\"3\"", all.points.size(),
           [&](std::size_t i) { return fmt::format("{:.9g} {:.9g} {:.9g}", all.points[i].x, all.points[i].y, all.points[i].z); });

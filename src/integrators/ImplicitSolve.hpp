@@ -35,7 +35,7 @@ public:
     std::size_t bytes() const override;
 
 private:
-    std::array<Array, dim> change_, residual_;   ///< dv and r of the owned particles
+    std::array<Array, dim> change_, residual_; ///< dv and r of the owned particles
     const bool withPressure_, viscous_;
     int iterations_ = 0;
 

@@ -19,7 +19,7 @@ const Integrator& quasiSteadyIntegrator();
 const std::vector<const Integrator*>& integrators()
 {
     static const std::vector<const Integrator*> all{&predictorCorrectorIntegrator(), &leapfrogIntegrator(), &symplecticEulerIntegrator(),
-                                                    &semiImplicitIntegrator(), &implicitIntegrator(), &quasiSteadyIntegrator()};
+                                                    &semiImplicitIntegrator(),       &implicitIntegrator(), &quasiSteadyIntegrator()};
     return all;
 }
 
@@ -43,17 +43,22 @@ const SubDictionary integration{"integration", notGiven, "how time passes"}; // 
 const Choice scheme{"scheme", integratorWords(),
                     byScene("predictorCorrector; implicit where surface tension allows steps 1.5 times as long as all else does"),
                     "the integrator"};
-const Count maxSubSteps{"maxSubSteps", 1, anyNumber, "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
+const Count maxSubSteps{"maxSubSteps", 1, anyNumber,
+                        "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
 const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
-    tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive, "residual of a solve over the velocity; with implicit over that at its start"},
+    tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive,
+              "residual of a solve over the velocity; with implicit over that at its start"},
     flowFactor{"flowFactor", units::none, 0.2, positive, "of the limit by flow, h/|v|, with implicit"},
     soundFactor{"soundFactor", units::none, 0.4, positive, "of the limit by sound, h/(c + |v|)"},
     dampedSoundFactor{"dampedSoundFactor", units::none, 0.25, positive, "of nu/c^2, where semiImplicit may step over sound"},
     stiffnessFactor{"stiffnessFactor", units::none, 1.2, positive, "of the limit by the stiffness between phases"},
-    viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, a third with viscosity cleary"), positive, "of the limit by viscosity, h^2/nu"},
-    diffusiveFactor{"diffusiveFactor", units::none, byScene("0.125; half of it with leapfrog"), positive, "of the limit by diffusion of scalars, h^2/D"},
-    capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps"), positive, "of the limit by surface tension"},
+    viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, a third with viscosity cleary"), positive,
+                  "of the limit by viscosity, h^2/nu"},
+    diffusiveFactor{"diffusiveFactor", units::none, byScene("0.125; half of it with leapfrog"), positive,
+                    "of the limit by diffusion of scalars, h^2/D"},
+    capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps"), positive,
+                    "of the limit by surface tension"},
     forceFactor{"forceFactor", units::none, 0.25, positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
 }
@@ -67,15 +72,17 @@ std::string chosenScheme(const Reading& reading)
 {
     auto& settings = reading.settings;
     const std::string explicitScheme = "predictorCorrector";
-    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams")) return explicitScheme;
+    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams"))
+        return explicitScheme;
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double tension = infinity;
     StepLimit least{infinity, "none"};
     for (const auto& limit : reading.limits(settings))
         if (!limit.ofPart) tension = std::min(tension, limit.deltaT);
         else if (limit.deltaT < least.deltaT) least = limit;
-    if (tension < worthSolving*least.deltaT) return explicitScheme;
-    settings.reasons.push_back(fmt::format("integration implicit: surface tension allows steps of {:.3g} s, {} explicit ones of {:.3g} s", tension, least.by, least.deltaT));
+    if (tension < worthSolving * least.deltaT) return explicitScheme;
+    settings.reasons.push_back(fmt::format("integration implicit: surface tension allows steps of {:.3g} s, {} explicit ones of {:.3g} s",
+                                           tension, least.by, least.deltaT));
     return "implicit";
 }
 
@@ -94,12 +101,15 @@ void prepare(const Reading& reading)
     integration.factors.viscous *= needs.viscousFactor;
     integration.factors.diffusive *= needs.viscousFactor;
     integration.maxSubSteps = entry::maxSubSteps(dict);
-    if (integration.maxSubSteps < 1 || integration.maxSubSteps%2 == 0)
-        entry::maxSubSteps.error(dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
+    if (integration.maxSubSteps < 1 || integration.maxSubSteps % 2 == 0)
+        entry::maxSubSteps.error(
+            dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
     if (integration.maxSubSteps > 1) integration.factors.capillary *= 0.5;
     if (integration.maxSubSteps > 1 && integration.solves)
-        entry::maxSubSteps.error(dict, "goes with explicit integration: an implicit step is limited by surface tension alone, and with semiImplicit a drop was less exact by parts, and no faster");
+        entry::maxSubSteps.error(
+            dict,
+            "goes with explicit integration: an implicit step is limited by surface tension alone, and with semiImplicit a drop was less exact by parts, and no faster");
 }
 
 void readSolve(const Reading& reading, const Dictionary& dict)
@@ -111,23 +121,31 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     if (integration.solvesPressure && integration.tolerance >= 1)
         entry::tolerance.error(dict, "is a share of the forces, below 1: at 1 nothing would be solved for");
     if (integration.solvesPressure)
-        settings.reasons.push_back(fmt::format("pressure and viscosity at the end of the step, by conjugate gradients to {:.3g} of the forces", integration.tolerance));
+        settings.reasons.push_back(
+            fmt::format("pressure and viscosity at the end of the step, by conjugate gradients to {:.3g} of the forces",
+                        integration.tolerance));
     else if (integration.moves)
     {
         integration.theta = entry::theta(dict);
         if (integration.theta < 0.5 || integration.theta > 1)
             entry::theta.error(dict, "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
-        settings.reasons.push_back(fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
-                                               integration.theta, integration.tolerance));
+        settings.reasons.push_back(
+            fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
+                        integration.theta, integration.tolerance));
     }
     else
     {
         const bool carries = std::any_of(settings.state.begin(), settings.state.end(),
                                          [](const Evolving& q) { return q.rate && q.value.name != Velocity::info.name; });
-        if (!carries) entry::scheme.error(dict, "quasiSteady follows the migration of powder, or what diffuses, and there is no suspension and no scalar");
-        if (reading.geometry.patches.empty()) entry::scheme.error(dict, "quasiSteady needs walls: nothing else holds a flow without inertia");
-        settings.reasons.push_back(fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
-                                               "powder's migration", integration.tolerance));
+        if (!carries)
+            entry::scheme.error(dict,
+                                "quasiSteady follows the migration of powder, or what diffuses, and there is no suspension and no scalar");
+        if (reading.geometry.patches.empty())
+            entry::scheme.error(dict, "quasiSteady needs walls: nothing else holds a flow without inertia");
+        settings.reasons.push_back(
+            fmt::format("particles at rest and velocities of creeping flow, by conjugate gradients to {:.3g}: time is that of the "
+                        "powder's migration",
+                        integration.tolerance));
     }
     if (integration.responses.empty()) return; // an error that viscosity reports
     settings.groups.push_back({ofSolver, integration.responses, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
@@ -141,14 +159,16 @@ void read(const Reading& reading)
     auto& f = integration.factors;
     f.sound = entry::soundFactor(dict, f.sound);
     if (integration.solvesPressure) f.flow = entry::flowFactor(dict, f.flow);
-    if (integration.solves && integration.moves && !integration.solvesPressure) f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
+    if (integration.solves && integration.moves && !integration.solvesPressure)
+        f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
     f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
     f.viscous = entry::viscousFactor(dict, f.viscous);
     f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
     f.capillary = entry::capillaryFactor(dict, f.capillary);
     f.force = entry::forceFactor(dict, f.force);
     const double all = entry::stepFactor(dict);
-    for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force}) *factor *= all;
+    for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force})
+        *factor *= all;
     if (integration.solves) readSolve(reading, dict);
 }
 
@@ -157,18 +177,27 @@ std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& me
 {
     if (!(measured.maxAcceleration > 0)) return {};
     const auto& integration = settings.integration;
-    return StepLimit{integration.maxSubSteps*(integration.factors.force*std::sqrt(0.5*settings.coefficients.support/measured.maxAcceleration)), "force", true};
+    return StepLimit{integration.maxSubSteps *
+                         (integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxAcceleration)),
+                     "force", true};
 }
 }
 
 const Model& integrationModel()
 {
-    static const Model model{"integration", "how time passes: the integrator, its solver, and the fractions of stable steps", read, {}, {}, prepare,
-                             {}, {forceLimit},
+    static const Model model{"integration",
+                             "how time passes: the integrator, its solver, and the fractions of stable steps",
+                             read,
+                             {},
+                             {},
+                             prepare,
+                             {},
+                             {forceLimit},
                              {{"system/sphSchemes",
                                {{entry::integration,
-                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor, entry::soundFactor, entry::flowFactor,
-                                  entry::dampedSoundFactor, entry::stiffnessFactor, entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
+                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor,
+                                  entry::soundFactor, entry::flowFactor, entry::dampedSoundFactor, entry::stiffnessFactor,
+                                  entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
     return model;
 }
 

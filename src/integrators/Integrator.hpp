@@ -11,8 +11,8 @@ struct Integrator
     const char *word, *meaning;
     struct
     {
-        bool predicts = false, keepsRates = false, solves = false, solvesPressure = false, moves = true;   ///< as in Integration
-        double viscousFactor = 1;                                                   ///< of the limits by viscosity and diffusion
+        bool predicts = false, keepsRates = false, solves = false, solvesPressure = false, moves = true; ///< as in Integration
+        double viscousFactor = 1; ///< of the limits by viscosity and diffusion
     } needs;
     void (*stages2)(Schedule<2>&);
     void (*stages3)(Schedule<3>&);

@@ -12,12 +12,15 @@ namespace
 template<int dim> double largestAcceleration(Particles<dim>& p)
 {
     const auto a = p.store().pointers(Acceleration{});
-    return std::sqrt(reduce(p.size(), 0.0, [&](std::size_t i)
-    {
-        double a2 = 0;
-        for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
-        return a2;
-    }, Larger{}));
+    return std::sqrt(reduce(
+        p.size(), 0.0,
+        [&](std::size_t i)
+        {
+            double a2 = 0;
+            for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
+            return a2;
+        },
+        Larger{}));
 }
 }
 
@@ -43,27 +46,42 @@ template<int dim> Schedule<dim>& Schedule<dim>::evaluateOnceAStep()
 
 template<int dim> Schedule<dim>& Schedule<dim>::drift()
 {
-    return then({"drift", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5*s.deltaT); p.moved(0.5*s.deltaT*p.maxSpeed()); }});
+    return then({"drift", "x += dt/2 v",
+                 [](Particles<dim>& p, const Substep& s)
+                 {
+                     sph::drift(p, 0.5 * s.deltaT);
+                     p.moved(0.5 * s.deltaT * p.maxSpeed());
+                 }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
 {
-    return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5*s.deltaT); }});
+    return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5 * s.deltaT); }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftWhole()
 {
-    return then({"drift", "x += dt v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, s.deltaT); p.moved(s.deltaT*p.maxSpeed()); }});
+    return then({"drift", "x += dt v",
+                 [](Particles<dim>& p, const Substep& s)
+                 {
+                     sph::drift(p, s.deltaT);
+                     p.moved(s.deltaT * p.maxSpeed());
+                 }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftByKick()
 {
-    return then({"drift by kick", "x += dt (v_1 - v_0)", [](Particles<dim>& p, const Substep& s) { sph::driftByKick(p, s.deltaT); p.moved(s.deltaT*s.deltaT*largestAcceleration(p)); }});
+    return then({"drift by kick", "x += dt (v_1 - v_0)",
+                 [](Particles<dim>& p, const Substep& s)
+                 {
+                     sph::driftByKick(p, s.deltaT);
+                     p.moved(s.deltaT * s.deltaT * largestAcceleration(p));
+                 }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::predict()
 {
-    return then({"predict", "q_0 = q, q += dt/2 dq/dt", [](Particles<dim>& p, const Substep& s) { sph::predict(p, 0.5*s.deltaT); }});
+    return then({"predict", "q_0 = q, q += dt/2 dq/dt", [](Particles<dim>& p, const Substep& s) { sph::predict(p, 0.5 * s.deltaT); }});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::correct()
@@ -79,7 +97,11 @@ template<int dim> Schedule<dim>& Schedule<dim>::kick()
 template<int dim> Schedule<dim>& Schedule<dim>::kickOnceAStep()
 {
     if (!particles_.plan().hasGroup(onceAStep)) return *this;
-    return then({"kick once a step", "v += (whole dt) dv/dt of what acts once a step", [](Particles<dim>& p, const Substep& s) { kickSlowly(p, s.whole); }, {}, true});
+    return then({"kick once a step",
+                 "v += (whole dt) dv/dt of what acts once a step",
+                 [](Particles<dim>& p, const Substep& s) { kickSlowly(p, s.whole); },
+                 {},
+                 true});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::complete()
@@ -92,10 +114,11 @@ template<int dim> Schedule<dim>& Schedule<dim>::complete()
 
 template<int dim> Schedule<dim>& Schedule<dim>::measure()
 {
-    return then({"measure", "largest speed and acceleration, energy", [this](Particles<dim>& p, const Substep& s)
+    return then({"measure", "largest speed and acceleration, energy",
+                 [this](Particles<dim>& p, const Substep& s)
                  {
                      measure_(s.deltaT);
-                     p.moved(0.5*s.deltaT*p.maxSpeed());
+                     p.moved(0.5 * s.deltaT * p.maxSpeed());
                  }});
 }
 
@@ -115,7 +138,8 @@ template<int dim> void Schedule<dim>::print(std::ostream& out) const
     int number = 0, pass = 0, operation = 0;
     for (const auto& stage : stages_)
     {
-        out << fmt::format("  {}. {:<20} {}{}\n", ++number, stage.name, stage.equation, stage.onceAStep ? " (in the middle one of several parts)" : "");
+        out << fmt::format("  {}. {:<20} {}{}\n", ++number, stage.name, stage.equation,
+                           stage.onceAStep ? " (in the middle one of several parts)" : "");
         for (const auto& group : stage.groups) plan.printGroup(out, plan.group(group), pass, operation);
     }
     plan.printFields(out, particles_.store());

@@ -24,8 +24,12 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& implicitIntegrator()
 {
-    static const Integrator integrator{"implicit", "pressure and viscosity at the end of the step, solved for: no limit by sound, stiffness or viscosity",
-                                       {.solves = true, .solvesPressure = true}, stages<2>, stages<3>};
+    static const Integrator integrator{
+        "implicit",
+        "pressure and viscosity at the end of the step, solved for: no limit by sound, stiffness or viscosity",
+        {.solves = true, .solvesPressure = true},
+        stages<2>,
+        stages<3>};
     return integrator;
 }
 

@@ -26,7 +26,11 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& leapfrogIntegrator()
 {
-    static const Integrator integrator{"leapfrog", "second order, one evaluation a step", {.predicts = true, .keepsRates = true, .viscousFactor = 0.5}, stages<2>, stages<3>};
+    static const Integrator integrator{"leapfrog",
+                                       "second order, one evaluation a step",
+                                       {.predicts = true, .keepsRates = true, .viscousFactor = 0.5},
+                                       stages<2>,
+                                       stages<3>};
     return integrator;
 }
 

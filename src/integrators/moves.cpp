@@ -7,7 +7,8 @@ namespace
 {
 /// to = from + dt rate, component by component
 template<int dim>
-void advance(Particles<dim>& particles, const StateField& field, const std::string& to, const std::string& from, const std::string& rate, double deltaT)
+void advance(Particles<dim>& particles, const StateField& field, const std::string& to, const std::string& from, const std::string& rate,
+             double deltaT)
 {
     auto& store = particles.store();
     const std::size_t n = particles.size();
@@ -15,8 +16,8 @@ void advance(Particles<dim>& particles, const StateField& field, const std::stri
     {
         double* const t = store.component(to, c);
         const double *const f = store.component(from, c), *const r = store.component(rate, c);
-        #pragma omp parallel for simd schedule(static)
-        for (std::size_t i = 0; i < n; ++i) t[i] = f[i] + deltaT*r[i];
+#pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) t[i] = f[i] + deltaT * r[i];
     }
 }
 /// All that a kick acts on.
@@ -36,7 +37,7 @@ template<int dim> void drift(Particles<dim>& p, double deltaT)
 template<int dim> void driftByKick(Particles<dim>& p, double deltaT)
 {
     const std::string x = Position::info.name;
-    advance(p, stateField(Position{}), x, x, Acceleration::info.name, deltaT*deltaT);
+    advance(p, stateField(Position{}), x, x, Acceleration::info.name, deltaT * deltaT);
 }
 
 template<int dim> void kick(Particles<dim>& p, double deltaT)
@@ -46,10 +47,11 @@ template<int dim> void kick(Particles<dim>& p, double deltaT)
 
 template<int dim> void kickCarried(Particles<dim>& p, double deltaT)
 {
-    forEachKicked(p, [&](const Evolving& q)
-    {
-        if (q.value.name != Velocity::info.name) advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
-    });
+    forEachKicked(p,
+                  [&](const Evolving& q)
+                  {
+                      if (q.value.name != Velocity::info.name) advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
+                  });
 }
 
 template<int dim> void kickSlowly(Particles<dim>& p, double deltaT)
@@ -59,11 +61,12 @@ template<int dim> void kickSlowly(Particles<dim>& p, double deltaT)
 
 template<int dim> void predict(Particles<dim>& p, double deltaT)
 {
-    forEachKicked(p, [&](const Evolving& q)
-    {
-        for (int c = 0; c < q.value.in(dim); ++c)
-            std::copy_n(p.store().component(q.value.name, c), p.size(), p.store().component(q.startName(), c));
-    });
+    forEachKicked(p,
+                  [&](const Evolving& q)
+                  {
+                      for (int c = 0; c < q.value.in(dim); ++c)
+                          std::copy_n(p.store().component(q.value.name, c), p.size(), p.store().component(q.startName(), c));
+                  });
     kick(p, deltaT);
     p.setPredicted(true);
 }

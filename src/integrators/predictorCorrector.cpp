@@ -26,7 +26,8 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& predictorCorrectorIntegrator()
 {
-    static const Integrator integrator{"predictorCorrector", "second order, two evaluations a step", {.predicts = true}, stages<2>, stages<3>};
+    static const Integrator integrator{
+        "predictorCorrector", "second order, two evaluations a step", {.predicts = true}, stages<2>, stages<3>};
     return integrator;
 }
 

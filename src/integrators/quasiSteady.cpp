@@ -22,8 +22,11 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& quasiSteadyIntegrator()
 {
-    static const Integrator integrator{"quasiSteady", "creeping flow of particles at rest that changes as what it carries does", {.solves = true, .moves = false},
-                                       stages<2>, stages<3>};
+    static const Integrator integrator{"quasiSteady",
+                                       "creeping flow of particles at rest that changes as what it carries does",
+                                       {.solves = true, .moves = false},
+                                       stages<2>,
+                                       stages<3>};
     return integrator;
 }
 

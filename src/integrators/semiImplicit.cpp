@@ -23,7 +23,8 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& semiImplicitIntegrator()
 {
-    static const Integrator integrator{"semiImplicit", "viscosity at the end of the step, solved for: no viscous limit", {.solves = true}, stages<2>, stages<3>};
+    static const Integrator integrator{
+        "semiImplicit", "viscosity at the end of the step, solved for: no viscous limit", {.solves = true}, stages<2>, stages<3>};
     return integrator;
 }
 

@@ -24,7 +24,8 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& symplecticEulerIntegrator()
 {
-    static const Integrator integrator{"symplecticEuler", "first order in what depends on velocity, one evaluation a step, no memory", {}, stages<2>, stages<3>};
+    static const Integrator integrator{
+        "symplecticEuler", "first order in what depends on velocity, one evaluation a step, no memory", {}, stages<2>, stages<3>};
     return integrator;
 }
 

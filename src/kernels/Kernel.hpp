@@ -23,9 +23,15 @@ public:
 
     double support() const { return H_; }
     /// [1/m^dim]
-    double W(double r) const { return std::visit([&](const auto& k) { return k.W(r); }, choice_); }
+    double W(double r) const
+    {
+        return std::visit([&](const auto& k) { return k.W(r); }, choice_);
+    }
     /// (dW/dr)/r [1/m^(dim + 2)], finite at r = 0
-    double dWdrOverR(double r) const { return std::visit([&](const auto& k) { return k.dWdrOverR(r); }, choice_); }
+    double dWdrOverR(double r) const
+    {
+        return std::visit([&](const auto& k) { return k.dWdrOverR(r); }, choice_);
+    }
     const Choice& choice() const { return choice_; }
 
 private:

@@ -8,11 +8,11 @@ namespace sph
 
 struct Resolution
 {
-    double spacing = 1;      ///< [m]
-    double support = 2.6;    ///< H in spacings
+    double spacing = 1;   ///< [m]
+    double support = 2.6; ///< H in spacings
     std::string kernel = "wendlandC2";
-    Location where;          ///< of the spacing
-    double H() const { return support*spacing; }
+    Location where; ///< of the spacing
+    double H() const { return support * spacing; }
 };
 
 /// Throws CaseError, with every mistake found until then, where it cannot be read: nothing can be made of a scene without.

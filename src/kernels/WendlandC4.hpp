@@ -10,18 +10,18 @@ template<int dim> struct WendlandC4
 {
     static constexpr auto name = "wendlandC4";
     double H;
-    double k = dim == 2 ? 9/(std::numbers::pi*H*H) : 495/(32*std::numbers::pi*H*H*H);
-    double inverseH = 1/H, kPrime = -56.0/3*k/(H*H);
+    double k = dim == 2 ? 9 / (std::numbers::pi * H * H) : 495 / (32 * std::numbers::pi * H * H * H);
+    double inverseH = 1 / H, kPrime = -56.0 / 3 * k / (H * H);
 
     double W(double r) const
     {
-        const double s = r*inverseH, a = std::fmax(0.0, 1 - s);
-        return k*sqr(a*a*a)*(1 + 6*s + 35.0/3*s*s);
+        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        return k * sqr(a * a * a) * (1 + 6 * s + 35.0 / 3 * s * s);
     }
     double dWdrOverR(double r) const
     {
-        const double s = r*inverseH, a = std::fmax(0.0, 1 - s);
-        return kPrime*sqr(sqr(a))*a*(1 + 5*s);
+        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        return kPrime * sqr(sqr(a)) * a * (1 + 5 * s);
     }
 };
 

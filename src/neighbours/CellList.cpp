@@ -16,11 +16,11 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
         low_[c] = *a;
         extent[c] = *b - *a;
     }
-    const double most = 4*double(count) + 1000;
+    const double most = 4 * double(count) + 1000;
     const auto cells = [&](double s)
     {
         double product = 1;
-        for (double e : extent) product *= std::max(1.0, std::floor(e/s));
+        for (double e : extent) product *= std::max(1.0, std::floor(e / s));
         return product;
     };
     while (cells(side) > most) side *= 1.5;
@@ -28,14 +28,14 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
     std::size_t total = 1;
     for (int c = 0; c < dim; ++c)
     {
-        n_[c] = std::max(1, int(extent[c]/side));
-        width_[c] = std::max(side, extent[c]/n_[c]);
+        n_[c] = std::max(1, int(extent[c] / side));
+        width_[c] = std::max(side, extent[c] / n_[c]);
         total *= n_[c];
     }
     begin_.assign(total + 1, 0);
     order_.resize(count);
     cell_.resize(count);
-    #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < count; ++i)
     {
         Vector<dim> p;
@@ -51,7 +51,7 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
     for (int c = 0; c < dim; ++c)
     {
         sorted_[c].resize(count);
-        #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
         for (std::size_t k = 0; k < count; ++k) sorted_[c][k] = x[c][order_[k]];
     }
 }
@@ -66,14 +66,14 @@ template<int dim> std::array<const double*, dim> CellList<dim>::sorted() const
 template<int dim> int CellList<dim>::index(const Cell& a) const
 {
     int k = 0;
-    for (int c = 0; c < dim; ++c) k = k*n_[c] + a[c];
+    for (int c = 0; c < dim; ++c) k = k * n_[c] + a[c];
     return k;
 }
 
 template<int dim> typename CellList<dim>::Cell CellList<dim>::cellOf(Vector<dim> x) const
 {
     Cell a;
-    store(x, [&](int c, double q) { a[c] = std::clamp(int((q - low_[c])/width_[c]), 0, n_[c] - 1); });
+    store(x, [&](int c, double q) { a[c] = std::clamp(int((q - low_[c]) / width_[c]), 0, n_[c] - 1); });
     return a;
 }
 
@@ -83,7 +83,7 @@ template<int dim> void CellList<dim>::runsAround(const Cell& a, double radius, s
     Cell first, last;
     for (int c = 0; c < dim; ++c)
     {
-        const int reach = int(std::ceil(radius/width_[c]));
+        const int reach = int(std::ceil(radius / width_[c]));
         first[c] = std::max(0, a[c] - reach);
         last[c] = std::min(n_[c] - 1, a[c] + reach);
     }

@@ -42,13 +42,13 @@ template<int dim> Tensor<dim> gradientBeyond(const GhostVelocity<dim>& rule, Ten
 {
     mirror.ratio = 1;
     const auto& n = mirror.normal;
-    const auto turned = G - 2*outer(G*n, n);
+    const auto turned = G - 2 * outer(G * n, n);
     Tensor<dim> beyond;
     for (int b = 0; b < dim; ++b)
     {
         Vector<dim> e;
         fetch(e, [&](int c) { return c == b ? 1.0 : 0.0; });
-        beyond += outer(rule.change(turned*e, mirror), e);
+        beyond += outer(rule.change(turned * e, mirror), e);
     }
     return beyond;
 }

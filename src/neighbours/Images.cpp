@@ -29,16 +29,26 @@ template<int dim> Foot Images<dim>::footOf(const Entry& e, int reflection, const
 /// at most, and beyond the support it matters no more.
 template<int dim> double Images<dim>::speedOf(const Foot& f) const
 {
-    const double k = std::max({f.k1, f.k2, 0.0}), d = std::max(f.distance, std::min(f.distance + 0.5*skin_, reach_ - skin_));
-    return k > 0 && f.distance <= reach_ - skin_ ? (1 + k*d)/std::max(1 - k*d, 0.01) : 1;
+    const double k = std::max({f.k1, f.k2, 0.0}), d = std::max(f.distance, std::min(f.distance + 0.5 * skin_, reach_ - skin_));
+    return k > 0 && f.distance <= reach_ - skin_ ? (1 + k * d) / std::max(1 - k * d, 0.01) : 1;
 }
 
 template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
 {
     const auto extent = in<dim>(geometry_->high - geometry_->low);
     Vector<dim> by;
-    fetch(by, [&](int c)
-          { double L = 0; int k = 0; store(extent, [&](int d, double q) { if (k++, d == c) L = q; }); return e.shift[c]*L; });
+    fetch(by,
+          [&](int c)
+          {
+              double L = 0;
+              int k = 0;
+              store(extent,
+                    [&](int d, double q)
+                    {
+                        if (k++, d == c) L = q;
+                    });
+              return e.shift[c] * L;
+          });
     return by;
 }
 
@@ -70,8 +80,7 @@ template<int dim> bool Images<dim>::mirrorsAgain(const Entry& twice, int patch) 
     return cosine > 0.26 && cosine < 0.97;
 }
 
-template<int dim>
-void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x)
+template<int dim> void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x)
 {
     struct Ghost
     {
@@ -84,13 +93,13 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
     if (geometry_->patches.empty() || layers_) return;
 
     const std::size_t chunkSize = 1024;
-    std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1)/chunkSize);
+    std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1) / chunkSize);
     double fastest = 1;
-    #pragma omp parallel for schedule(dynamic) reduction(max: fastest)
+#pragma omp parallel for schedule(dynamic) reduction(max : fastest)
     for (std::size_t chunk = 0; chunk < found.size(); ++chunk)
     {
         std::vector<Ghost> ghosts;
-        for (std::size_t i = chunk*chunkSize; i < std::min(owned_, (chunk + 1)*chunkSize); ++i)
+        for (std::size_t i = chunk * chunkSize; i < std::min(owned_, (chunk + 1) * chunkSize); ++i)
         {
             Vector<dim> x_i;
             fetch(x_i, [&](int c) { return x[c][i]; });
@@ -116,12 +125,19 @@ void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*,
                     next.x = in<dim>(mirrorImage(in3D(from.x), f));
                     ++next.wallReflections;
                     next.speed *= speedOf(f);
-                    if (from.wallReflections > 0 && geometry_->mayBeCovered(p) && !fillsCorner(next.entry, from.wallReflections, in3D(next.x), in3D(x_i))) continue;
+                    if (from.wallReflections > 0 && geometry_->mayBeCovered(p) &&
+                        !fillsCorner(next.entry, from.wallReflections, in3D(next.x), in3D(x_i)))
+                        continue;
                     // Walls at right angles give the same corner image in either order; at 60 degrees a third reflection does.
-                    const bool twin = std::any_of(ghosts.begin() + 1, ghosts.end(), [&](const Ghost& other)
-                        { return (again ? other.wallReflections == 3
-                                        : std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(), next.entry.patch.begin())) &&
-                                 mag(other.x - next.x) < 0.25*spacing_; });
+                    const bool twin =
+                        std::any_of(ghosts.begin() + 1, ghosts.end(),
+                                    [&](const Ghost& other)
+                                    {
+                                        return (again ? other.wallReflections == 3
+                                                      : std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(),
+                                                                            next.entry.patch.begin())) &&
+                                               mag(other.x - next.x) < 0.25 * spacing_;
+                                    });
                     if (twin) continue;
                     ghosts.push_back(next);
                     fastest = std::max(fastest, next.speed);
@@ -150,8 +166,16 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
     {
         if (!geometry_->periodic[c]) continue;
         double low = 0, high = 0;
-        store(in<dim>(geometry_->low), [&](int d, double q) { if (d == c) low = q; });
-        store(in<dim>(geometry_->high), [&](int d, double q) { if (d == c) high = q; });
+        store(in<dim>(geometry_->low),
+              [&](int d, double q)
+              {
+                  if (d == c) low = q;
+              });
+        store(in<dim>(geometry_->high),
+              [&](int d, double q)
+              {
+                  if (d == c) high = q;
+              });
         const std::size_t before = entries.size();
         const auto consider = [&](Entry e)
         {
@@ -159,9 +183,21 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
             Vector<dim> x_i;
             fetch(x_i, [&](int d) { return x[d][e.source]; });
             double q = 0;
-            store(place(e, x_i, feet), [&](int d, double a) { if (d == c) q = a; });
-            if (q < low + reach_) { e.shift[c] = 1; entries.push_back(e); }
-            if (q > high - reach_) { e.shift[c] = -1; entries.push_back(e); }
+            store(place(e, x_i, feet),
+                  [&](int d, double a)
+                  {
+                      if (d == c) q = a;
+                  });
+            if (q < low + reach_)
+            {
+                e.shift[c] = 1;
+                entries.push_back(e);
+            }
+            if (q > high - reach_)
+            {
+                e.shift[c] = -1;
+                entries.push_back(e);
+            }
         };
         for (std::size_t i = 0; i < owned_; ++i)
             if (x[c][i] < low + reach_ || x[c][i] > high - reach_)
@@ -182,10 +218,10 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     reflect(entries_, x);
     shift(entries_, x);
     // Vectors that grow by themselves double: of many images that is more than a field.
-    if (entries_.capacity() > entries_.size() + entries_.size()/10) entries_.shrink_to_fit();
+    if (entries_.capacity() > entries_.size() + entries_.size() / 10) entries_.shrink_to_fit();
     const auto resize = [](auto& v, std::size_t n)
     {
-        if (n > v.capacity()) v.reserve(n + n/20);
+        if (n > v.capacity()) v.reserve(n + n / 20);
         v.resize(n);
     };
     resize(firstFoot_, entries_.size());
@@ -206,7 +242,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     const auto x = store.pointers(Position{});
     double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
     double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
-    #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
         const Entry& e = entries_[k];
@@ -229,7 +265,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         }
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
-    sph::store(low - 1e3*extent, [&](int c, double q) { x[c][nullParticle()] = q; });
+    sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });
     if (weight)
     {
         std::fill_n(weight, owned_, 1.0);
@@ -244,8 +280,8 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 
 template<int dim> std::size_t Images<dim>::bytes() const
 {
-    return (layers_ ? layers_->bytes() : 0) + entries_.capacity()*sizeof(Entry) +
-           feet_.capacity()*sizeof(Feet) + firstFoot_.capacity()*sizeof(unsigned);
+    return (layers_ ? layers_->bytes() : 0) + entries_.capacity() * sizeof(Entry) + feet_.capacity() * sizeof(Feet) +
+           firstFoot_.capacity() * sizeof(unsigned);
 }
 
 template class Images<2>;

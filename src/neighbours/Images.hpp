@@ -74,7 +74,7 @@ public:
 
     /// By how much faster than any particle a particle and an image may part, over twice its speed. 1 but for images inside concave walls,
     /// which move along them (R + d)/(R - d) times as far as their sources.
-    double closingSpeed() const { return 0.5*(1 + fastest_); }
+    double closingSpeed() const { return 0.5 * (1 + fastest_); }
 
     std::size_t owned() const { return owned_; }
     std::size_t count() const { return entries_.size(); }
@@ -85,7 +85,8 @@ public:
     /// patch and there is no image, but not where that place lies in another solid.
     template<class F> void forEachWallNear(Vector<dim> x, const F& f) const
     {
-        forEachFoot(*geometry_, wallsNear(x), in3D(x), Box::infinity, [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
+        forEachFoot(*geometry_, wallsNear(x), in3D(x), Box::infinity,
+                    [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
 
     /// Patches that may be within reach of a point.
@@ -96,7 +97,7 @@ private:
     struct Entry
     {
         int source;
-        std::array<int, mostReflections> patch;   ///< -1 from the first that is not used
+        std::array<int, mostReflections> patch; ///< -1 from the first that is not used
         std::array<signed char, dim> shift;
         /// Of the particle that `source` counts among its own: 0 this rank, k the k-th of those that it exchanges with. In the padding.
         unsigned char rank = 0;
@@ -113,12 +114,12 @@ private:
     const Geometry* geometry_;
     PatchGrid grid_;
     double reach_, spacing_, skin_, fastest_ = 1;
-    std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_;   ///< by field
+    std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_; ///< by field
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0;
     std::vector<Entry> entries_;
-    std::vector<Feet> feet_;                      ///< of all ghosts, as many for each as it has reflections, in order
+    std::vector<Feet> feet_; ///< of all ghosts, as many for each as it has reflections, in order
     std::vector<unsigned> firstFoot_;
 
     /// Multiplies `share` by that of the image in each face that it was mirrored in.
@@ -147,7 +148,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
     constexpr bool ofGradient = F::info.image == Image::ruledGradient;
     [[maybe_unused]] const auto* const rule = images.template rule<std::conditional_t<ofGradient, Vector<dim>, Value>>(F::info.ofRule);
     const std::size_t n = images.entries_.size(), owned = images.owned_;
-    #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < n; ++k)
     {
         const Entry& e = images.entries_[k];
@@ -167,10 +168,10 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                 if constexpr (turned) q = mirrored(q, feet[r].normal);
                 else
                 {
-                    const auto foot = x - feet[r].distance*feet[r].normal;
-                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, images.geometry_->patches[e.patch[r]].wall,
-                                                     in3D(foot)};
-                    x = foot - feet[r].distance*feet[r].normal;
+                    const auto foot = x - feet[r].distance * feet[r].normal;
+                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal,
+                                                     images.geometry_->patches[e.patch[r]].wall, in3D(foot)};
+                    x = foot - feet[r].distance * feet[r].normal;
                     if constexpr (ofGradient) q = gradientBeyond(*rule, q, reflection);
                     else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);
                     else q = rule->change(q, reflection);

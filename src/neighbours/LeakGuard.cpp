@@ -15,17 +15,19 @@ constexpr double closestInSpacings = 0.02, deepestInSpacings = 0.5;
 std::string at(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 }
 
-static const Choice leakedParticles{"leakedParticles", {{"putBack", "and counted"}, {"stop", "ends the run"}}, "putBack", "what becomes of particles in a solid"};
+static const Choice leakedParticles{"leakedParticles",
+                                    {{"putBack", "and counted"}, {"stop", "ends the run"}},
+                                    "putBack",
+                                    "what becomes of particles in a solid"};
 
 EntryList leakGuardEntries() { return {leakedParticles}; }
 
-Leaked readLeakGuard(const Dictionary& sphSchemes)
-{
-    return leakedParticles(sphSchemes) == "stop" ? Leaked::stop : Leaked::putBack;
-}
+Leaked readLeakGuard(const Dictionary& sphSchemes) { return leakedParticles(sphSchemes) == "stop" ? Leaked::stop : Leaked::putBack; }
 
 /// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.
-template<int dim> template<class Depth> std::optional<Vector<dim>> LeakGuard<dim>::nearestWayOut(const Vector<dim>& x, const Depth& depth) const
+template<int dim>
+template<class Depth>
+std::optional<Vector<dim>> LeakGuard<dim>::nearestWayOut(const Vector<dim>& x, const Depth& depth) const
 {
     const int rings = 20;
     for (int ring = 1; ring <= rings; ++ring)
@@ -35,8 +37,8 @@ template<int dim> template<class Depth> std::optional<Vector<dim>> LeakGuard<dim
                 {
                     const Vector<3> direction{double(a), double(b), double(c)};
                     if (a == 0 && b == 0 && c == 0) continue;
-                    const auto y = x + deepestInSpacings*spacing_*ring/rings/mag(direction)*in<dim>(direction);
-                    if (depth(y) <= -closestInSpacings*spacing_) return y;
+                    const auto y = x + deepestInSpacings * spacing_ * ring / rings / mag(direction) * in<dim>(direction);
+                    if (depth(y) <= -closestInSpacings * spacing_) return y;
                 }
     return {};
 }
@@ -45,7 +47,7 @@ template<int dim>
 typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const Velocities& velocities, std::size_t i,
                                                     const Images<dim>& images) const
 {
-    const double closest = closestInSpacings*spacing_;
+    const double closest = closestInSpacings * spacing_;
     Found found;
     for (int c = 0; c < dim; ++c)
     {
@@ -78,19 +80,19 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
             buried = buried || f.distance < -closest;
             continue;
         }
-        if (f.distance < -deepestInSpacings*spacing_)
+        if (f.distance < -deepestInSpacings * spacing_)
         {
             found.lost = true;
             return found;
         }
         const auto n = in<dim>(f.normal);
-        x_i += (closest - f.distance)*n;
+        x_i += (closest - f.distance) * n;
         for (const auto& v : velocities)
         {
             Vector<dim> v_i;
             fetch(v_i, [&](int c) { return v[c][i]; });
             const double inward = std::fmin(0.0, dot(v_i, n));
-            sph::store(v_i - inward*n, [&](int c, double q) { v[c][i] = q; });
+            sph::store(v_i - inward * n, [&](int c, double q) { v[c][i] = q; });
         }
         sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
     }
@@ -114,10 +116,11 @@ template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x,
 {
     const double d = std::max(found.depth, -geometry_.distance(x));
     const auto wall = found.wall >= 0 ? fmt::format(" \"{}\"", geometry_.walls[std::size_t(found.wall)].name) : "";
-    throw CaseError(fmt::format("particle {} at {} {}", i, at(x),
-                                d > 0 ? fmt::format("is {:.3g} m beyond a wall{}{}", d, wall,
-                                                    found.lost ? "" : ", and `leakedParticles stop;` of system/sphSchemes lets none be put back")
-                                      : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
+    throw CaseError(
+        fmt::format("particle {} at {} {}", i, at(x),
+                    d > 0 ? fmt::format("is {:.3g} m beyond a wall{}{}", d, wall,
+                                        found.lost ? "" : ", and `leakedParticles stop;` of system/sphSchemes lets none be put back")
+                          : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
 }
 
 template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
@@ -125,7 +128,8 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
     const std::array<double*, dim> x = store.pointers(Position{});
     // Between prediction and correction the velocity at the start of the step counts: the correction begins from it.
     Velocities velocities{store.pointers(Velocity{})};
-    if (const std::string start = std::string(Velocity::info.name) + "_0"; store.has(start)) velocities.push_back(store.template pointers<Velocity>(start));
+    if (const std::string start = std::string(Velocity::info.name) + "_0"; store.has(start))
+        velocities.push_back(store.template pointers<Velocity>(start));
     const auto place = [&](std::size_t i)
     {
         Vector<dim> x_i;
@@ -134,13 +138,13 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
     };
     std::size_t first = owned;
     Found worst;
-    #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned; ++i)
     {
         const Vector<3> before = leaked_ == Leaked::stop ? place(i) : Vector<3>{};
         const Found found = keep(x, velocities, i, images);
         if (!found.lost && found.depth == 0) continue;
-        #pragma omp critical
+#pragma omp critical
         {
             if (found.lost || leaked_ == Leaked::stop)
             {
@@ -148,7 +152,8 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
                 {
                     first = i;
                     worst = found;
-                    if (leaked_ == Leaked::stop && !found.lost) sph::store(in<dim>(before), [&](int c, double q) { x[std::size_t(c)][i] = q; });
+                    if (leaked_ == Leaked::stop && !found.lost)
+                        sph::store(in<dim>(before), [&](int c, double q) { x[std::size_t(c)][i] = q; });
                 }
             }
             else

@@ -10,17 +10,17 @@ template<int dim>
 void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius)
 {
     // Half the radius: 5^dim cells hold 40 % fewer candidates than 3^dim cells of the full radius.
-    cells_.build(x, total, 0.5*radius);
-    chunks_.resize((owned + chunkSize - 1)/chunkSize);
+    cells_.build(x, total, 0.5 * radius);
+    chunks_.resize((owned + chunkSize - 1) / chunkSize);
     const auto sorted = cells_.sorted();
     const double* position[dim];
     for (int c = 0; c < dim; ++c) position[c] = sorted[c];
 
     std::size_t crowded = total;
-    #pragma omp parallel
+#pragma omp parallel
     {
         std::vector<typename CellList<dim>::Run> runs;
-        #pragma omp for schedule(dynamic)
+#pragma omp for schedule(dynamic)
         for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk)
         {
             Chunk& out = chunks_[chunk];
@@ -29,7 +29,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
             typename CellList<dim>::Cell last;
             last.fill(-1);
             std::size_t candidates = 0;
-            for (std::size_t i = chunk*chunkSize; i < std::min(owned, (chunk + 1)*chunkSize); ++i)
+            for (std::size_t i = chunk * chunkSize; i < std::min(owned, (chunk + 1) * chunkSize); ++i)
             {
                 Vector<dim> x_i;
                 fetch(x_i, [&](int c) { return x[c][i]; });
@@ -40,8 +40,8 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     candidates = 0;
                     for (const auto& r : runs) candidates += r.end - r.begin;
                 }
-                if (used + candidates + 2*lanes > out.entries.size()) out.entries.resize(used + used/2 + 8*candidates + 2*lanes);
-                out.begin[i%chunkSize] = used;
+                if (used + candidates + 2 * lanes > out.entries.size()) out.entries.resize(used + used / 2 + 8 * candidates + 2 * lanes);
+                out.begin[i % chunkSize] = used;
                 int* const entries = out.entries.data() + used;
                 int n = 0;
                 for (const auto& r : runs)
@@ -49,13 +49,13 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                 out.pairs += n;
                 if (n > mostNeighbours)
                 {
-                    #pragma omp critical
+#pragma omp critical
                     crowded = std::min(crowded, i);
                     n = mostNeighbours;
                 }
-                while (n%lanes) entries[n++] = int(total);
+                while (n % lanes) entries[n++] = int(total);
                 used += n;
-                out.begin[i%chunkSize + 1] = used;
+                out.begin[i % chunkSize + 1] = used;
             }
         }
     }
@@ -64,9 +64,10 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
         Vector<dim> p;
         fetch(p, [&](int c) { return x[c][crowded]; });
         const auto q = in3D(p);
-        throw CaseError(fmt::format("particle {} at ({:.6g} {:.6g} {:.6g}) has more than {} neighbours: particles lie on top of one another, "
-                                    "or the kernel support is too many spacings",
-                                    crowded, q.x, q.y, q.z, mostNeighbours));
+        throw CaseError(
+            fmt::format("particle {} at ({:.6g} {:.6g} {:.6g}) has more than {} neighbours: particles lie on top of one another, "
+                        "or the kernel support is too many spacings",
+                        crowded, q.x, q.y, q.z, mostNeighbours));
     }
     pairs_ = 0;
     for (const auto& c : chunks_) pairs_ += c.pairs;
@@ -84,7 +85,8 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
     std::size_t n = 0;
-    for (const auto& c : chunks_) n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity() + c.withinCount.capacity())*sizeof(int);
+    for (const auto& c : chunks_)
+        n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);
     return n;
 }
 

@@ -23,24 +23,24 @@ public:
 
     std::span<const int> of(std::size_t i) const
     {
-        const Chunk& c = chunks_[i/chunkSize];
-        return {c.entries.data() + c.begin[i%chunkSize], c.entries.data() + c.begin[i%chunkSize + 1]};
+        const Chunk& c = chunks_[i / chunkSize];
+        return {c.entries.data() + c.begin[i % chunkSize], c.entries.data() + c.begin[i % chunkSize + 1]};
     }
     /// What a pass found within the support, kept for the passes behind it: they need not look at the skin again. `makeRoom` once before a
     /// loop of `keep`s; j holds a multiple of the lanes.
     void makeRoomWithin();
     void keepWithin(std::size_t i, const long* j, int n)
     {
-        Chunk& c = chunks_[i/chunkSize];
-        int* const to = c.within.data() + c.begin[i%chunkSize];
-        #pragma GCC ivdep
+        Chunk& c = chunks_[i / chunkSize];
+        int* const to = c.within.data() + c.begin[i % chunkSize];
+#pragma GCC ivdep
         for (int t = 0; t < n; ++t) to[t] = int(j[t]);
-        c.withinCount[i%chunkSize] = n;
+        c.withinCount[i % chunkSize] = n;
     }
     std::span<const int> within(std::size_t i) const
     {
-        const Chunk& c = chunks_[i/chunkSize];
-        return {c.within.data() + c.begin[i%chunkSize], std::size_t(c.withinCount[i%chunkSize])};
+        const Chunk& c = chunks_[i / chunkSize];
+        return {c.within.data() + c.begin[i % chunkSize], std::size_t(c.withinCount[i % chunkSize])};
     }
     /// Without padding, self included.
     std::size_t pairs() const { return pairs_; }
@@ -53,7 +53,7 @@ private:
     {
         std::vector<int> entries;
         std::array<unsigned, chunkSize + 1> begin;
-        std::vector<int> within, withinCount;      ///< at the places of `entries`, none where no pass keeps
+        std::vector<int> within, withinCount; ///< at the places of `entries`, none where no pass keeps
         std::size_t pairs;
     };
     std::vector<Chunk> chunks_;

@@ -21,25 +21,25 @@ template<int dim> struct Pair
     Vector<dim> x;
     double r, W, dWdrOverR;
     long j;
-    Vector<dim> gradW = dWdrOverR*x;
+    Vector<dim> gradW = dWdrOverR * x;
 };
 
 template<int dim> struct Stencil
 {
-    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2*lanes, maxColumns = 32;
+    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 32;
     using Column = double[capacity];
 
-    int i, n;                                    ///< particle; entries, a multiple of the lanes
-    alignas(64) long j[capacity];                ///< as wide as a double: gathers of whole vectors
+    int i, n;                     ///< particle; entries, a multiple of the lanes
+    alignas(64) long j[capacity]; ///< as wide as a double: gathers of whole vectors
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
-    int kept[capacity];                          ///< of a list with a skin, those within the support
+    int kept[capacity]; ///< of a list with a skin, those within the support
 
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
 
     /// Packed arrays worth their memory for so many columns: the positions and the first columns, then full eights. What is left over is
     /// gathered by index: a two-phase bed by curvature, whose one such pass has five left over, was not measurably slower, and 65 bytes smaller.
-    static constexpr int recordArrays(int columnCount) { return 1 + std::max(0, columnCount - packedColumns)/recordSize; }
+    static constexpr int recordArrays(int columnCount) { return 1 + std::max(0, columnCount - packedColumns) / recordSize; }
 
     struct Factors
     {
@@ -52,8 +52,8 @@ template<int dim> struct Stencil
     /// until `applyFactors`.
     template<class K>
     [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
-                               const double* records, std::size_t recordArray, std::span<const double* const> columns,
-                               const K kernel, bool readsW, long nullParticle)
+                               const double* records, std::size_t recordArray, std::span<const double* const> columns, const K kernel,
+                               bool readsW, long nullParticle)
     {
         i = particle;
         Vector<dim> x_i;
@@ -62,25 +62,25 @@ template<int dim> struct Stencil
         if (!within)
         {
             int found = selectRecords<dim>(records, list.data(), int(list.size()), x_i, sqr(kernel.H), kept);
-            while (found%lanes) kept[found++] = int(nullParticle);
+            while (found % lanes) kept[found++] = int(nullParticle);
             list = {kept, std::size_t(found)};
         }
         n = int(list.size());
         fromRecords(records, list.data(), x_i, sqr(kernel.H), packed);
 
-        #pragma GCC ivdep
+#pragma GCC ivdep
         for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
         if (readsW)
-            #pragma GCC ivdep
+#pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
 
         std::size_t c = packed;
         for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
-            gatherColumns(records + array*recordArray, j, n, field + c);
+            gatherColumns(records + array * recordArray, j, n, field + c);
         for (; c < columns.size(); ++c)
         {
             const double* const source = columns[c];
-            #pragma GCC ivdep
+#pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
         }
     }
@@ -94,34 +94,38 @@ template<int dim> struct Stencil
             const double* const N = field[factors.scale];
             const double N_i = columns[factors.scale][i];
             if (weight)
-                #pragma GCC ivdep
-                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2*weight[t]/(N_i + N[t]);
+#pragma GCC ivdep
+                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 * weight[t] / (N_i + N[t]);
             else
-                #pragma GCC ivdep
-                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2/(N_i + N[t]);
+#pragma GCC ivdep
+                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 / (N_i + N[t]);
         }
         else if (weight)
-            #pragma GCC ivdep
+#pragma GCC ivdep
             for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
         if (weight && readsW)
-            #pragma GCC ivdep
+#pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] *= weight[t];
     }
 
     void fromRecords(const double* records, const int* list, Vector<dim> x_i, double radiusSqr, int packed)
     {
         const auto gather = [&]<int count>(std::integral_constant<int, count>)
-        {
-            gatherRecords<dim, count>(records, list, n, x_i, radiusSqr, *this);
-        };
+        { gatherRecords<dim, count>(records, list, n, x_i, radiusSqr, *this); };
         switch (packed)
         {
-            case 0: return gather(std::integral_constant<int, 0>{});
-            case 1: return gather(std::integral_constant<int, 1>{});
-            case 2: return gather(std::integral_constant<int, 2>{});
-            case 3: return gather(std::integral_constant<int, 3>{});
-            case 4: return gather(std::integral_constant<int, 4>{});
-            default: return gather(std::integral_constant<int, packedColumns>{});
+        case 0:
+            return gather(std::integral_constant<int, 0>{});
+        case 1:
+            return gather(std::integral_constant<int, 1>{});
+        case 2:
+            return gather(std::integral_constant<int, 2>{});
+        case 3:
+            return gather(std::integral_constant<int, 3>{});
+        case 4:
+            return gather(std::integral_constant<int, 4>{});
+        default:
+            return gather(std::integral_constant<int, packedColumns>{});
         }
     }
 

@@ -10,37 +10,41 @@ namespace sph
 
 template<int dim>
 WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel, double reach, double spacing)
-    : geometry_(geometry), kernel_(kernel), closest_(0.25*spacing)
+    : geometry_(geometry), kernel_(kernel), closest_(0.25 * spacing)
 {
     const auto within = [&](Vector<3> x)
     {
         for (int c = 0; c < dim; ++c)
-            if (geometry.periodic[c] && (x.*component(c) < geometry.low.*component(c) - reach || x.*component(c) > geometry.high.*component(c) + reach))
+            if (geometry.periodic[c] &&
+                (x.*component(c) < geometry.low.*component(c) - reach || x.*component(c) > geometry.high.*component(c) + reach))
                 return false;
         return true;
     };
     const auto add = [&](const LayerParticle& particle, Vector<3> x, int original)
     {
         Particle p{in<dim>(x), particle.volumeFactor, original, unsigned(walls_.size()), 0};
-        forEachFootAlone(geometry, x, 0, [&](const Foot& foot, int k)
-        {
-            if (foot.distance == 0 || p.walls == dim) return;
-            walls_.push_back({k, geometry.patches[std::size_t(k)].wall, foot, x - foot.distance*foot.normal});
-            ++p.walls;
-        });
+        forEachFootAlone(geometry, x, 0,
+                         [&](const Foot& foot, int k)
+                         {
+                             if (foot.distance == 0 || p.walls == dim) return;
+                             walls_.push_back({k, geometry.patches[std::size_t(k)].wall, foot, x - foot.distance * foot.normal});
+                             ++p.walls;
+                         });
         if (p.walls == 0)
             throw CaseError({"constant/lagrangian/wallLayers/positions", 0},
-                            fmt::format("the particle at ({:.6g} {:.6g} {:.6g}) does not lie in a wall: run meshToGhost again", x.x, x.y, x.z));
+                            fmt::format("the particle at ({:.6g} {:.6g} {:.6g}) does not lie in a wall: run meshToGhost again", x.x, x.y,
+                                        x.z));
         weighted_ = weighted_ || std::abs(p.weight - 1) > 1e-12;
         particles_.push_back(p);
     };
     for (const auto& particle : geometry.layers) add(particle, particle.x, int(particles_.size()));
     const auto originals = particles_.size();
     for (std::size_t k = 0; k < originals; ++k)
-        forEachPeriodicShift(geometry, [&](const Vector<3>& by)
-        {
-            if (const auto x = geometry.layers[k].x + by; within(x)) add(geometry.layers[k], x, int(k));
-        });
+        forEachPeriodicShift(geometry,
+                             [&](const Vector<3>& by)
+                             {
+                                 if (const auto x = geometry.layers[k].x + by; within(x)) add(geometry.layers[k], x, int(k));
+                             });
     firstPair_.assign(originals + 1, 0);
 }
 
@@ -83,48 +87,52 @@ template<int dim> void WallLayers<dim>::extrapolate(FieldStore<dim>& store, cons
     else withDirectedValue<dim>(type, as);
 }
 
-template<int dim> template<class Value>
+template<int dim>
+template<class Value>
 void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& field, const GhostRule<Value, dim>* rule) const
 {
     const auto x = store.pointers(Position{});
     std::array<double*, std::size_t(components<Value>)> q;
     for (std::size_t c = 0; c < q.size(); ++c) q[c] = store.component(field, int(c));
     const auto originals = firstPair_.size() - 1;
-    std::visit([&](const auto& kernel)
-    {
-        #pragma omp parallel for schedule(static)
-        for (std::size_t k = 0; k < originals; ++k)
+    std::visit(
+        [&](const auto& kernel)
         {
-            Value sum{};
-            double weight = 0;
-            for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
+#pragma omp parallel for schedule(static)
+            for (std::size_t k = 0; k < originals; ++k)
             {
-                const auto [i, j] = pairs_[pair];
-                const Particle& particle = particles_[std::size_t(j)];
-                Vector<dim> x_i;
-                fetch(x_i, [&](int c) { return x[c][i]; });
-                const double r = mag(x_i - particle.x);
-                if (r >= kernel.H) continue;
-                Value q_j;
-                fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
-                if (rule)
-                    for (const Behind& behind : wallsOf(particle))
-                        q_j = (*rule)(q_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
-                const double W = kernel.W(r);
-                sum += W*q_j;
-                weight += W;
+                Value sum{};
+                double weight = 0;
+                for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
+                {
+                    const auto [i, j] = pairs_[pair];
+                    const Particle& particle = particles_[std::size_t(j)];
+                    Vector<dim> x_i;
+                    fetch(x_i, [&](int c) { return x[c][i]; });
+                    const double r = mag(x_i - particle.x);
+                    if (r >= kernel.H) continue;
+                    Value q_j;
+                    fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
+                    if (rule)
+                        for (const Behind& behind : wallsOf(particle))
+                            q_j =
+                                (*rule)(q_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
+                    const double W = kernel.W(r);
+                    sum += W * q_j;
+                    weight += W;
+                }
+                sph::store(sum, [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a / weight : 0; });
             }
-            sph::store(sum, [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a/weight : 0; });
-        }
-    }, kernel_.choice());
+        },
+        kernel_.choice());
     for (std::size_t k = originals; k < particles_.size(); ++k)
         for (std::size_t c = 0; c < q.size(); ++c) q[std::size_t(c)][first_ + k] = q[c][first_ + std::size_t(particles_[k].original)];
 }
 
 template<int dim> std::size_t WallLayers<dim>::bytes() const
 {
-    return particles_.capacity()*sizeof(Particle) + walls_.capacity()*sizeof(Behind) + pairs_.capacity()*sizeof(PressurePair) +
-           firstPair_.capacity()*sizeof(std::size_t);
+    return particles_.capacity() * sizeof(Particle) + walls_.capacity() * sizeof(Behind) + pairs_.capacity() * sizeof(PressurePair) +
+           firstPair_.capacity() * sizeof(std::size_t);
 }
 
 template class WallLayers<2>;

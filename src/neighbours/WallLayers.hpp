@@ -55,38 +55,38 @@ public:
 
     /// Gives the wall particles of a stencil what its particle sees in them. `columns`: the fields that the stencil has gathered, each with
     /// its `info` and `type`, first to last; `own`: where each column comes from; `scale`: the column of gradientScale, or -1.
-    void continueInto(Stencil<dim>&, std::span<const GhostVelocity<dim>* const> rules, const auto& columns, std::span<const double* const> own,
-                      int scale) const;
+    void continueInto(Stencil<dim>&, std::span<const GhostVelocity<dim>* const> rules, const auto& columns,
+                      std::span<const double* const> own, int scale) const;
 
     std::size_t bytes() const;
 
 private:
-    struct Behind                ///< one wall, of those that a particle lies behind
+    struct Behind ///< one wall, of those that a particle lies behind
     {
         int patch, wall;
         Foot foot;
-        Vector<3> surface;       ///< the foot point
+        Vector<3> surface; ///< the foot point
     };
     struct Particle
     {
         Vector<dim> x;
         double weight;
-        int original;            ///< that this is a periodic copy of: itself, or one before
+        int original; ///< that this is a periodic copy of: itself, or one before
         unsigned firstWall, walls;
     };
     struct PressurePair
     {
-        int i, j;                ///< fluid; copy of the wall particle
+        int i, j; ///< fluid; copy of the wall particle
     };
 
     const Geometry& geometry_;
     Kernel<dim> kernel_;
-    double closest_;                         ///< least d_i [m]
+    double closest_; ///< least d_i [m]
     bool weighted_ = false;
     std::size_t first_ = 0;
     std::vector<Particle> particles_;
     std::vector<Behind> walls_;
-    std::vector<PressurePair> pairs_;        ///< of original k: pairs_[firstPair_[k]] to pairs_[firstPair_[k + 1] - 1]
+    std::vector<PressurePair> pairs_; ///< of original k: pairs_[firstPair_[k]] to pairs_[firstPair_[k + 1] - 1]
     std::vector<std::size_t> firstPair_;
 
     std::span<const Behind> wallsOf(const Particle& p) const { return {walls_.data() + p.firstWall, p.walls}; }
@@ -101,7 +101,12 @@ private:
     {
         const double d_j = -b.foot.distance, k1 = b.foot.k1, k2 = b.foot.k2;
         const bool flat = k1 == 0 && k2 == 0;
-        return {d_i, flat ? 1 : (1 + k1*d_j)*(1 + k2*d_j)/((1 - k1*d_i)*(1 - k2*d_i)), in<dim>(b.foot.normal), b.wall, b.surface, d_j/d_i};
+        return {d_i,
+                flat ? 1 : (1 + k1 * d_j) * (1 + k2 * d_j) / ((1 - k1 * d_i) * (1 - k2 * d_i)),
+                in<dim>(b.foot.normal),
+                b.wall,
+                b.surface,
+                d_j / d_i};
     }
 };
 
@@ -126,9 +131,10 @@ public:
             if (known_[k].patch == behind.patch) return known_[k];
         const auto x = in3D(x_);
         const Foot foot = layers_.geometry_.patches[std::size_t(behind.patch)].shape->foot(x);
-        Known& fresh = known_[n_++%known_.size()];
+        Known& fresh = known_[n_++ % known_.size()];
         fresh = {behind.patch, std::max(layers_.closest_, foot.distance), {}};
-        if (layers_.turns(behind.wall)) fresh.velocity = in<dim>(layers_.geometry_.wallVelocity(behind.wall, x - foot.distance*foot.normal));
+        if (layers_.turns(behind.wall))
+            fresh.velocity = in<dim>(layers_.geometry_.wallVelocity(behind.wall, x - foot.distance * foot.normal));
         return fresh;
     }
 };
@@ -141,7 +147,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const GhostV
     const auto count = static_cast<unsigned long>(particles_.size());
     const auto isWall = [&](long j) { return static_cast<unsigned long>(j - first) < count; };
     int found = 0;
-    #pragma omp simd reduction(+: found)
+#pragma omp simd reduction(+ : found)
     for (int t = 0; t < stencil.n; ++t) found += isWall(stencil.j[t]);
     if (found == 0) return;
 

@@ -22,9 +22,9 @@ namespace detail
 /// Of any width; what an instruction set does better hides it by the same name.
 template<int lanes> struct AnyLanes
 {
-    typedef double Doubles __attribute__((vector_size(8*lanes)));
-    typedef long Longs __attribute__((vector_size(8*lanes)));
-    typedef int Ints __attribute__((vector_size(4*lanes)));
+    typedef double Doubles __attribute__((vector_size(8 * lanes)));
+    typedef long Longs __attribute__((vector_size(8 * lanes)));
+    typedef int Ints __attribute__((vector_size(4 * lanes)));
     using Mask = Longs;
     static constexpr int count = lanes;
 
@@ -47,18 +47,18 @@ template<int lanes> struct AnyLanes
 private:
     template<int odd, int... k> static Doubles interleaved(Doubles a, Doubles b, std::integer_sequence<int, k...>)
     {
-        return __builtin_shufflevector(a, b, (k/2*2 + odd + k%2*lanes)...);
+        return __builtin_shufflevector(a, b, (k / 2 * 2 + odd + k % 2 * lanes)...);
     }
 };
 
 /// For each set of kept lanes the lanes in the order in which a compress leaves them; a lane has so many `parts`.
 template<int lanes, int parts> constexpr auto compressOrders()
 {
-    std::array<std::array<int, lanes*parts>, 1 << lanes> orders{};
+    std::array<std::array<int, lanes * parts>, 1 << lanes> orders{};
     for (int set = 0; set < 1 << lanes; ++set)
         for (int lane = 0, to = 0; lane < lanes; ++lane)
             if (set >> lane & 1)
-                for (int part = 0; part < parts; ++part) orders[set][to++] = lane*parts + part;
+                for (int part = 0; part < parts; ++part) orders[set][to++] = lane * parts + part;
     return orders;
 }
 }
@@ -147,13 +147,13 @@ template<class L> struct TwoColumns
 };
 template<class L, class At> TwoColumns<L> loadColumns(const At& at)
 {
-    const auto even = L::loadPairs([&](int k) { return at(2*k); }), odd = L::loadPairs([&](int k) { return at(2*k + 1); });
+    const auto even = L::loadPairs([&](int k) { return at(2 * k); }), odd = L::loadPairs([&](int k) { return at(2 * k + 1); });
     return {L::evenOf(even, odd), L::oddOf(even, odd)};
 }
 template<class L, class At> void storeColumns(const At& at, TwoColumns<L> columns)
 {
-    L::storePairs([&](int k) { return at(2*k); }, L::evenOf(columns.first, columns.second));
-    L::storePairs([&](int k) { return at(2*k + 1); }, L::oddOf(columns.first, columns.second));
+    L::storePairs([&](int k) { return at(2 * k); }, L::evenOf(columns.first, columns.second));
+    L::storePairs([&](int k) { return at(2 * k + 1); }, L::oddOf(columns.first, columns.second));
 }
 
 }

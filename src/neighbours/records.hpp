@@ -27,11 +27,11 @@ template<int dim, class L> struct Differences
     {
         x[0] = x_i.x - column[0].first;
         x[1] = x_i.y - column[0].second;
-        sqr = x[0]*x[0] + x[1]*x[1];
+        sqr = x[0] * x[0] + x[1] * x[1];
         if constexpr (dim == 3)
         {
             x[2] = x_i.z - column[1].first;
-            sqr += x[2]*x[2];
+            sqr += x[2] * x[2];
         }
     }
 };
@@ -44,12 +44,12 @@ inline int selectRecords(const double* records, const int* list, int n, Vector<d
 {
     const typename L::Doubles limit = L::all(radiusSqr);
     long found = 0;
-    #pragma GCC unroll 2 // with AVX2 the force pass gains 1 to 2 %
+#pragma GCC unroll 2 // with AVX2 the force pass gains 1 to 2 %
     for (int t = 0; t < n; t += L::count)
     {
         TwoColumns<L> column[2];
         for (int c = 0; c < dim - 1; ++c)
-            column[c] = loadColumns<L>([&](int k) { return records + long(list[t + k])*recordSize + 2*c; });
+            column[c] = loadColumns<L>([&](int k) { return records + long(list[t + k]) * recordSize + 2 * c; });
         const unsigned bits = L::bits(L::less(detail::Differences<dim, L>(x, column).sqr, limit));
         L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t), bits));
         found += std::popcount(bits);
@@ -63,20 +63,21 @@ template<int dim, int nFields, class L = WidestLanes, class Block>
 inline void gatherRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, Block& to)
 {
     using Doubles = typename L::Doubles;
-    const Doubles limit = L::all(radiusSqr), beyond = L::all(4*radiusSqr);
+    const Doubles limit = L::all(radiusSqr), beyond = L::all(4 * radiusSqr);
     for (int t = 0; t < n; t += L::count)
     {
         const double* record[L::count];
-        for (int k = 0; k < L::count; ++k) record[k] = records + long(list[t + k])*recordSize;
-        TwoColumns<L> column[recordSize/2];
-        for (int c = 0; c < (dim + nFields + 1)/2; ++c) column[c] = loadColumns<L>([&](int k) { return record[k] + 2*c; });
+        for (int k = 0; k < L::count; ++k) record[k] = records + long(list[t + k]) * recordSize;
+        TwoColumns<L> column[recordSize / 2];
+        for (int c = 0; c < (dim + nFields + 1) / 2; ++c) column[c] = loadColumns<L>([&](int k) { return record[k] + 2 * c; });
 
         const detail::Differences<dim, L> ij(x, {column[0], column[1]});
         const auto near = L::less(ij.sqr, limit);
         for (int c = 0; c < dim; ++c) L::store(&to.x[c][t], L::choose(near, ij.x[c], Doubles{}));
         L::store(&to.r[t], L::sqrt(L::choose(near, ij.sqr, beyond)));
         L::store(&to.j[t], L::widened(L::template load<typename L::Ints>(list + t)));
-        for (int f = 0; f < nFields; ++f) L::store(&to.field[f][t], (dim + f)%2 ? column[(dim + f)/2].second : column[(dim + f)/2].first);
+        for (int f = 0; f < nFields; ++f)
+            L::store(&to.field[f][t], (dim + f) % 2 ? column[(dim + f) / 2].second : column[(dim + f) / 2].first);
     }
 }
 
@@ -86,7 +87,7 @@ template<class L = WidestLanes, class Column> inline void gatherColumns(const do
     for (int t = 0; t < n; t += L::count)
         for (int c = 0; c < recordSize; c += 2)
         {
-            const auto column = loadColumns<L>([&](int k) { return records + j[t + k]*recordSize + c; });
+            const auto column = loadColumns<L>([&](int k) { return records + j[t + k] * recordSize + c; });
             L::store(field[c] + t, column.first);
             L::store(field[c + 1] + t, column.second);
         }
@@ -99,10 +100,10 @@ template<class L = WidestLanes> inline void packRecords(const double* const (&fr
     std::size_t i = 0;
     for (; i + L::count <= count; i += L::count)
         for (int c = 0; c < recordSize; c += 2)
-            storeColumns<L>([&](int k) { return to + (i + k)*recordSize + c; },
+            storeColumns<L>([&](int k) { return to + (i + k) * recordSize + c; },
                             {L::template load<Doubles>(from[c] + i), L::template load<Doubles>(from[c + 1] + i)});
     for (; i < count; ++i)
-        for (int c = 0; c < recordSize; ++c) to[i*recordSize + c] = from[c][i];
+        for (int c = 0; c < recordSize; ++c) to[i * recordSize + c] = from[c][i];
 }
 
 }

@@ -20,11 +20,11 @@ inline int selectWithin(const double* const (&position)[dim], const int* order, 
     const auto select = [&](const auto& load, unsigned lanes) __attribute__((always_inline))
     {
         const Doubles dx = load(position[0]) - x.x, dy = load(position[1]) - x.y;
-        Doubles rSqr = dx*dx + dy*dy;
+        Doubles rSqr = dx * dx + dy * dy;
         if constexpr (dim == 3)
         {
             const Doubles dz = load(position[2]) - x.z;
-            rSqr += dz*dz;
+            rSqr += dz * dz;
         }
         const unsigned bits = L::bits(L::less(rSqr, limit)) & lanes;
         L::store(out + found, L::compress(load(order), bits));
@@ -32,11 +32,13 @@ inline int selectWithin(const double* const (&position)[dim], const int* order, 
     };
     int b = begin;
     for (; b + L::count <= end; b += L::count)
-        select([&]<class T>(const T* from)
-        {
-            if constexpr (std::is_same_v<T, int>) return L::template load<typename L::Ints>(from + b);
-            else return L::template load<Doubles>(from + b);
-        }, ~0u);
+        select(
+            [&]<class T>(const T* from)
+            {
+                if constexpr (std::is_same_v<T, int>) return L::template load<typename L::Ints>(from + b);
+                else return L::template load<Doubles>(from + b);
+            },
+            ~0u);
     if (b < end) select([&](const auto* from) { return L::loadFirst(from + b, end - b); }, (1u << (end - b)) - 1);
     return found;
 }

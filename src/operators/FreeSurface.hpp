@@ -28,7 +28,7 @@ struct OutwardNormal
     using Reads = Fields<Volume, LeastEigenvalue>;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*(i.lambda - j.lambda)*ij.gradW; }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * (i.lambda - j.lambda) * ij.gradW; }
 };
 
 }

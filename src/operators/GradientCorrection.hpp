@@ -15,7 +15,7 @@ struct MomentTensor
 {
     using Reads = Fields<Volume>;
     static constexpr bool ofRawGradient = true;
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return -j.V*ij.dWdrOverR*outer(ij.x); }
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return -j.V * ij.dWdrOverR * outer(ij.x); }
 };
 
 struct GradientCorrection : MomentTensor
@@ -24,7 +24,7 @@ struct GradientCorrection : MomentTensor
     using Provides = CorrectionTensor;
     static constexpr double least = 0.1;
 
-    auto finish(const auto&, const auto& B) const { return leastEigenvalue(B) > least ? 1/determinant(B)*adjugate(B) : identity(B); }
+    auto finish(const auto&, const auto& B) const { return leastEigenvalue(B) > least ? 1 / determinant(B) * adjugate(B) : identity(B); }
 };
 
 }

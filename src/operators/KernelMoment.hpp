@@ -23,7 +23,7 @@ struct SecondMoment
     using Provides = KernelMoment;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto&, const auto&) const { return -1.0/dimensions(ij.x)*ij.dWdrOverR*sqr(ij.r); }
+    auto operator()(const auto& ij, const auto&, const auto&) const { return -1.0 / dimensions(ij.x) * ij.dWdrOverR * sqr(ij.r); }
 };
 
 struct GradientNormalisation
@@ -33,7 +33,7 @@ struct GradientNormalisation
     using ReadsOwn = Fields<KernelMoment, Volume>;
 
     static constexpr double least = 0.5;
-    auto operator()(const auto& i) const { return std::fmax(least, i.M*i.V); }
+    auto operator()(const auto& i) const { return std::fmax(least, i.M * i.V); }
 };
 
 }

@@ -16,7 +16,7 @@ struct StressDivergence
     using Reads = Fields<Stress, Volume>;
     using ReadsOwn = Fields<Mass>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return 1/i.m*((sqr(i.V)*i.S + sqr(j.V)*j.S)*ij.gradW); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * ((sqr(i.V) * i.S + sqr(j.V) * j.S) * ij.gradW); }
 };
 
 /// The pair's stress weighed by the densities, as the density-weighted pressure weighs p (S = -p I gives that form):
@@ -34,7 +34,7 @@ struct DensityWeightedStressDivergence
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return (sqr(i.V) + sqr(j.V))/(i.m*(i.rho + j.rho))*((j.rho*i.S + i.rho*j.S)*ij.gradW);
+        return (sqr(i.V) + sqr(j.V)) / (i.m * (i.rho + j.rho)) * ((j.rho * i.S + i.rho * j.S) * ij.gradW);
     }
 };
 

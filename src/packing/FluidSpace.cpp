@@ -13,7 +13,7 @@ namespace
 {
 constexpr double roundOff = 1e-9;
 
-double measure(const Vector<3>& length, int dimension) { return length.x*length.y*(dimension == 3 ? length.z : 1); }
+double measure(const Vector<3>& length, int dimension) { return length.x * length.y * (dimension == 3 ? length.z : 1); }
 
 /// Does the flat patch normal to `axis` reach from one side of the domain to the other?
 bool crosses(const Box& b, const Geometry& g, int axis)
@@ -21,9 +21,8 @@ bool crosses(const Box& b, const Geometry& g, int axis)
     for (int k = 0; k < g.dimension; ++k)
         if (k != axis)
         {
-            const double slack = roundOff*(g.high.*component(k) - g.low.*component(k));
-            if (b.low.*component(k) > g.low.*component(k) + slack || b.high.*component(k) < g.high.*component(k) - slack)
-                return false;
+            const double slack = roundOff * (g.high.*component(k) - g.low.*component(k));
+            if (b.low.*component(k) > g.low.*component(k) + slack || b.high.*component(k) < g.high.*component(k) - slack) return false;
         }
     return true;
 }
@@ -34,15 +33,15 @@ double fractionAbove(double d, const Vector<3>& n, const Vector<3>& edge, int di
 {
     std::array<double, 3> m{};
     double sum = 0;
-    for (int k = 0; k < dimension; ++k) sum += m[k] = std::fabs(n.*component(k))*edge.*component(k);
-    if (d >= sum/2) return 1;
-    if (d <= -sum/2) return 0;
+    for (int k = 0; k < dimension; ++k) sum += m[k] = std::fabs(n.*component(k)) * edge.*component(k);
+    if (d >= sum / 2) return 1;
+    if (d <= -sum / 2) return 0;
 
     // A normal along an axis makes the sum 0/0; leaning it by 1e-4 rounds the fraction off within 1e-4 of its ends, 0 and 1.
     double product = 1;
-    for (int k = 0; k < dimension; ++k) product *= m[k] = std::max(m[k], 1e-4*sum);
+    for (int k = 0; k < dimension; ++k) product *= m[k] = std::max(m[k], 1e-4 * sum);
     double alpha = d;
-    for (int k = 0; k < dimension; ++k) alpha += m[k]/2;
+    for (int k = 0; k < dimension; ++k) alpha += m[k] / 2;
 
     double volume = 0;
     for (int corner = 0; corner < 1 << dimension; ++corner)
@@ -55,36 +54,37 @@ double fractionAbove(double d, const Vector<3>& n, const Vector<3>& edge, int di
                 a -= m[k];
                 sign = -sign;
             }
-        if (a > 0) volume += sign*(dimension == 3 ? a*a*a/6 : a*a/2);
+        if (a > 0) volume += sign * (dimension == 3 ? a * a * a / 6 : a * a / 2);
     }
-    return std::clamp(volume/product, 0.0, 1.0);
+    return std::clamp(volume / product, 0.0, 1.0);
 }
 
 /// Volume of fluid in one cell.
 double fluidIn(const Geometry& g, const Vector<3>& centre, const Vector<3>& edge, int halvings)
 {
-    const double halfDiagonal = mag(edge)/2, d = g.distance(centre);
+    const double halfDiagonal = mag(edge) / 2, d = g.distance(centre);
     const double whole = measure(edge, g.dimension);
     if (d > halfDiagonal) return whole;
     if (d < -halfDiagonal) return 0;
     if (halvings == 0)
     {
         double fraction = 1;
-        forEachFootAlone(g, centre, halfDiagonal, [&](const Foot& f, int)
-        {
-            if (f.distance < -halfDiagonal) return;
-            // On average over the cell the surface bends away from its tangent plane by (k1 + k2)/2 h^2/12.
-            const double h2 = dot(edge, edge)/g.dimension;
-            fraction *= fractionAbove(f.distance - (f.k1 + f.k2)*h2/24, f.normal, edge, g.dimension);
-        });
-        return fraction*whole;
+        forEachFootAlone(g, centre, halfDiagonal,
+                         [&](const Foot& f, int)
+                         {
+                             if (f.distance < -halfDiagonal) return;
+                             // On average over the cell the surface bends away from its tangent plane by (k1 + k2)/2 h^2/12.
+                             const double h2 = dot(edge, edge) / g.dimension;
+                             fraction *= fractionAbove(f.distance - (f.k1 + f.k2) * h2 / 24, f.normal, edge, g.dimension);
+                         });
+        return fraction * whole;
     }
     double sum = 0;
-    Vector<3> half = 0.5*edge;
+    Vector<3> half = 0.5 * edge;
     for (int corner = 0; corner < 1 << g.dimension; ++corner)
     {
-        const Vector<3> c{centre.x + (corner & 1 ? 0.5 : -0.5)*half.x, centre.y + (corner & 2 ? 0.5 : -0.5)*half.y,
-                          g.dimension == 3 ? centre.z + (corner & 4 ? 0.5 : -0.5)*half.z : centre.z};
+        const Vector<3> c{centre.x + (corner & 1 ? 0.5 : -0.5) * half.x, centre.y + (corner & 2 ? 0.5 : -0.5) * half.y,
+                          g.dimension == 3 ? centre.z + (corner & 4 ? 0.5 : -0.5) * half.z : centre.z};
         sum += fluidIn(g, c, half, halvings - 1);
     }
     return sum;
@@ -97,15 +97,15 @@ double quadrature(const Geometry& g, const Box& box, double coarsest, int halvin
     Vector<3> edge;
     for (int k = 0; k < g.dimension; ++k)
     {
-        n[k] = std::max(1L, std::lround(std::ceil(length.*component(k)/coarsest)));
-        edge.*component(k) = length.*component(k)/n[k];
+        n[k] = std::max(1L, std::lround(std::ceil(length.*component(k) / coarsest)));
+        edge.*component(k) = length.*component(k) / n[k];
     }
-    const long cells = n[0]*n[1]*n[2];
+    const long cells = n[0] * n[1] * n[2];
     std::vector<double> part(cells);
 #pragma omp parallel for schedule(dynamic, 8)
     for (long c = 0; c < cells; ++c)
     {
-        const Vector<3> offset{(c%n[0] + 0.5)*edge.x, (c/n[0]%n[1] + 0.5)*edge.y, (c/(n[0]*n[1]) + 0.5)*edge.z};
+        const Vector<3> offset{(c % n[0] + 0.5) * edge.x, (c / n[0] % n[1] + 0.5) * edge.y, (c / (n[0] * n[1]) + 0.5) * edge.z};
         Vector<3> centre = box.low + offset;
         if (g.dimension == 2) centre.z = 0;
         part[c] = fluidIn(g, centre, edge, halvings);
@@ -132,7 +132,7 @@ bool isBoxAroundBalls(const Geometry& g, const Box& box, const std::vector<Ball>
         for (int k = 0; k < g.dimension; ++k)
         {
             if (g.periodic[k]) continue;
-            const double c = balls[a].centre.*component(k), r = balls[a].radius*(1 - roundOff);
+            const double c = balls[a].centre.*component(k), r = balls[a].radius * (1 - roundOff);
             if (c - r < box.low.*component(k) || c + r > box.high.*component(k)) return false;
         }
         for (std::size_t b = a; b < balls.size(); ++b)
@@ -144,8 +144,8 @@ bool isBoxAroundBalls(const Geometry& g, const Box& box, const std::vector<Ball>
                     {
                         if ((sx && !g.periodic[0]) || (sy && !g.periodic[1]) || (sz && !g.periodic[2])) continue;
                         if (a == b && !sx && !sy && !sz) continue;
-                        const double gap = mag(between + Vector<3>{sx*length.x, sy*length.y, sz*length.z});
-                        if (gap < (balls[a].radius + balls[b].radius)*(1 - roundOff)) return false;
+                        const double gap = mag(between + Vector<3>{sx * length.x, sy * length.y, sz * length.z});
+                        if (gap < (balls[a].radius + balls[b].radius) * (1 - roundOff)) return false;
                     }
         }
     }
@@ -164,7 +164,7 @@ Box fluidBox(const Geometry& g)
             const double at = b.low.*component(k);
             if (at != b.high.*component(k) || !crosses(b, g, k)) continue;
             if (at <= g.low.*component(k) || at >= g.high.*component(k)) continue;
-            const double sense = patch.shape->foot(0.5*(g.low + g.high)).normal.*component(k);
+            const double sense = patch.shape->foot(0.5 * (g.low + g.high)).normal.*component(k);
             if (sense > 0) box.low.*component(k) = std::max(box.low.*component(k), at);
             if (sense < 0) box.high.*component(k) = std::min(box.high.*component(k), at);
         }
@@ -206,10 +206,10 @@ std::vector<Ball> ballsInCell(const Geometry& g)
             {
                 const double L = length.*component(k), low = g.low.*component(k);
                 double& c = ball->centre.*component(k);
-                c -= L*std::floor((c - low)/L + roundOff);
+                c -= L * std::floor((c - low) / L + roundOff);
             }
-        const bool known = std::any_of(balls.begin(), balls.end(),
-                                       [&](const Ball& b) { return mag(b.centre - ball->centre) < 1e-6*ball->radius; });
+        const bool known =
+            std::any_of(balls.begin(), balls.end(), [&](const Ball& b) { return mag(b.centre - ball->centre) < 1e-6 * ball->radius; });
         if (!known) balls.push_back(*ball);
     }
     return balls;
@@ -222,12 +222,11 @@ FluidVolume fluidVolume(const Geometry& g, double finest)
     if (isBoxAroundBalls(g, box, balls))
     {
         double solid = 0;
-        for (const auto& [centre, R] : balls)
-            solid += g.dimension == 3 ? 4*std::numbers::pi/3*R*R*R : std::numbers::pi*R*R;
+        for (const auto& [centre, R] : balls) solid += g.dimension == 3 ? 4 * std::numbers::pi / 3 * R * R * R : std::numbers::pi * R * R;
         return {measure(box.high - box.low, g.dimension) - solid, 0, true};
     }
     const int halvings = 3;
-    const double coarsest = finest*(1 << halvings);
+    const double coarsest = finest * (1 << halvings);
     const double fine = quadrature(g, box, coarsest, halvings), coarse = quadrature(g, box, coarsest, halvings - 1);
     return {fine, std::fabs(fine - coarse), false};
 }

@@ -11,9 +11,8 @@ using PressureField = std::function<double(const Vector<3>&)>;
 
 namespace entry
 {
-const Text pressure{
-    "pressure", byScene("that of the positions"),
-    "at the start [Pa], \"1000*9.81*(0.1 - $y)\", above the background pressure; $x, $y, $z are the position [m]"};
+const Text pressure{"pressure", byScene("that of the positions"),
+                    "at the start [Pa], \"1000*9.81*(0.1 - $y)\", above the background pressure; $x, $y, $z are the position [m]"};
 }
 
 PressureField readPressure(const Dictionary&);

@@ -8,7 +8,8 @@ namespace sph
 
 namespace entry
 {
-const VectorParameter value{"value", units::mPerS, required, "velocity"}, omega{"omega", units::none/units::s, required, "rate of rotation"},
+const VectorParameter value{"value", units::mPerS, required, "velocity"},
+    omega{"omega", units::none / units::s, required, "rate of rotation"},
     origin{"origin", units::m, Vector<3>{}, "point that coordinates count from"};
 const Scalar U{"U", units::mPerS, required, "largest velocity"}, L{"L", units::m, required, positive, "period of the vortices"},
     height{"height", units::m, required, positive, "from origin to the other plate"};
@@ -22,7 +23,8 @@ static const Cases& velocities()
                            {{"taylorGreen", "u = U sin(kx) cos(ky), v = -U cos(kx) sin(ky), k = 2 pi/L"}, {U, L}},
                            {{"rotation", "omega x (x - origin)"}, {omega, origin}},
                            {{"couette", "from 0 at the origin to U at the height"}, {U, height, direction, normal, origin}},
-                           {{"poiseuille", "4 U s (1 - s), s the height above the origin in heights"}, {U, height, direction, normal, origin}},
+                           {{"poiseuille", "4 U s (1 - s), s the height above the origin in heights"},
+                            {U, height, direction, normal, origin}},
                            {"expression", {expression}}};
     return all;
 }
@@ -40,7 +42,7 @@ VelocityField sheared(const Dictionary& dict, double (*profile)(double s))
 {
     const double U = entry::U(dict), height = entry::height(dict);
     const auto direction = entry::direction(dict), normal = entry::normal(dict), origin = entry::origin(dict);
-    return [=](const Vector<3>& x) { return U*profile(dot(x - origin, normal)/height)*direction; };
+    return [=](const Vector<3>& x) { return U * profile(dot(x - origin, normal) / height) * direction; };
 }
 
 VelocityField byExpression(const Dictionary& dict)
@@ -72,9 +74,9 @@ VelocityField readVelocity(const Dictionary& dict)
     const auto type = entry::type()(dict);
     if (type == "taylorGreen")
     {
-        const double U = entry::U(dict), k = 2*std::numbers::pi/entry::L(dict);
+        const double U = entry::U(dict), k = 2 * std::numbers::pi / entry::L(dict);
         return [=](const Vector<3>& x) {
-            return Vector<3>{U*std::sin(k*x.x)*std::cos(k*x.y), -U*std::cos(k*x.x)*std::sin(k*x.y), 0};
+            return Vector<3>{U * std::sin(k * x.x) * std::cos(k * x.y), -U * std::cos(k * x.x) * std::sin(k * x.y), 0};
         };
     }
     if (type == "rotation")
@@ -83,7 +85,7 @@ VelocityField readVelocity(const Dictionary& dict)
         return [=](const Vector<3>& x) { return cross(omega, x - origin); };
     }
     if (type == "couette") return sheared(dict, [](double s) { return s; });
-    if (type == "poiseuille") return sheared(dict, [](double s) { return 4*s*(1 - s); });
+    if (type == "poiseuille") return sheared(dict, [](double s) { return 4 * s * (1 - s); });
     if (type == "expression") return byExpression(dict);
     const auto value = entry::value(dict);
     return [=](const Vector<3>&) { return value; };

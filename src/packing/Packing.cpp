@@ -23,11 +23,10 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
     {
         const double gap = box.high.*component(k) - box.low.*component(k);
         if (!(gap > 0))
+            throw CaseError(plan.spacingAt, fmt::format("the walls leave no fluid along {}: see constant/geometry", coordinateNames[k]));
+        if (spacing > gap * (1 + 1e-6))
             throw CaseError(plan.spacingAt,
-                            fmt::format("the walls leave no fluid along {}: see constant/geometry", coordinateNames[k]));
-        if (spacing > gap*(1 + 1e-6))
-            throw CaseError(plan.spacingAt, fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap,
-                                                        coordinateNames[k]));
+                            fmt::format("spacing {:g} m is larger than the gap of {:g} m along {}", spacing, gap, coordinateNames[k]));
     }
 }
 
@@ -45,10 +44,9 @@ Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& pack
     for (long i = 0; i < n; ++i)
         if (isFluid[i]) places.add(lattice.points[i]);
     if (places.size() == 0)
-        throw CaseError(plan.spacingAt,
-                        fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
-                                    "no fluid, or its gaps are narrower than the spacing",
-                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
+        throw CaseError(plan.spacingAt, fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
+                                                    "no fluid, or its gaps are narrower than the spacing",
+                                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
     return places;
 }
 
@@ -56,18 +54,17 @@ template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, P
 {
     RelaxationSettings atRest;
     atRest.steps = 0;
-    return relax<dim>(plan.geometry, Kernel<dim>(plan.kernel, plan.support), V0, plan.lattice.spacing,
-                      plan.relaxation.value_or(atRest), points);
+    return relax<dim>(plan.geometry, Kernel<dim>(plan.kernel, plan.support), V0, plan.lattice.spacing, plan.relaxation.value_or(atRest),
+                      points);
 }
 
 void checkDistances(const PackingPlan& plan, const Packing& packing)
 {
     const auto& [i, j] = packing.relaxation.closest;
     const double r = packing.relaxation.closestPair;
-    if (r < coincidence*plan.lattice.spacing)
-        throw CaseError(plan.latticeAt,
-                        fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
-                                    r/plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
+    if (r < coincidence * plan.lattice.spacing)
+        throw CaseError(plan.latticeAt, fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
+                                                    r / plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
 }
 
 /// The phase of each place, and the velocity and pressure that a rule gives.
@@ -105,9 +102,10 @@ void share(Saturation saturation, const Geometry& g, const Points& places, Occup
         if (shared(o.phase[i])) filled.add(places[i]);
         all += o.phase[i] != FillRule::noPhase;
     }
-    const double left = double(filled.size())/double(std::max<std::size_t>(1, all));
+    const double left = double(filled.size()) / double(std::max<std::size_t>(1, all));
     if (saturation.value > left)
-        throw CaseError(saturation.where, fmt::format("a saturation of {:g} is more than the {:.4g} that other phases leave", saturation.value, left));
+        throw CaseError(saturation.where,
+                        fmt::format("a saturation of {:g} is more than the {:.4g} that other phases leave", saturation.value, left));
     if (left > 0) saturation.value /= left;
     const auto holds = place(saturation, g, filled);
     std::size_t k = 0;
@@ -120,10 +118,9 @@ void checkPhases(const PackingPlan& plan, const Packing& packing)
     Diagnostics errors;
     for (std::size_t k = 0; k < plan.phases.size(); ++k)
         if (packing.phases[k].particles == 0 && !plan.allowEmpty)
-            errors.error(plan.phases[k].where,
-                         fmt::format("phase {} has no particles: no region of system/packParticlesDict puts it "
-                                     "anywhere. If that is meant, write there: allowEmpty yes;",
-                                     plan.phases[k].name));
+            errors.error(plan.phases[k].where, fmt::format("phase {} has no particles: no region of system/packParticlesDict puts it "
+                                                           "anywhere. If that is meant, write there: allowEmpty yes;",
+                                                           plan.phases[k].name));
     errors.throwIfAny();
     if (packing.points.size() == 0) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
 }
@@ -137,10 +134,10 @@ Packing pack(const PackingPlan& plan)
     checkSpacing(plan, box);
     packing.balls = ballsInCell(g);
     packing.points = placesBetweenWalls(plan, box, packing);
-    packing.volume = fluidVolume(g, plan.lattice.spacing/4);
-    packing.particleVolume = packing.volume.value/double(packing.points.size());
+    packing.volume = fluidVolume(g, plan.lattice.spacing / 4);
+    packing.particleVolume = packing.volume.value / double(packing.points.size());
     const Vector<3> length = box.high - box.low;
-    packing.porosity = packing.volume.value/(length.x*length.y*(g.dimension == 3 ? length.z : 1));
+    packing.porosity = packing.volume.value / (length.x * length.y * (g.dimension == 3 ? length.z : 1));
 
     packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
                                           : relaxIn<2>(plan, packing.particleVolume, packing.points);
@@ -151,12 +148,13 @@ Packing pack(const PackingPlan& plan)
 
     const Points places = std::move(packing.points);
     packing.points = {};
-    const bool pressed = plan.pressure || std::any_of(plan.fill.begin(), plan.fill.end(), [](const FillRule& rule) { return rule.p.has_value(); });
+    const bool pressed =
+        plan.pressure || std::any_of(plan.fill.begin(), plan.fill.end(), [](const FillRule& rule) { return rule.p.has_value(); });
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         const int phase = occupation.phase[i];
         if (phase == FillRule::noPhase) continue;
-        const double rho = plan.phases[phase].rho, mass = rho*packing.particleVolume;
+        const double rho = plan.phases[phase].rho, mass = rho * packing.particleVolume;
         packing.points.add(places[i]);
         packing.phase.push_back(phase);
         packing.rho.push_back(rho);
@@ -164,15 +162,18 @@ Packing pack(const PackingPlan& plan)
         if (pressed) packing.p.push_back(occupation.p[i] ? *occupation.p[i] : plan.pressure ? (*plan.pressure)(places[i]) : 0);
         const Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
         if (g.dimension == 2 && U.z != 0)
-            throw CaseError({"system/packParticlesDict", 0}, fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(places[i])));
+            throw CaseError({"system/packParticlesDict", 0},
+                            fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(places[i])));
         packing.velocity.add(U);
     }
     packing.leftEmpty = places.size() - packing.points.size();
-    packing.phases = groupSums(packing.points.size(), plan.phases.size(), [&](std::size_t i) { return std::size_t(packing.phase[i]); },
-                               [&](std::size_t i) { return PackedPhase{1, packing.mass[i]}; });
+    packing.phases = groupSums(
+        packing.points.size(), plan.phases.size(), [&](std::size_t i) { return std::size_t(packing.phase[i]); },
+        [&](std::size_t i) {
+            return PackedPhase{1, packing.mass[i]};
+        });
     checkPhases(plan, packing);
-    if (plan.saturation)
-        packing.saturation = double(packing.phases[plan.saturation->phase].particles)/double(packing.points.size());
+    if (plan.saturation) packing.saturation = double(packing.phases[plan.saturation->phase].particles) / double(packing.points.size());
     return packing;
 }
 

@@ -76,7 +76,7 @@ struct Packing
     std::vector<double> mass;  ///< [kg]
     std::vector<double> rho;
     Points velocity;
-    std::vector<double> p;     ///< [Pa] above the background; empty where no pressure at the start is given
+    std::vector<double> p; ///< [Pa] above the background; empty where no pressure at the start is given
 
     FluidVolume volume;        ///< of the space between the walls
     double particleVolume = 0; ///< the same for all: volume over places

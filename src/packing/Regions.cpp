@@ -43,7 +43,7 @@ Vector<3> shortest(const Geometry& g, const Vector<3>& x, const Vector<3>& to)
 {
     Vector<3> d = x - to;
     for (int k = 0; k < g.dimension; ++k)
-        if (g.periodic[k]) d.*component(k) -= g.length(k)*std::round(d.*component(k)/g.length(k));
+        if (g.periodic[k]) d.*component(k) -= g.length(k) * std::round(d.*component(k) / g.length(k));
     return d;
 }
 
@@ -78,12 +78,12 @@ Region box(const Dictionary& dict, const Geometry& g)
 Region cylinder(const Dictionary& dict)
 {
     const auto centre = entry::centre(dict), axis = entry::axis(dict);
-    const double R2 = sqr(entry::radius(dict)), half = entry::length(dict, 2*Box::infinity)/2;
+    const double R2 = sqr(entry::radius(dict)), half = entry::length(dict, 2 * Box::infinity) / 2;
     return [=](const Vector<3>& x)
     {
         const Vector<3> d = x - centre;
         const double along = dot(d, axis);
-        return std::fabs(along) < half && dot(d, d) - along*along < R2;
+        return std::fabs(along) < half && dot(d, d) - along * along < R2;
     };
 }
 
@@ -96,8 +96,7 @@ Region combined(const Dictionary& dict, const std::string& type, const Geometry&
     if (type == "union") return [=](const Vector<3>& x) { return std::any_of(parts.begin(), parts.end(), contains(x)); };
     if (type == "intersection")
         return [=](const Vector<3>& x) { return !parts.empty() && std::all_of(parts.begin(), parts.end(), contains(x)); };
-    return [=](const Vector<3>& x)
-    { return !parts.empty() && parts[0](x) && std::none_of(parts.begin() + 1, parts.end(), contains(x)); };
+    return [=](const Vector<3>& x) { return !parts.empty() && parts[0](x) && std::none_of(parts.begin() + 1, parts.end(), contains(x)); };
 }
 }
 

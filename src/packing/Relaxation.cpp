@@ -38,7 +38,10 @@ template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
 struct Source
 {
     static constexpr FieldInfo info{"source", "1"};
-    template<int dim> struct At { double number; };
+    template<int dim> struct At
+    {
+        double number;
+    };
 };
 
 /// Over particles, of the residual r = V_0 sigma - 1.
@@ -58,9 +61,9 @@ struct Sums
     KernelResidual::Moments moments() const
     {
         if (particles == 0) return {};
-        const double mean = residual/double(particles), square = squares/double(particles);
+        const double mean = residual / double(particles), square = squares / double(particles);
         // In this order the larger of a NaN and 0 is the NaN.
-        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(square - mean*mean, 0.0))};
+        return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(square - mean * mean, 0.0))};
     }
 };
 
@@ -72,11 +75,12 @@ Points sortedByCells(const Points& points, double size)
     for (const auto& [x, cells] : {std::pair(&points.x, &cell[0]), std::pair(&points.y, &cell[1]), std::pair(&points.z, &cell[2])})
     {
         const double low = least(n, [x = x](std::size_t i) { return (*x)[i]; });
-        for (const double q : *x) cells->push_back(long((q - low)/size));
+        for (const double q : *x) cells->push_back(long((q - low) / size));
     }
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b)
                      { return std::tie(cell[2][a], cell[1][a], cell[0][a]) < std::tie(cell[2][b], cell[1][b], cell[0][b]); });
     Points sorted;
     for (const auto i : order) sorted.add(points[i]);
@@ -107,10 +111,11 @@ public:
           repulsion_(repulsionOf(kernel)),
           V0_(V0),
           spacing_(spacing),
-          reach_(kernel.support() + skin*spacing),
+          reach_(kernel.support() + skin * spacing),
           n_(points.size()),
           catalogue_(relaxationTerms<dim>(V0)),
-          plan_(catalogue_, {{NumberDensity::name, {NumberDensity::name, WallDistance::name}}, {Repulsion::name, {Repulsion::name}}}, {PackingPressure::info.name}),
+          plan_(catalogue_, {{NumberDensity::name, {NumberDensity::name, WallDistance::name}}, {Repulsion::name, {Repulsion::name}}},
+                {PackingPressure::info.name}),
           images_(geometry, reach_, spacing)
     {
         plan_.allocate(store_);
@@ -126,7 +131,7 @@ public:
     }
 
     /// By which the centre of mass has moved [m].
-    double drift() const { return mag(travelled_)/double(n_); }
+    double drift() const { return mag(travelled_) / double(n_); }
 
     void updateDensity()
     {
@@ -146,26 +151,29 @@ public:
     {
         const double* const V = store_.component(Volume::info.name, 0);
         double* const P = store_.component(PackingPressure::info.name, 0);
-        const double mean = (1 + residual_.overall.mean)/V0_;
-        forEach([&](std::size_t i) { P[i] = bias + 1/(V[i]*mean) - 1; });
+        const double mean = (1 + residual_.overall.mean) / V0_;
+        forEach([&](std::size_t i) { P[i] = bias + 1 / (V[i] * mean) - 1; });
         plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
 
-        const double C = coefficient*spacing_*spacing_, limit = largestStep*spacing_;
+        const double C = coefficient * spacing_ * spacing_, limit = largestStep * spacing_;
         const auto f = store_.pointers(PackingGradient{});
         const double* const distance = store_.component(DistanceToWall::info.name, 0);
-        const auto total = reduce(n_, Shifts{}, [&](std::size_t i)
-        {
-            Vector<dim> shift;
-            fetch(shift, [&](int c) { return -C*f[c][i]; });
-            const double length = mag(shift);
-            if (length > limit) shift *= limit/length;
-            const auto from = position(i), wanted = from + shift;
-            const auto reached = distance[i] - mag(shift) < wallInset*spacing_ ? intoFluid(from, wanted) : wanted;
-            place(i, reached);
-            return Shifts{std::min(length, limit), std::size_t(!(reached == wanted)), reached - from};
-        }, [](Shifts& all, const Shifts& of) { all += of; });
+        const auto total = reduce(
+            n_, Shifts{},
+            [&](std::size_t i)
+            {
+                Vector<dim> shift;
+                fetch(shift, [&](int c) { return -C * f[c][i]; });
+                const double length = mag(shift);
+                if (length > limit) shift *= limit / length;
+                const auto from = position(i), wanted = from + shift;
+                const auto reached = distance[i] - mag(shift) < wallInset * spacing_ ? intoFluid(from, wanted) : wanted;
+                place(i, reached);
+                return Shifts{std::min(length, limit), std::size_t(!(reached == wanted)), reached - from};
+            },
+            [](Shifts& all, const Shifts& of) { all += of; });
         travelled_ += total.sum;
-        return {total.largest/spacing_, total.held};
+        return {total.largest / spacing_, total.held};
     }
 
     void findClosestPair(RelaxationResult& result)
@@ -186,15 +194,18 @@ public:
         {
             if (other.r < nearest.r) nearest = other;
         };
-        const auto closest = reduce(n_, Neighbour{}, [&](std::size_t i)
-        {
-            Neighbour nearest;
-            // mirror images of a particle may be as near as the wall is
-            for (const int j : lists_.of(i))
-                if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
-                    nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
-            return nearest;
-        }, nearer);
+        const auto closest = reduce(
+            n_, Neighbour{},
+            [&](std::size_t i)
+            {
+                Neighbour nearest;
+                // mirror images of a particle may be as near as the wall is
+                for (const int j : lists_.of(i))
+                    if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
+                        nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
+                return nearest;
+            },
+            nearer);
         result.closestPair = closest.r;
         result.closest = closest.pair;
     }
@@ -225,7 +236,7 @@ private:
 
     template<class F> void forEach(const F& f) const
     {
-        #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n_; ++i) f(i);
     }
     Vector<dim> position(std::size_t i) const
@@ -241,18 +252,19 @@ private:
 
     void wrap()
     {
-        forEach([&](std::size_t i)
-        {
-            auto x = in3D(position(i));
-            for (int k = 0; k < dim; ++k)
+        forEach(
+            [&](std::size_t i)
             {
-                const auto c = component(k);
-                if (!geometry_.periodic[k]) continue;
-                if (x.*c < geometry_.low.*c) x.*c += geometry_.length(k);
-                if (x.*c >= geometry_.high.*c) x.*c -= geometry_.length(k);
-            }
-            place(i, in<dim>(x));
-        });
+                auto x = in3D(position(i));
+                for (int k = 0; k < dim; ++k)
+                {
+                    const auto c = component(k);
+                    if (!geometry_.periodic[k]) continue;
+                    if (x.*c < geometry_.low.*c) x.*c += geometry_.length(k);
+                    if (x.*c >= geometry_.high.*c) x.*c -= geometry_.length(k);
+                }
+                place(i, in<dim>(x));
+            });
     }
 
     void rebuild()
@@ -272,36 +284,38 @@ private:
 
     bool hasMovedFar() const
     {
-        const double farthest = most(images_.nullParticle(), [&](std::size_t i)
-        {
-            Vector<dim> moved;
-            fetch(moved, [&](int c) { return x_[c][i] - atBuild_[c][i]; });
-            return dot(moved, moved);
-        });
-        return farthest > sqr(0.5*skin*spacing_);
+        const double farthest = most(images_.nullParticle(),
+                                     [&](std::size_t i)
+                                     {
+                                         Vector<dim> moved;
+                                         fetch(moved, [&](int c) { return x_[c][i] - atBuild_[c][i]; });
+                                         return dot(moved, moved);
+                                     });
+        return farthest > sqr(0.5 * skin * spacing_);
     }
 
     /// `wanted`, pushed off the nearest wall in turn; `from` where the walls leave no room, as where spheres touch.
     Vector<dim> intoFluid(const Vector<dim>& from, Vector<dim> wanted) const
     {
-        const double inset = wallInset*spacing_;
+        const double inset = wallInset * spacing_;
         const auto nearest = [&]
         {
             Foot found;
             found.distance = Box::infinity;
-            images_.forEachWallNear(wanted, [&](const Foot& foot, const Patch&)
-            {
-                if (foot.distance < found.distance) found = foot;
-            });
+            images_.forEachWallNear(wanted,
+                                    [&](const Foot& foot, const Patch&)
+                                    {
+                                        if (foot.distance < found.distance) found = foot;
+                                    });
             return found;
         };
         Foot foot = nearest();
         for (int turn = 0; turn < 8 && foot.distance < inset; ++turn)
         {
-            wanted += (inset - foot.distance)*in<dim>(foot.normal);
+            wanted += (inset - foot.distance) * in<dim>(foot.normal);
             foot = nearest();
         }
-        return foot.distance > 0.5*inset ? wanted : from;
+        return foot.distance > 0.5 * inset ? wanted : from;
     }
 
     KernelResidual measured() const
@@ -319,26 +333,27 @@ private:
                 return *this;
             }
         };
-        const auto all = sum(n_, [&](std::size_t i)
-        {
-            const double r = V0_/V[i] - 1;
-            const Sums one{1, r, r*r, std::fabs(r)};
-            return Both{one, distance[i] < near ? one : Sums{}};
-        });
+        const auto all = sum(n_,
+                             [&](std::size_t i)
+                             {
+                                 const double r = V0_ / V[i] - 1;
+                                 const Sums one{1, r, r * r, std::fabs(r)};
+                                 return Both{one, distance[i] < near ? one : Sums{}};
+                             });
         return {all.overall.moments(), all.nearWalls.moments()};
     }
 };
 
 double biasAt(int step, const RelaxationSettings& s)
 {
-    const double second = std::clamp(2.0*step/s.steps - 1, 0.0, 1.0);
-    return s.bias[0]*std::pow(s.bias[1]/s.bias[0], second);
+    const double second = std::clamp(2.0 * step / s.steps - 1, 0.0, 1.0);
+    return s.bias[0] * std::pow(s.bias[1] / s.bias[0], second);
 }
 }
 
 template<int dim>
-RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing,
-                       const RelaxationSettings& settings, Points& points)
+RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const RelaxationSettings& settings,
+                       Points& points)
 {
     RelaxationResult result;
     Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points);
@@ -352,7 +367,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
     }
     if (result.steps) result.after = relaxer.residual();
     relaxer.findClosestPair(result);
-    result.centreOfMassDrift = relaxer.drift()/spacing;
+    result.centreOfMassDrift = relaxer.drift() / spacing;
     points = relaxer.points();
     return result;
 }

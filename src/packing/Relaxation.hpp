@@ -21,7 +21,7 @@ struct RelaxationSettings
     int steps = 200;
     std::array<double, 2> bias{1, 0.01}; ///< b1, b2
     double tolerance = 1e-3;             ///< scatter of sigma/<sigma> within a support of the walls at which to stop
-    double coefficient = 0.3; ///< C; 0.05 is slow (scatter 0.28 %), 0.2..0.8 reach 0.08..0.11 % on the bed of the unit test
+    double coefficient = 0.3;            ///< C; 0.05 is slow (scatter 0.28 %), 0.2..0.8 reach 0.08..0.11 % on the bed of the unit test
 };
 
 /// sum_j V_j W_ij - 1 with V_j = w_j V0: what is missing to a partition of unity.

@@ -23,8 +23,8 @@ struct Repulsion
     using Reads = Fields<PackingPressure>;
     double V0;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return (i.P + j.P)*ij.gradW; }
-    auto finish(const auto&, const auto& sum) const { return V0*sum; }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return (i.P + j.P) * ij.gradW; }
+    auto finish(const auto&, const auto& sum) const { return V0 * sum; }
 };
 
 }

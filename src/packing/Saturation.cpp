@@ -13,10 +13,13 @@ namespace sph
 
 namespace entry
 {
-const Word phase{"phase", required, "phase that is given"}, gas{"gas", required, "phase that is left in the rest; what holds a third phase keeps it"};
-const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"), "share of the void space"};
+const Word phase{"phase", required, "phase that is given"},
+    gas{"gas", required, "phase that is left in the rest; what holds a third phase keeps it"};
+const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"),
+                   "share of the void space"};
 const Count seed{"seed", 1, anyNumber, "of chance"},
-    number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"), "of drops, at places chosen by chance"};
+    number{"number", byScene("needed without centres"), atLeast(1).saying("at least one drop is needed"),
+           "of drops, at places chosen by chance"};
 const ListOf<Vector<3>> centres{"centres", units::m, byScene("chosen by chance"), "of the drops"};
 const VectorParameter point{"point", units::m, required, "a point of the layer's middle plane"};
 const Direction normal{"normal", required, "across the layer"};
@@ -28,7 +31,8 @@ const Choice placement{"placement",
                         {"layer", "nearest to a plane"},
                         {"random", "anywhere"},
                         {"drops", "nearest to some centres"}},
-                       "contacts", "where the phase is put"};
+                       "contacts",
+                       "where the phase is put"};
 }
 
 namespace
@@ -39,10 +43,8 @@ std::pair<double, double> twoNearest(const Geometry& g, const Vector<3>& x)
     double first = Box::infinity, second = Box::infinity;
     const auto look = [&](const Foot& foot, int)
     {
-        if (foot.distance < first)
-            second = std::exchange(first, foot.distance);
-        else
-            second = std::min(second, foot.distance);
+        if (foot.distance < first) second = std::exchange(first, foot.distance);
+        else second = std::min(second, foot.distance);
     };
     forEachFootAlone(g, x, g.reach, look);
     if (second <= g.reach) return {first, second};
@@ -59,7 +61,7 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
     {
         Vector<3> d = x - c;
         for (int k = 0; k < g.dimension; ++k)
-            if (g.periodic[k]) d.*component(k) -= g.length(k)*std::round(d.*component(k)/g.length(k));
+            if (g.periodic[k]) d.*component(k) -= g.length(k) * std::round(d.*component(k) / g.length(k));
         nearest = std::min(nearest, dot(d, d));
     }
     return nearest;
@@ -68,11 +70,12 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
 
 EntryList saturationEntries()
 {
-    return {entry::phase,
-            entry::gas,
-            entry::value,
-            {entry::placement,
-             {{"layer", {entry::point, entry::normal}}, {"random", {entry::seed}}, {"drops", {entry::centres, entry::number, entry::seed}}}}};
+    return {
+        entry::phase,
+        entry::gas,
+        entry::value,
+        {entry::placement,
+         {{"layer", {entry::point, entry::normal}}, {"random", {entry::seed}}, {"drops", {entry::centres, entry::number, entry::seed}}}}};
 }
 
 Saturation readSaturation(const Dictionary& dict, std::span<const std::string> phases, const Vector<3>& up)
@@ -80,10 +83,7 @@ Saturation readSaturation(const Dictionary& dict, std::span<const std::string> p
     Saturation s;
     s.where = entry::value.where(dict);
     const auto indexOf = [&](const Word& key)
-    {
-        return int(std::find(phases.begin(), phases.end(), key.among(dict, phases)) - phases.begin()) %
-               std::max(1, int(phases.size()));
-    };
+    { return int(std::find(phases.begin(), phases.end(), key.among(dict, phases)) - phases.begin()) % std::max(1, int(phases.size())); };
     s.phase = indexOf(entry::phase);
     s.gas = indexOf(entry::gas);
     if (s.phase == s.gas && entry::gas.given(dict)) entry::gas.error(dict, "phase and gas are the same");
@@ -109,7 +109,7 @@ std::vector<char> place(const Saturation& s, const Geometry& g, const Points& po
     const long n = long(points.size());
     auto centres = s.centres;
     if (s.placement == "drops" && centres.empty() && n > 0)
-        for (int k = 0; k < s.number; ++k) centres.push_back(points[std::size_t(noise(s.seed, k)*double(n))]);
+        for (int k = 0; k < s.number; ++k) centres.push_back(points[std::size_t(noise(s.seed, k) * double(n))]);
 
     if ((s.placement == "contacts" || s.placement == "film") && g.patches.empty())
         throw CaseError(s.where, "placement " + s.placement + " asks for walls, and constant/geometry has none");
@@ -124,21 +124,15 @@ std::vector<char> place(const Saturation& s, const Geometry& g, const Points& po
             const auto [first, second] = twoNearest(g, x);
             score[i] = std::isfinite(second) ? first + second : first;
         }
-        else if (s.placement == "film")
-            score[i] = twoNearest(g, x).first;
-        else if (s.placement == "bottom")
-            score[i] = dot(x, s.up);
-        else if (s.placement == "top")
-            score[i] = -dot(x, s.up);
-        else if (s.placement == "layer")
-            score[i] = std::fabs(dot(x - s.point, s.normal));
-        else if (s.placement == "drops")
-            score[i] = toNearest(g, centres, x);
-        else
-            score[i] = noise(s.seed, i);
+        else if (s.placement == "film") score[i] = twoNearest(g, x).first;
+        else if (s.placement == "bottom") score[i] = dot(x, s.up);
+        else if (s.placement == "top") score[i] = -dot(x, s.up);
+        else if (s.placement == "layer") score[i] = std::fabs(dot(x - s.point, s.normal));
+        else if (s.placement == "drops") score[i] = toNearest(g, centres, x);
+        else score[i] = noise(s.seed, i);
     }
 
-    const long wanted = std::lround(s.value*double(n));
+    const long wanted = std::lround(s.value * double(n));
     std::vector<long> order(n);
     std::iota(order.begin(), order.end(), 0L);
     std::nth_element(order.begin(), order.begin() + std::min(wanted, n), order.end(),

@@ -21,7 +21,10 @@ struct WallDistance
         double d = farAway;
     };
 
-    template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const { return {foot.distance < soFar.d ? foot.distance : soFar.d}; }
+    template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const
+    {
+        return {foot.distance < soFar.d ? foot.distance : soFar.d};
+    }
     template<int dim> double finish(const SoFar<dim>& nearest) const { return nearest.d; }
 };
 

@@ -9,7 +9,8 @@ namespace sph
 
 namespace entry
 {
-const DictionaryList fill{"fill", byScene("all of the first phase"), "regions and what is in them; the last that contains a particle decides"};
+const DictionaryList fill{"fill", byScene("all of the first phase"),
+                          "regions and what is in them; the last that contains a particle decides"};
 const Word fillPhase{"phase", required, "phase in the region, or none"};
 const Scalar p{"p", units::pressure, byScene("that of pressure"), "pressure in the region, above the background pressure"};
 const VectorParameter U{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
@@ -29,7 +30,8 @@ const ListOf<double> bias{"bias", std::vector<double>{usual.bias[0], usual.bias[
                           "pressure that all particles share, at the start and at the end"};
 const Scalar tolerance{"tolerance", units::none, usual.tolerance, nonNegative, "scatter of the number density at walls at which to stop"},
     coefficient{"coefficient", units::none, usual.coefficient,
-                positiveUpTo(1).saying("coefficient {:g} makes the relaxation unstable; above 0 and at most 1"), "of each step; 0.2 to 0.8 do"};
+                positiveUpTo(1).saying("coefficient {:g} makes the relaxation unstable; above 0 and at most 1"),
+                "of each step; 0.2 to 0.8 do"};
 }
 
 namespace
@@ -55,7 +57,8 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
     phaseNames.push_back("none");
     const auto given = entry::fill(dict);
     if (given.empty() && entry::fill.given(dict))
-        entry::fill.error(dict, "fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase " + phaseNames[0] + "; } );");
+        entry::fill.error(dict, "fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase " +
+                                    phaseNames[0] + "; } );");
     for (const auto& d : given)
     {
         FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d), entry::p.ifGiven(d)};
@@ -83,8 +86,7 @@ RelaxationSettings readRelaxation(const Dictionary& dict)
     const auto bias = entry::bias(dict);
     if (bias.size() != 2 || bias[0] <= 0 || bias[1] <= 0)
         entry::bias.error(dict, "bias is two positive numbers, at the start and at the end: bias (1 0.01);");
-    else
-        s.bias = {bias[0], bias[1]};
+    else s.bias = {bias[0], bias[1]};
     s.tolerance = entry::tolerance(dict);
     s.coefficient = entry::coefficient(dict);
     return s;
@@ -136,7 +138,7 @@ PackingPlan readPackingPlan(const Case& c)
     plan.allowEmpty = entry::allowEmpty(dict);
     plan.fill = readFill(dict, names, plan.geometry);
     if (entry::saturation.given(dict))
-        plan.saturation = readSaturation(entry::saturation(dict), names, plan.g > 0 ? -1/plan.g*gravity : Vector<3>{0, 1, 0});
+        plan.saturation = readSaturation(entry::saturation(dict), names, plan.g > 0 ? -1 / plan.g * gravity : Vector<3>{0, 1, 0});
     if (entry::velocity.given(dict)) plan.velocity = readVelocity(entry::velocity(dict));
     if (entry::pressure.given(dict)) plan.pressure = readPressure(dict);
     if (entry::relax.given(dict)) plan.relaxation = readRelaxation(entry::relax(dict));

@@ -13,8 +13,7 @@ namespace
 {
 void row(std::string& to, const char* name, const KernelResidual::Moments& m)
 {
-    to += fmt::format("    {:<22} {:>9} {:>+11.5f} {:>10.5f} {:>10.5f} {:>10.5f}\n", name, m.particles, m.mean, m.rms, m.max,
-                      m.scatter);
+    to += fmt::format("    {:<22} {:>9} {:>+11.5f} {:>10.5f} {:>10.5f} {:>10.5f}\n", name, m.particles, m.mean, m.rms, m.max, m.scatter);
 }
 
 std::string residuals(const PackingPlan& plan, const RelaxationResult& r)
@@ -30,10 +29,9 @@ std::string residuals(const PackingPlan& plan, const RelaxationResult& r)
         row(s, "after, within H", r.after.nearWalls);
     }
     if (plan.relaxation)
-        s += fmt::format(
-            "Relaxation: {} steps, last shift {:.2g} spacings, centre of mass moved {:.2g} spacings, closest pair {:.3f} "
-            "spacings, {} particles held back by walls\n",
-            r.steps, r.largestShift, r.centreOfMassDrift, r.closestPair/plan.lattice.spacing, r.heldBack);
+        s += fmt::format("Relaxation: {} steps, last shift {:.2g} spacings, centre of mass moved {:.2g} spacings, closest pair {:.3f} "
+                         "spacings, {} particles held back by walls\n",
+                         r.steps, r.largestShift, r.centreOfMassDrift, r.closestPair / plan.lattice.spacing, r.heldBack);
     return s;
 }
 
@@ -48,10 +46,10 @@ std::string bed(const PackingPlan& plan, const Packing& packing)
     {
         double rho = 0;
         for (const auto& phase : plan.phases) rho = std::max(rho, phase.rho);
-        const double perArea = rho*plan.g/plan.surfaceTension;
-        s += fmt::format("     Bond number rho g R^2/gamma {:.4g}", perArea*largest*largest);
+        const double perArea = rho * plan.g / plan.surfaceTension;
+        s += fmt::format("     Bond number rho g R^2/gamma {:.4g}", perArea * largest * largest);
         if (plan.bedPeriod > 0)
-            s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", perArea*plan.bedPeriod*plan.bedPeriod,
+            s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", perArea * plan.bedPeriod * plan.bedPeriod,
                              plan.bedPeriod);
         s += "\n";
     }
@@ -64,17 +62,17 @@ std::string report(const PackingPlan& plan, const Packing& packing)
     const auto& g = plan.geometry;
     const bool isFlat = g.dimension == 2;
     const double spacing = plan.lattice.spacing;
-    std::string s = fmt::format("Lattice: {}, spacing {:g} m, support {:g} m ({}), layers", plan.lattice.type, spacing,
-                                plan.support, plan.kernel);
+    std::string s =
+        fmt::format("Lattice: {}, spacing {:g} m, support {:g} m ({}), layers", plan.lattice.type, spacing, plan.support, plan.kernel);
     for (int k = 0; k < g.dimension; ++k) s += fmt::format("{} {}", k ? " x" : "", packing.layers[k]);
     s += "\n         fitted spacing";
     for (int k = 0; k < g.dimension; ++k)
         s += fmt::format(" {} {:g} m ({:+.3f} %)", coordinateNames[k], packing.fittedSpacing.*component(k),
-                         100*(packing.fittedSpacing.*component(k)/spacing - 1));
-    s += fmt::format("\nFluid volume: {:.10g} {} ({}), porosity {:.6g}\n", packing.volume.value, isFlat ? "m^2" : "m^3",
-                     packing.volume.exact ? "exact" : fmt::format("quadrature, error about {:.1g}", packing.volume.error),
-                     packing.porosity);
-    const double ratio = packing.particleVolume/std::pow(spacing, g.dimension);
+                         100 * (packing.fittedSpacing.*component(k) / spacing - 1));
+    s +=
+        fmt::format("\nFluid volume: {:.10g} {} ({}), porosity {:.6g}\n", packing.volume.value, isFlat ? "m^2" : "m^3",
+                    packing.volume.exact ? "exact" : fmt::format("quadrature, error about {:.1g}", packing.volume.error), packing.porosity);
+    const double ratio = packing.particleVolume / std::pow(spacing, g.dimension);
     s += fmt::format("Particle volume: {:.10g} {} ({:.5f} spacing^{})\n", packing.particleVolume, isFlat ? "m^2" : "m^3", ratio,
                      g.dimension);
     if (std::fabs(ratio - 1) > 0.1) s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
@@ -99,18 +97,19 @@ namespace
 void copyOthers(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     namespace fs = std::filesystem;
-    const std::vector<fs::path> own{"lagrangian/sph", "uniform/lagrangian/sph", "uniform/time", "uniform/sphState", "uniform/functionObjects"};
+    const std::vector<fs::path> own{"lagrangian/sph", "uniform/lagrangian/sph", "uniform/time", "uniform/sphState",
+                                    "uniform/functionObjects"};
     std::error_code reason, none;
     for (auto at = fs::recursive_directory_iterator(from, none); at != fs::recursive_directory_iterator() && !reason; ++at)
-        if (const auto name = at->path().lexically_relative(from); std::ranges::find(own, name) != own.end()) at.disable_recursion_pending();
-        else if (at->is_directory()) fs::create_directories(to/name, reason);
-        else fs::copy(at->path(), to/name, fs::copy_options::copy_symlinks, reason);
+        if (const auto name = at->path().lexically_relative(from); std::ranges::find(own, name) != own.end())
+            at.disable_recursion_pending();
+        else if (at->is_directory()) fs::create_directories(to / name, reason);
+        else fs::copy(at->path(), to / name, fs::copy_options::copy_symlinks, reason);
     if (reason) throw CaseError({from.string(), 0}, "cannot be copied: " + reason.message());
 }
 }
 
-void writePacking(const Case& c, const std::string& time, const PackingPlan& plan, const Packing& packing,
-                  const WriteOptions& options)
+void writePacking(const Case& c, const std::string& time, const PackingPlan& plan, const Packing& packing, const WriteOptions& options)
 {
     const bool isFlat = plan.geometry.dimension == 2;
     const auto& x = packing.points;
@@ -125,14 +124,15 @@ void writePacking(const Case& c, const std::string& time, const PackingPlan& pla
     const std::vector<double> V(packing.p.empty() ? 0 : x.size(), packing.particleVolume);
     if (packing.p.empty()) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
     else fields.push_back({"V", FieldClass::scalar, {V.data()}});
-    writeFolder(c.folder(), time, [&](const std::filesystem::path& folder)
+    writeFolder(c.folder(), time,
+                [&](const std::filesystem::path& folder)
                 {
-                    copyOthers(c.folder()/time, folder);
+                    copyOthers(c.folder() / time, folder);
                     writeCloud(folder, "sph", x.size(), positions, fields, options);
                 });
 
     const auto &low = plan.geometry.low, &high = plan.geometry.high;
-    const double half = 0.5*plan.lattice.spacing;
+    const double half = 0.5 * plan.lattice.spacing;
     writeBoundingMesh(c.folder(), {low.x, low.y, isFlat ? -half : low.z}, {high.x, high.y, isFlat ? half : high.z});
 }
 

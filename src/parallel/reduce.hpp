@@ -12,10 +12,10 @@ namespace sph
 /// `combine(total, part)` over the blocks of 0 .. n - 1 in their order, from `start`; `ofBlock(begin, end)` gives each part.
 template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T start, const OfBlock& ofBlock, const Combine& combine)
 {
-    const std::size_t block = 4096, blocks = (n + block - 1)/block;
+    const std::size_t block = 4096, blocks = (n + block - 1) / block;
     std::vector<T> parts(blocks, start);
-    #pragma omp parallel for schedule(static)
-    for (std::size_t b = 0; b < blocks; ++b) parts[b] = ofBlock(b*block, std::min(n, (b + 1)*block));
+#pragma omp parallel for schedule(static)
+    for (std::size_t b = 0; b < blocks; ++b) parts[b] = ofBlock(b * block, std::min(n, (b + 1) * block));
     for (const auto& part : parts) combine(start, part);
     return start;
 }
@@ -23,12 +23,15 @@ template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T 
 /// The same of single particles: `combine(total, value(i))` within blocks, and of blocks.
 template<class T, class Value, class Combine> T reduce(std::size_t n, const T& start, const Value& value, const Combine& combine)
 {
-    return reduceBlocks(n, start, [&](std::size_t begin, std::size_t end)
-    {
-        T part = start;
-        for (std::size_t i = begin; i < end; ++i) combine(part, value(i));
-        return part;
-    }, combine);
+    return reduceBlocks(
+        n, start,
+        [&](std::size_t begin, std::size_t end)
+        {
+            T part = start;
+            for (std::size_t i = begin; i < end; ++i) combine(part, value(i));
+            return part;
+        },
+        combine);
 }
 
 struct Add
@@ -52,24 +55,33 @@ template<class Condition> std::size_t count(std::size_t n, const Condition& cond
     return sum(n, [&](std::size_t i) { return std::size_t(condition(i)); });
 }
 /// Infinite without particles.
-template<class Value> double least(std::size_t n, const Value& value) { return reduce(n, std::numeric_limits<double>::infinity(), value, Smaller{}); }
+template<class Value> double least(std::size_t n, const Value& value)
+{
+    return reduce(n, std::numeric_limits<double>::infinity(), value, Smaller{});
+}
 /// Minus infinite without particles.
-template<class Value> double most(std::size_t n, const Value& value) { return reduce(n, -std::numeric_limits<double>::infinity(), value, Larger{}); }
+template<class Value> double most(std::size_t n, const Value& value)
+{
+    return reduce(n, -std::numeric_limits<double>::infinity(), value, Larger{});
+}
 
 /// sum_i value(i) of each of so many groups, phases or slabs; what is in a group(i) beyond the last adds to none.
 template<class Group, class Value> auto groupSums(std::size_t n, std::size_t groups, const Group& group, const Value& value)
 {
     using Sums = std::vector<decltype(value(n))>;
-    return reduceBlocks(n, Sums(groups), [&](std::size_t begin, std::size_t end)
-    {
-        Sums part(groups);
-        for (std::size_t i = begin; i < end; ++i)
-            if (const std::size_t g = group(i); g < groups) part[g] += value(i);
-        return part;
-    }, [](Sums& total, const Sums& part)
-    {
-        for (std::size_t g = 0; g < total.size(); ++g) total[g] += part[g];
-    });
+    return reduceBlocks(
+        n, Sums(groups),
+        [&](std::size_t begin, std::size_t end)
+        {
+            Sums part(groups);
+            for (std::size_t i = begin; i < end; ++i)
+                if (const std::size_t g = group(i); g < groups) part[g] += value(i);
+            return part;
+        },
+        [](Sums& total, const Sums& part)
+        {
+            for (std::size_t g = 0; g < total.size(); ++g) total[g] += part[g];
+        });
 }
 
 }

@@ -10,7 +10,12 @@ namespace sph
 {
 
 /// What a term runs over. `advance`: a local law that sees the step.
-enum class Over { particles, pairs, walls };
+enum class Over
+{
+    particles,
+    pairs,
+    walls
+};
 
 template<int dim> struct CatalogueEntry
 {
@@ -19,7 +24,7 @@ template<int dim> struct CatalogueEntry
     bool provides, advances, readsKernel, ofRawGradient;
     std::vector<FieldUse<dim>> results, reads, readsOwn;
     std::function<std::unique_ptr<Operation<dim>>(const Coefficients&, const Binding<dim>&)> bind;
-    Names names;                 ///< of fields that are not called as their tags
+    Names names; ///< of fields that are not called as their tags
 };
 
 template<int dim> using Catalogue = std::vector<CatalogueEntry<dim>>;
@@ -29,14 +34,23 @@ template<int dim, class T, class Make> CatalogueEntry<dim> termEntry(std::string
 {
     static_assert(PairTerm<T, dim> + LocalLaw<T, dim> + WallLaw<T, dim> == 1);
     constexpr Over over = PairTerm<T, dim> ? Over::pairs : LocalLaw<T, dim> ? Over::particles : Over::walls;
-    return {std::move(name), over, provides<T>, advances<T>, readsKernel<T>, ofRawGradient<T>,
-            uses<dim>(ResultsOf<T>{}, names), uses<dim>(ReadsOf<T>{}, names), uses<dim>(ReadsOwnOf<T>{}, names),
-            [make](const Coefficients& c, const Binding<dim>& b) -> std::unique_ptr<Operation<dim>> { return std::make_unique<Bound<T, dim>>(make(c), b); },
+    return {std::move(name),
+            over,
+            provides<T>,
+            advances<T>,
+            readsKernel<T>,
+            ofRawGradient<T>,
+            uses<dim>(ResultsOf<T>{}, names),
+            uses<dim>(ReadsOf<T>{}, names),
+            uses<dim>(ReadsOwnOf<T>{}, names),
+            [make](const Coefficients& c, const Binding<dim>& b) -> std::unique_ptr<Operation<dim>>
+            { return std::make_unique<Bound<T, dim>>(make(c), b); },
             names};
 }
 
 /// An entry of a catalogue under the name `as`, whose results go to fields of other names.
-template<int dim> CatalogueEntry<dim> redirected(const Catalogue<dim>& catalogue, const std::string& term, std::string as, const Names& results)
+template<int dim>
+CatalogueEntry<dim> redirected(const Catalogue<dim>& catalogue, const std::string& term, std::string as, const Names& results)
 {
     auto entry = *std::find_if(catalogue.begin(), catalogue.end(), [&](const auto& e) { return e.name == term; });
     entry.name = std::move(as);

@@ -15,25 +15,25 @@ namespace sph
 struct Coefficients
 {
     int dimension = 3;
-    double spacing = 0;                      ///< mean particle spacing [m]
-    double support = 0;                      ///< kernel support radius H [m]
+    double spacing = 0; ///< mean particle spacing [m]
+    double support = 0; ///< kernel support radius H [m]
 
     std::vector<std::string> phases;
-    std::vector<double> restDensity;         ///< rho_0 of each phase [kg/m^3]
-    std::vector<double> viscosity;           ///< mu [Pa s]
-    std::vector<double> soundSpeed;          ///< c [m/s]
-    std::vector<double> stiffness;           ///< B = rho_0 c^2/n [Pa]
-    std::vector<double> exponent;            ///< n of the Tait equation; 1 is the linear state
-    double backgroundPressure = 0;           ///< p_b [Pa], the same in all phases
-    double leastPressure = -1e300;           ///< p_min [Pa], at which a fluid that is pulled parts
+    std::vector<double> restDensity; ///< rho_0 of each phase [kg/m^3]
+    std::vector<double> viscosity;   ///< mu [Pa s]
+    std::vector<double> soundSpeed;  ///< c [m/s]
+    std::vector<double> stiffness;   ///< B = rho_0 c^2/n [Pa]
+    std::vector<double> exponent;    ///< n of the Tait equation; 1 is the linear state
+    double backgroundPressure = 0;   ///< p_b [Pa], the same in all phases
+    double leastPressure = -1e300;   ///< p_min [Pa], at which a fluid that is pulled parts
 
-    std::vector<double> surfaceTension;      ///< gamma_kl [N/m], phases x phases
-    std::vector<double> wallTension;         ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
+    std::vector<double> surfaceTension; ///< gamma_kl [N/m], phases x phases
+    std::vector<double> wallTension;    ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
 
-    Vector<3> g;                             ///< [m/s^2]
-    Vector<3> bodyForce;                     ///< [N/m^3]
+    Vector<3> g;         ///< [m/s^2]
+    Vector<3> bodyForce; ///< [N/m^3]
 
-    double densityScale = 1;                 ///< makes the mean of sigma V_0 exact
+    double densityScale = 1; ///< makes the mean of sigma V_0 exact
 
     /// Numbers of a model, which it alone knows; throws std::logic_error where there are none.
     template<class T> const T& of() const

@@ -22,11 +22,11 @@ namespace sph
 /// A group of passes as a scene asks for it.
 struct Group
 {
-    std::string name;                      ///< of the stage that runs it
+    std::string name; ///< of the stage that runs it
     std::vector<std::string> terms;
-    std::set<std::string> changed = {};    ///< fields that are not what they were in the groups before
-    Names names = {};                      ///< of results that are kept apart
-    std::set<std::string> given = {};      ///< what whoever runs the group writes before: the change that a solver tries
+    std::set<std::string> changed = {}; ///< fields that are not what they were in the groups before
+    Names names = {};                   ///< of results that are kept apart
+    std::set<std::string> given = {};   ///< what whoever runs the group writes before: the change that a solver tries
 };
 
 template<int dim> class Plan
@@ -34,7 +34,8 @@ template<int dim> class Plan
 public:
     /// `state`: names of the fields that the scene brings; `ruleReads`: what the rule of a field's images reads of their source. The catalogue must
     /// outlive the plan. Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
-    Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state, std::map<std::string, std::vector<FieldUse<dim>>> ruleReads = {});
+    Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state,
+         std::map<std::string, std::vector<FieldUse<dim>>> ruleReads = {});
     /// Of one evaluation alone.
     Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& terms, std::set<std::string> state)
         : Plan(catalogue, {{"evaluate", terms}}, std::move(state))
@@ -55,7 +56,7 @@ public:
     /// How many have run since the start, of all groups.
     long pairPassesRun() const { return pairPassesRun_; }
     /// Of the packed records.
-    std::size_t bytes() const { return records_.capacity()*sizeof(double); }
+    std::size_t bytes() const { return records_.capacity() * sizeof(double); }
     bool has(const std::string& term) const;
     bool provides(const std::string& field) const;
 
@@ -76,12 +77,12 @@ private:
     struct Pass
     {
         std::vector<const Entry*> entries;
-        std::map<std::string, int> firstColumn;            ///< components read at j, each gathered once
-        std::vector<FieldUse<dim>> columns, refresh;       ///< refresh: those written since images last saw them
+        std::map<std::string, int> firstColumn;      ///< components read at j, each gathered once
+        std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
         std::vector<std::unique_ptr<Operation<dim>>> operations;
-        typename Stencil<dim>::Factors factors;            ///< their columns, behind those of the terms
-        bool readsKernel = false, normalised = false;      ///< normalised: gradW over the mean gradientScale of the pair
+        typename Stencil<dim>::Factors factors;       ///< their columns, behind those of the terms
+        bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
         bool pair() const { return entries[0]->over == Over::pairs; }
     };
     struct Passes
@@ -90,14 +91,14 @@ private:
         std::vector<const Entry*> chosen;
         std::map<const Entry*, std::string> reason;
         std::vector<Pass> passes;
-        bool keepsPairs = false;                           ///< for passes behind its first pair pass, or groups behind it
+        bool keepsPairs = false; ///< for passes behind its first pair pass, or groups behind it
         std::string resultName(const FieldUse<dim>& f) const { return nameIn(group.names, f.name.c_str()); }
     };
     const Catalogue<dim>& catalogue_;
     std::set<std::string> state_;
     std::map<std::string, std::vector<FieldUse<dim>>> ruleReads_;
     std::vector<Passes> groups_;
-    Array records_;                                        ///< positions and first columns of the pass at hand, packed
+    Array records_; ///< positions and first columns of the pass at hand, packed
     Counts* counts_ = nullptr;
     long pairPassesRun_ = 0;
 
@@ -107,7 +108,8 @@ private:
     void select(Passes&);
     void close(Passes&, const std::set<std::string>& given);
     void order(Passes&, const std::set<std::string>& given, std::set<std::string>& fresh);
-    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&);
+    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&,
+                       const Kernel<dim>&);
     const double* pack(const Pass&, FieldStore<dim>&);
 };
 

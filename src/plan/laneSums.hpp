@@ -28,9 +28,8 @@ template<class Value, class F> Value sum(int n, const F& f)
 {
     constexpr int count = components<Value>;
     static_assert(count <= 15, "a term sums up to 15 numbers at once");
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0,
-           s13 = 0, s14 = 0;
-    #pragma omp simd reduction(+: s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14)
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, s5 = 0, s6 = 0, s7 = 0, s8 = 0, s9 = 0, s10 = 0, s11 = 0, s12 = 0, s13 = 0, s14 = 0;
+#pragma omp simd reduction(+ : s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14)
     for (int t = 0; t < n; ++t)
     {
         const auto q = detail::numbers<Value>(f(t));
@@ -51,7 +50,8 @@ template<class Value, class F> Value sum(int n, const F& f)
         if constexpr (count > 14) s14 += q.number[14];
     }
     const double all[]{s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14};
-    return [&]<std::size_t... c>(std::index_sequence<c...>) { return Value{all[c]...}; }(std::make_index_sequence<count>{});
+    return [&]<std::size_t... c>(std::index_sequence<c...>) { return Value{all[c]...}; }
+    (std::make_index_sequence<count>{});
 }
 
 }

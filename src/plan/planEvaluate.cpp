@@ -46,7 +46,8 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
                 if (needed) pass.sources.push_back(store.component(info.name, 0));
                 return needed ? int(pass.sources.size()) - 1 : -1;
             };
-            pass.factors = {factor(pass.pair() && store.has(ImageWeight{}), ImageWeight::info), factor(pass.normalised, GradientScale::info)};
+            pass.factors = {factor(pass.pair() && store.has(ImageWeight{}), ImageWeight::info),
+                            factor(pass.normalised, GradientScale::info)};
             for (const auto* e : pass.entries)
             {
                 auto names = e->names;
@@ -63,25 +64,25 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
 {
     const std::size_t n = store.size();
     const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
-    if (records_.size() < arrays*n*recordSize)
+    if (records_.size() < arrays * n * recordSize)
     {
         records_ = Array();
-        records_.resize(arrays*(n + n/50)*recordSize);
+        records_.resize(arrays * (n + n / 50) * recordSize);
     }
     std::vector<const double*> from;
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
-    from.resize(std::max<std::size_t>(from.size(), arrays*recordSize), from[0]);
-    const long block = 1024, blocks = long((n + block - 1)/block);
+    from.resize(std::max<std::size_t>(from.size(), arrays * recordSize), from[0]);
+    const long block = 1024, blocks = long((n + block - 1) / block);
     for (int a = 0; a < arrays; ++a)
     {
-        double* const to = records_.data() + a*n*recordSize;
-        #pragma omp parallel for schedule(static)
+        double* const to = records_.data() + a * n * recordSize;
+#pragma omp parallel for schedule(static)
         for (long b = 0; b < blocks; ++b)
         {
             const double* part[recordSize];
-            for (int c = 0; c < recordSize; ++c) part[c] = from[a*recordSize + c] + b*block;
-            packRecords(part, std::min<std::size_t>(block, n - b*block), to + b*block*recordSize);
+            for (int c = 0; c < recordSize; ++c) part[c] = from[a * recordSize + c] + b * block;
+            packRecords(part, std::min<std::size_t>(block, n - b * block), to + b * block * recordSize);
         }
     }
     return records_.data();
@@ -102,28 +103,30 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     std::vector<const GhostVelocity<dim>*> rules; // of the columns, for particles of layers
     for (const auto& f : pass.columns) rules.push_back(images.template rule<Vector<dim>>(f.info.ofRule));
 
-    std::visit([&](const auto& k)
-    {
-        #pragma omp parallel
+    std::visit(
+        [&](const auto& k)
         {
-            static thread_local Stencil<dim> stencil;
-            #pragma omp for schedule(dynamic, 256)
-            for (long i = 0; i < n; ++i)
+#pragma omp parallel
             {
-                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size()*recordSize, pass.sources, k,
-                             pass.readsKernel, null);
-                if (layers) layers->continueInto(stencil, rules, pass.columns, pass.sources, pass.factors.scale);
-                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
-                if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
-                for (const auto& o : pass.operations) o->gather(stencil);
+                static thread_local Stencil<dim> stencil;
+#pragma omp for schedule(dynamic, 256)
+                for (long i = 0; i < n; ++i)
+                {
+                    stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize,
+                                 pass.sources, k, pass.readsKernel, null);
+                    if (layers) layers->continueInto(stencil, rules, pass.columns, pass.sources, pass.factors.scale);
+                    stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
+                    if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
+                    for (const auto& o : pass.operations) o->gather(stencil);
+                }
             }
-        }
-    }, kernel.choice());
+        },
+        kernel.choice());
 }
 
 template<int dim>
-void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel, std::size_t group,
-                         double deltaT)
+void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
+                         std::size_t group, double deltaT)
 {
     const auto& g = groups_[group];
     const std::size_t n = images.owned(), block = 4096;
@@ -141,7 +144,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
             continue;
         }
         const bool walls = pass.entries[0]->over == Over::walls;
-        #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
         for (std::size_t begin = 0; begin < n; begin += block)
             for (const auto& o : pass.operations)
             {
@@ -179,7 +182,8 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
 template<int dim> void Plan<dim>::printFields(std::ostream& out, const FieldStore<dim>& store) const
 {
     out << "    fields     ";
-    for (const auto& [name, field] : store.fields()) out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
+    for (const auto& [name, field] : store.fields())
+        out << ' ' << name << (field.component.size() > 1 ? fmt::format("[{}]", field.component.size()) : "");
     out << fmt::format("\n    memory      {} bytes a particle, neighbour lists aside\n    left out   ", store.bytesPerParticle());
     for (const auto& e : catalogue_)
         if (!has(e.name)) out << ' ' << e.name;

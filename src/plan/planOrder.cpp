@@ -119,31 +119,40 @@ template<int dim> void Plan<dim>::close(Passes& passes, const std::set<std::stri
     for (std::size_t k = 0; k < chosen.size(); ++k)
     {
         const auto* const reader = chosen[k];
-        forEachRead(*reader, [&](const FieldUse<dim>& f)
-        {
-            if (given.contains(f.name) || provider.contains(f.name) || added.contains(f.name)) return;
-            std::vector<const Entry*> candidates;
-            std::vector<std::string> names;
-            for (const auto& e : catalogue_)
-                if (e.provides && std::any_of(e.results.begin(), e.results.end(), [&](const auto& r) { return r.name == f.name; }))
-                {
-                    candidates.push_back(&e);
-                    names.push_back(e.name);
-                }
-            if (candidates.empty())
-                throw CaseError(fmt::format("term \"{}\" reads \"{}\" [{}], which the scene does not give and no term provides", reader->name, f.name,
-                                            f.info.unit));
-            // Where a group before has decided, so it is here.
-            const auto before = std::find_if(candidates.begin(), candidates.end(), [&](const Entry* e)
-                { return std::any_of(groups_.begin(), groups_.end() - 1, [&](const Passes& g)
-                                     { return std::find(g.chosen.begin(), g.chosen.end(), e) != g.chosen.end(); }); });
-            if (before != candidates.end()) candidates = {*before};
-            if (candidates.size() > 1)
-                throw CaseError(fmt::format("term \"{}\" reads \"{}\": select one of {}", reader->name, f.name, fmt::join(names, ", ")));
-            chosen.push_back(candidates[0]);
-            passes.reason[candidates[0]] = fmt::format("{} for {}", f.name, reader->name);
-            provide(candidates[0]);
-        });
+        forEachRead(*reader,
+                    [&](const FieldUse<dim>& f)
+                    {
+                        if (given.contains(f.name) || provider.contains(f.name) || added.contains(f.name)) return;
+                        std::vector<const Entry*> candidates;
+                        std::vector<std::string> names;
+                        for (const auto& e : catalogue_)
+                            if (e.provides &&
+                                std::any_of(e.results.begin(), e.results.end(), [&](const auto& r) { return r.name == f.name; }))
+                            {
+                                candidates.push_back(&e);
+                                names.push_back(e.name);
+                            }
+                        if (candidates.empty())
+                            throw CaseError(fmt::format("term \"{}\" reads \"{}\" [{}], which the scene does not give and no term provides",
+                                                        reader->name, f.name, f.info.unit));
+                        // Where a group before has decided, so it is here.
+                        const auto before =
+                            std::find_if(candidates.begin(), candidates.end(),
+                                         [&](const Entry* e)
+                                         {
+                                             return std::any_of(groups_.begin(), groups_.end() - 1,
+                                                                [&](const Passes& g) {
+                                                                    return std::find(g.chosen.begin(), g.chosen.end(), e) != g.chosen.end();
+                                                                });
+                                         });
+                        if (before != candidates.end()) candidates = {*before};
+                        if (candidates.size() > 1)
+                            throw CaseError(
+                                fmt::format("term \"{}\" reads \"{}\": select one of {}", reader->name, f.name, fmt::join(names, ", ")));
+                        chosen.push_back(candidates[0]);
+                        passes.reason[candidates[0]] = fmt::format("{} for {}", f.name, reader->name);
+                        provide(candidates[0]);
+                    });
     }
 }
 
@@ -164,7 +173,13 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
     const std::string scale = GradientScale::info.name;
     const bool normalises = waiting.contains(scale) || given.contains(scale);
     const auto normalised = [&](const Entry* e) { return normalises && e->over == Over::pairs && !e->ofRawGradient; };
-    enum class Turn { wallsThatProvide, particles, pairs, wallsThatAdd };
+    enum class Turn
+    {
+        wallsThatProvide,
+        particles,
+        pairs,
+        wallsThatAdd
+    };
     const auto turnOf = [](const Entry* e)
     {
         return e->over == Over::particles ? Turn::particles
@@ -183,7 +198,8 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
         Pass pass;
         for (const auto turn : {Turn::wallsThatProvide, Turn::particles, Turn::pairs, Turn::wallsThatAdd})
             if (pass.entries.empty())
-                std::copy_if(left.begin(), left.end(), std::back_inserter(pass.entries), [&](auto* e) { return turnOf(e) == turn && ready(e); });
+                std::copy_if(left.begin(), left.end(), std::back_inserter(pass.entries),
+                             [&](auto* e) { return turnOf(e) == turn && ready(e); });
         if (pass.entries.empty())
             throw CaseError(fmt::format("terms \"{}\" and \"{}\" wait for one another's fields", left.front()->name, left.back()->name));
         int column = 0;
@@ -197,7 +213,8 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
             pass.readsKernel = pass.readsKernel || e->readsKernel;
             pass.normalised = pass.normalised || normalised(e);
             for (const auto& f : e->results)
-                if (const auto a = adders.find(passes.resultName(f)); a == adders.end() || --a->second == 0) waiting.erase(passes.resultName(f));
+                if (const auto a = adders.find(passes.resultName(f)); a == adders.end() || --a->second == 0)
+                    waiting.erase(passes.resultName(f));
             for (const auto& f : e->reads)
                 if (pass.firstColumn.try_emplace(f.name, column).second)
                 {
@@ -210,7 +227,8 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
         for (const auto* e : pass.entries)
             for (const auto& f : e->results) fresh.erase(passes.resultName(f));
         if (column + 2 > Stencil<dim>::maxColumns)
-            throw CaseError(fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns - 2));
+            throw CaseError(
+                fmt::format("one pass reads {} components at the neighbours, more than {}", column, Stencil<dim>::maxColumns - 2));
         passes.passes.push_back(std::move(pass));
     }
 }
@@ -235,7 +253,8 @@ template<int dim> int Plan<dim>::pairPasses(std::size_t group) const
 
 template<int dim> bool Plan<dim>::has(const std::string& term) const
 {
-    return std::any_of(groups_.begin(), groups_.end(), [&](const Passes& g)
+    return std::any_of(groups_.begin(), groups_.end(),
+                       [&](const Passes& g)
                        { return std::any_of(g.chosen.begin(), g.chosen.end(), [&](const Entry* e) { return e->name == term; }); });
 }
 

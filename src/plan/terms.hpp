@@ -30,20 +30,64 @@ struct Sweep
 namespace detail
 {
 template<class A, class B> struct Join;
-template<class... A, class... B> struct Join<Fields<A...>, Fields<B...>> { using type = Fields<A..., B...>; };
+template<class... A, class... B> struct Join<Fields<A...>, Fields<B...>>
+{
+    using type = Fields<A..., B...>;
+};
 
-template<class T> struct Reads { using type = Fields<>; };
-template<class T> requires requires { typename T::Reads; } struct Reads<T> { using type = typename T::Reads; };
-template<class T> struct ReadsOwn { using type = Fields<>; };
-template<class T> requires requires { typename T::ReadsOwn; } struct ReadsOwn<T> { using type = typename T::ReadsOwn; };
-template<class F> struct AsList { using type = Fields<F>; };
-template<class... F> struct AsList<Fields<F...>> { using type = Fields<F...>; };
-template<class T> struct Results { using type = typename AsList<typename T::Adds>::type; };
-template<class T> requires requires { typename T::Provides; } struct Results<T> { using type = typename AsList<typename T::Provides>::type; };
-template<class T> requires requires { typename T::Advances; } struct Results<T> { using type = typename AsList<typename T::Advances>::type; };
+template<class T> struct Reads
+{
+    using type = Fields<>;
+};
+template<class T>
+requires requires { typename T::Reads; }
+struct Reads<T>
+{
+    using type = typename T::Reads;
+};
+template<class T> struct ReadsOwn
+{
+    using type = Fields<>;
+};
+template<class T>
+requires requires { typename T::ReadsOwn; }
+struct ReadsOwn<T>
+{
+    using type = typename T::ReadsOwn;
+};
+template<class F> struct AsList
+{
+    using type = Fields<F>;
+};
+template<class... F> struct AsList<Fields<F...>>
+{
+    using type = Fields<F...>;
+};
+template<class T> struct Results
+{
+    using type = typename AsList<typename T::Adds>::type;
+};
+template<class T>
+requires requires { typename T::Provides; }
+struct Results<T>
+{
+    using type = typename AsList<typename T::Provides>::type;
+};
+template<class T>
+requires requires { typename T::Advances; }
+struct Results<T>
+{
+    using type = typename AsList<typename T::Advances>::type;
+};
 
-template<class List, int dim> struct ValueOf { using type = Values<List, dim>; };
-template<class F, int dim> struct ValueOf<Fields<F>, dim> { using type = FieldValue<F, dim>; };
+template<class List, int dim> struct ValueOf
+{
+    using type = Values<List, dim>;
+};
+template<class F, int dim> struct ValueOf<Fields<F>, dim>
+{
+    using type = FieldValue<F, dim>;
+};
 }
 
 template<class T> using ReadsOf = typename detail::Reads<T>::type;
@@ -65,30 +109,62 @@ template<class T, int dim> using ResultValue = typename detail::ValueOf<ResultsO
 /// The nearest place of a patch of some wall.
 template<int dim> struct WallFoot
 {
-    double distance;             ///< [m], > 0 in the fluid
-    Vector<dim> normal;          ///< unit, into the fluid
-    double k1, k2;               ///< principal curvatures [1/m] (Shape.hpp)
-    int wall;                    ///< index into Geometry::walls
-    bool smooth;                 ///< the place lies on a face: there is a mirror image
-    bool uniformlyCurved;        ///< the curvatures are the same all over the surface
+    double distance;      ///< [m], > 0 in the fluid
+    Vector<dim> normal;   ///< unit, into the fluid
+    double k1, k2;        ///< principal curvatures [1/m] (Shape.hpp)
+    int wall;             ///< index into Geometry::walls
+    bool smooth;          ///< the place lies on a face: there is a mirror image
+    bool uniformlyCurved; ///< the curvatures are the same all over the surface
 };
 
-template<class T, int dim> concept Swept = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j, Sweep s) { t(ij, i, j, s); };
-template<class T, int dim> concept Summed = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j) { t(ij, i, j); };
-template<class T, int dim> concept PairTerm = !atWalls<T> && (Swept<T, dim> || Summed<T, dim>);
-template<class T, int dim> concept AdvancingLaw = advances<T> && requires(const T t, OwnValues<T, dim> i, double dt) { { t(i, dt) } -> std::same_as<ResultValue<T, dim>>; };
-template<class T, int dim> concept LocalLaw = AdvancingLaw<T, dim> || !advances<T> && requires(const T t, OwnValues<T, dim> i) { { t(i) } -> std::same_as<ResultValue<T, dim>>; };
+template<class T, int dim>
+concept Swept = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j, Sweep s)
+{
+    t(ij, i, j, s);
+};
+template<class T, int dim>
+concept Summed = requires(const T t, Pair<dim> ij, OwnValues<T, dim> i, NeighbourValues<T, dim> j)
+{
+    t(ij, i, j);
+};
+template<class T, int dim>
+concept PairTerm = !atWalls<T> && (Swept<T, dim> || Summed<T, dim>);
+template<class T, int dim>
+concept AdvancingLaw = advances<T> && requires(const T t, OwnValues<T, dim> i, double dt)
+{
+    {
+        t(i, dt)
+        } -> std::same_as<ResultValue<T, dim>>;
+};
+template<class T, int dim>
+concept LocalLaw = AdvancingLaw<T, dim> || !advances<T> && requires(const T t, OwnValues<T, dim> i)
+{
+    {
+        t(i)
+        } -> std::same_as<ResultValue<T, dim>>;
+};
 
 namespace detail
 {
-template<class T, int dim> struct SoFar { using type = ResultValue<T, dim>; };
-template<class T, int dim> requires requires { typename T::template SoFar<dim>; } struct SoFar<T, dim> { using type = typename T::template SoFar<dim>; };
+template<class T, int dim> struct SoFar
+{
+    using type = ResultValue<T, dim>;
+};
+template<class T, int dim>
+requires requires { typename T::template SoFar<dim>; }
+struct SoFar<T, dim>
+{
+    using type = typename T::template SoFar<dim>;
+};
 }
 /// What a wall law carries from place to place: its result, unless it says otherwise.
 template<class T, int dim> using SoFarOf = typename detail::SoFar<T, dim>::type;
-template<class T, int dim> concept WallLaw = atWalls<T> && requires(const T t, SoFarOf<T, dim> q, OwnValues<T, dim> i, WallFoot<dim> foot)
+template<class T, int dim>
+concept WallLaw = atWalls<T> && requires(const T t, SoFarOf<T, dim> q, OwnValues<T, dim> i, WallFoot<dim> foot)
 {
-    { t(q, i, foot) } -> std::same_as<SoFarOf<T, dim>>;
+    {
+        t(q, i, foot)
+        } -> std::same_as<SoFarOf<T, dim>>;
 };
 
 /// The declared values, from component(0), component(1) ... in the order of the list.
@@ -96,7 +172,14 @@ template<int dim, class... F> Values<Fields<F...>, dim> read(Values<Fields<F...>
 {
     Values<Fields<F...>, dim> v;
     [[maybe_unused]] int first = 0;
-    ([&] { auto& [q] = static_cast<At<F, dim>&>(v); fetch(q, [&](int c) { return component(first + c); }); first += fieldComponents<F, dim>; }(), ...);
+    (
+        [&]
+        {
+            auto& [q] = static_cast<At<F, dim>&>(v);
+            fetch(q, [&](int c) { return component(first + c); });
+            first += fieldComponents<F, dim>;
+        }(),
+        ...);
     return v;
 }
 
@@ -112,7 +195,7 @@ inline std::string nameIn(const Names& names, const char* tag)
 template<int dim> struct FieldUse
 {
     FieldInfo info;
-    std::string name;            ///< in this scene
+    std::string name; ///< in this scene
     ValueType type;
     void (*refresh)(const Images<dim>&, FieldStore<dim>&, const std::string& name);
 };
@@ -134,9 +217,9 @@ template<int dim> struct Binding
 template<int dim> struct Operation
 {
     virtual ~Operation() = default;
-    virtual void gather(const Stencil<dim>&) const {}                                              ///< pair term: the particle stencil.i
-    virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {}  ///< local law: particles begin .. end - 1
-    virtual void atWalls(const Images<dim>&, std::size_t /*begin*/, std::size_t /*end*/) const {}  ///< wall law: likewise
+    virtual void gather(const Stencil<dim>&) const {}                                             ///< pair term: the particle stencil.i
+    virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
+    virtual void atWalls(const Images<dim>&, std::size_t /*begin*/, std::size_t /*end*/) const {} ///< wall law: likewise
 };
 
 template<class T, int dim> class Bound final : public Operation<dim>
@@ -163,7 +246,14 @@ template<class T, int dim> class Bound final : public Operation<dim>
     template<class... F> static void eachOfSeveral(Fields<F...>, const Result& result, const auto& set)
     {
         int first = 0;
-        ([&] { const auto& [q] = static_cast<const At<F, dim>&>(result); store(q, [&](int c, double a) { set(first + c, a); }); first += fieldComponents<F, dim>; }(), ...);
+        (
+            [&]
+            {
+                const auto& [q] = static_cast<const At<F, dim>&>(result);
+                store(q, [&](int c, double a) { set(first + c, a); });
+                first += fieldComponents<F, dim>;
+            }(),
+            ...);
     }
 
 public:
@@ -171,7 +261,12 @@ public:
     {
         const auto bind = [&]<class... F>(Fields<F...>, double** to)
         {
-            ([&] { for (int c = 0; c < fieldComponents<F, dim>; ++c) *to++ = b.store.component(nameIn(b.names, F::info.name), c); }(), ...);
+            (
+                [&]
+                {
+                    for (int c = 0; c < fieldComponents<F, dim>; ++c) *to++ = b.store.component(nameIn(b.names, F::info.name), c);
+                }(),
+                ...);
             return to;
         };
         bind(ReadsOwnOf<T>{}, bind(ReadsOf<T>{}, own_.data()));
@@ -224,7 +319,7 @@ public:
             };
             const auto each = [&](auto adds)
             {
-                #pragma GCC ivdep
+#pragma GCC ivdep
                 for (std::size_t i = begin; i < end; ++i)
                     eachComponent(value(read<dim>(Own{}, [&](int k) { return own[k][i]; })),
                                   [&](int c, double q) { result[c][i] = adds() ? result[c][i] + q : q; });
@@ -234,7 +329,8 @@ public:
         }
     }
 
-    void atWalls([[maybe_unused]] const Images<dim>& images, [[maybe_unused]] std::size_t begin, [[maybe_unused]] std::size_t end) const override
+    void atWalls([[maybe_unused]] const Images<dim>& images, [[maybe_unused]] std::size_t begin,
+                 [[maybe_unused]] std::size_t end) const override
     {
         if constexpr (WallLaw<T, dim>)
             for (std::size_t i = begin; i < end; ++i)
@@ -245,11 +341,13 @@ public:
                 SoFarOf<T, dim> soFar{};
                 if constexpr (std::same_as<SoFarOf<T, dim>, Result>)
                     if (adds_) fetch(soFar, [&](int c) { return result_[c][i]; });
-                images.forEachWallNear(x, [&](const Foot& foot, const Patch& patch)
-                {
-                    soFar = term_(soFar, own, WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2, patch.wall, foot.smooth,
-                                                            patch.shape->uniformlyCurved()});
-                });
+                images.forEachWallNear(x,
+                                       [&](const Foot& foot, const Patch& patch)
+                                       {
+                                           soFar = term_(soFar, own,
+                                                         WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2, patch.wall,
+                                                                       foot.smooth, patch.shape->uniformlyCurved()});
+                                       });
                 const auto set = [&](int c, double q) { result_[c][i] = q; };
                 if constexpr (requires { term_.finish(soFar); }) eachComponent(term_.finish(soFar), set);
                 else eachComponent(soFar, set);

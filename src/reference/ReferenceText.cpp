@@ -61,12 +61,13 @@ bool wordsNeedLines(const ListedEntry& e)
 
 std::string inText(const Entries& entries, int depth)
 {
-    const std::string indent(std::size_t(4*depth), ' ');
+    const std::string indent(std::size_t(4 * depth), ' ');
     std::string text;
     for (const auto& e : entries)
     {
         const auto& i = e.info;
-        const auto head = defaultText(i).empty() ? typeText(i) : fmt::format("{}; {}{}", typeText(i), i.isRequired ? "" : "default ", defaultText(i));
+        const auto head =
+            defaultText(i).empty() ? typeText(i) : fmt::format("{}; {}{}", typeText(i), i.isRequired ? "" : "default ", defaultText(i));
         text += fmt::format("{}{:<16} {}\n", indent, i.keyword, head);
         if (!i.meaning.empty()) text += fmt::format("{}{:16} {}\n", indent, "", i.meaning);
         if (!i.choices.empty() && !wordsNeedLines(e)) text += fmt::format("{}{:16} {}\n", indent, "", list(i.choices.words()));
@@ -92,8 +93,8 @@ std::string cellText(std::string text)
 /// `with`: the words of choices that these entries come with.
 void addTables(const Entries& entries, const std::string& path, const std::string& with, const std::string& meaning, std::string& page)
 {
-    page += fmt::format("{}`{}`{}\n\n{}| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ", path,
-                        with, meaning.empty() ? "" : meaning + "\n\n");
+    page += fmt::format("{}`{}`{}\n\n{}| entry | type | unit | default | meaning |\n|---|---|---|---|---|\n", page.empty() ? "# " : "\n## ",
+                        path, with, meaning.empty() ? "" : meaning + "\n\n");
     for (const auto& [i, inside, cases] : entries)
     {
         std::string says = i.meaning;
@@ -126,7 +127,7 @@ std::string commentedOut(const std::string& lines)
 
 std::string asTemplate(const Entries& entries, int depth)
 {
-    const std::string indent(std::size_t(4*depth), ' ');
+    const std::string indent(std::size_t(4 * depth), ' ');
     std::string text;
     for (const auto& e : entries)
     {
@@ -138,11 +139,11 @@ std::string asTemplate(const Entries& entries, int depth)
         if (!i.isRequired && !i.isFixed && !i.fallback.empty()) says += fmt::format("; default: {}", i.fallback);
         std::string lines;
         if (i.type.ends_with("of dictionaries"))
-            lines = fmt::format("{0}{1}    // {2}\n{0}(\n{0}    {{\n{3}{0}    }}\n{0});\n", indent, i.keyword, says, asTemplate(e.inside, depth + 2));
+            lines = fmt::format("{0}{1}    // {2}\n{0}(\n{0}    {{\n{3}{0}    }}\n{0});\n", indent, i.keyword, says,
+                                asTemplate(e.inside, depth + 2));
         else if (!e.inside.empty() || i.type == "dictionary")
             lines = fmt::format("{0}{1}    // {2}\n{0}{{\n{3}{0}}}\n", indent, i.keyword, says, asTemplate(e.inside, depth + 1));
-        else
-            lines = fmt::format("{}{:<16} {:<16} // {}\n", indent, i.keyword, (i.example.empty() ? "name" : i.example) + ";", says);
+        else lines = fmt::format("{}{:<16} {:<16} // {}\n", indent, i.keyword, (i.example.empty() ? "name" : i.example) + ";", says);
         if (wordsNeedLines(e))
             for (const auto& [word, meaning] : i.choices)
                 lines += fmt::format("{}//-     {}{}\n", indent, word, meaning.empty() ? "" : ": " + meaning);
@@ -168,7 +169,8 @@ ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
     {
         std::vector<std::string> names;
         for (const auto& f : registry.files()) names.push_back(f.name);
-        throw CaseError(fmt::format("There is no reference of \"{0}\". {1}", path, suggestion(path.substr(0, path.find('.')), "files", names)));
+        throw CaseError(
+            fmt::format("There is no reference of \"{0}\". {1}", path, suggestion(path.substr(0, path.find('.')), "files", names)));
     }
     ReferencePart part{path, path == file->name ? file->meaning : "", file->entries};
     for (std::size_t at = file->name.size(); at < path.size();)
@@ -177,7 +179,8 @@ ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
         const auto word = path.substr(at + 1, end - at - 1);
         auto found = below(part.entries, word);
         if (!found)
-            throw CaseError(fmt::format("{} has no entry \"{}\". {}", path.substr(0, at), word, suggestion(word, "entries", wordsBelow(part))));
+            throw CaseError(
+                fmt::format("{} has no entry \"{}\". {}", path.substr(0, at), word, suggestion(word, "entries", wordsBelow(part))));
         part.entries = std::move(*found);
         at = end;
     }

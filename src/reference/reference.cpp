@@ -6,8 +6,8 @@
 #include "models.hpp"
 #include "readPhases.hpp"
 #include "readSettings.hpp"
-#include "schemeSets.hpp"
 #include "resolutionEntries.hpp"
+#include "schemeSets.hpp"
 #include "surfaceEntries.hpp"
 
 namespace sph

@@ -127,14 +127,14 @@ void BedHydrodynamics::execute(const ParticleView& view)
     const auto size = high_ - low_;
     const double bed = size.x * size.y * (flat ? 1 : size.z);
     const auto phases = std::max<std::size_t>(1, view.phases.size());
-    const auto content = groupSums(view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
-                                   [&](std::size_t i)
-                                   {
-                                       const double V = view.volume[i];
-                                       const auto foot = nearestFoot(*view.geometry, position(view, i)).foot;
-                                       return Content{VolumeMean<Vector<3>>::of(V, {U(0, i), U(1, i), U(2, i)}),
-                                                      wallAreaBelow(foot, V, view.spacing)};
-                                   });
+    const auto content = groupSums(
+        view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
+        [&](std::size_t i)
+        {
+            const double V = view.volume[i];
+            const auto foot = nearestFoot(*view.geometry, position(view, i)).foot;
+            return Content{VolumeMean<Vector<3>>::of(V, {U(0, i), U(1, i), U(2, i)}), wallAreaBelow(foot, V, view.spacing)};
+        });
     double area = 0;
     for (const auto& of : content) area += of.wallArea;
     if (phases < 2) area = *wallArea_;
@@ -172,8 +172,8 @@ void BedHydrodynamics::execute(const ParticleView& view)
                                                             liquid_ < phases_.size() ? phases_[liquid_] : "", cell(length_))},
                        columns);
     table_->row(view.time, cells);
-    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, scalars[1],
-                          scalars[2], mag(superficial));
+    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, scalars[1], scalars[2],
+                          mag(superficial));
 }
 
 }

@@ -25,7 +25,8 @@ double BosanquetRise::height(double t) const
             const double reservoir = immersion - (l - immersion) * ratio;
             lv *= l / (l + reservoir * ratio);
             longer = (l + reservoir * ratio * ratio * ratio + ends) / l;
-            const double angle = std::acos(cosTheta), bent = angle * angle * angle + 9 * mu / gamma * lv / l * std::log(width / (2 * slipLength));
+            const double angle = std::acos(cosTheta),
+                         bent = angle * angle * angle + 9 * mu / gamma * lv / l * std::log(width / (2 * slipLength));
             cosine = std::cos(std::cbrt(bent));
         }
         return State{2 * lv, 2 * gamma * cosine / width - pull - deltaRho * g * h - 12 * mu * lv * longer / (width * width)};

@@ -22,9 +22,9 @@ namespace sph
 /// On a wall without slip no line of contact could move; particles have lambda of about half a spacing.
 struct BosanquetRise
 {
-    double gamma, cosTheta, rho, deltaRho, mu, g;   ///< [N/m], -, [kg/m^3], [kg/m^3], [Pa s], [m/s^2]
-    double width, immersion, reservoirWidth, pull;  ///< [m], [m], [m] (0: endless), [Pa]
-    double slipLength = 0;                          ///< [m]; 0: Bosanquet's equation as it stands. Else immersion and reservoirWidth are not 0
+    double gamma, cosTheta, rho, deltaRho, mu, g;  ///< [N/m], -, [kg/m^3], [kg/m^3], [Pa s], [m/s^2]
+    double width, immersion, reservoirWidth, pull; ///< [m], [m], [m] (0: endless), [Pa]
+    double slipLength = 0; ///< [m]; 0: Bosanquet's equation as it stands. Else immersion and reservoirWidth are not 0
 
     /// h [m] at t [s] after a start from rest with both levels equal. NaN where that takes more than 10^7 steps.
     double height(double t) const;

@@ -32,9 +32,9 @@ public:
     /// Throws CaseError where there is no such bridge.
     CapillaryBridge(int dimension, double radius, double gap, double volume, double contactAngle);
 
-    double neck() const { return neck_; }              ///< r at z = 0 [m]; in 2-D half the width
-    double curvature() const { return curvature_; }    ///< (p_l - p_g)/gamma [1/m]
-    double halfFilling() const { return beta_; }       ///< beta [rad]
+    double neck() const { return neck_; }           ///< r at z = 0 [m]; in 2-D half the width
+    double curvature() const { return curvature_; } ///< (p_l - p_g)/gamma [1/m]
+    double halfFilling() const { return beta_; }    ///< beta [rad]
     /// What pulls the spheres together, over gamma: the tension of the neck less the pressure on its section,
     /// 2 pi r - pi r^2 (p_l - p_g)/gamma [m]; in 2-D 2 - 2 r (p_l - p_g)/gamma [-].
     double force() const;

@@ -16,7 +16,8 @@ const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max"
 const Scalar foot{"foot", units::m, required, "height of the slit's lower end"},
     level{"level", units::m, required, "height of both surfaces at the start"},
     contactAngle{"contactAngle", degrees, required,
-                 Range{.low = 0, .high = 90, .highIncluded = false}.saying("the liquid rises where its contact angle lies between 0 and 90 degrees"),
+                 Range{.low = 0, .high = 90, .highIncluded = false}.saying(
+                     "the liquid rises where its contact angle lies between 0 and 90 degrees"),
                  "of the plates"},
     slipLength{"slipLength", units::m, 0, nonNegative, "of the plates in the reference"};
 }
@@ -34,8 +35,14 @@ Box readBox(const Dictionary& d)
 }
 
 CapillaryRise::CapillaryRise(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, entry::phase, phases)), slit_(readBox(entry::slit(d))), reservoir_(readBox(entry::reservoir(d))), foot_(entry::foot(d)),
-      start_(entry::level(d)), angle_(entry::contactAngle(d)), slipLength_(entry::slipLength(d)), where_(d.where("name"))
+    : phase_(readPhase(d, entry::phase, phases)),
+      slit_(readBox(entry::slit(d))),
+      reservoir_(readBox(entry::reservoir(d))),
+      foot_(entry::foot(d)),
+      start_(entry::level(d)),
+      angle_(entry::contactAngle(d)),
+      slipLength_(entry::slipLength(d)),
+      where_(d.where("name"))
 {
     if (geometry.dimension != 2) d.error("name", "the rise in a slit is measured in 2-D scenes alone");
     if (phases.size() != 2) d.error("name", "the liquid rises in a gas: the scene must have two phases");
@@ -56,7 +63,8 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
 {
     Measurement result;
     const double rho_0 = view.restDensity[phase_];
-    if (!(view.surfaceTension > 0)) throw CaseError(where_, "a liquid rises by surface tension, and constant/phaseProperties gives no sigma");
+    if (!(view.surfaceTension > 0))
+        throw CaseError(where_, "a liquid rises by surface tension, and constant/phaseProperties gives no sigma");
     if (rho_0 < view.restDensity[1 - phase_]) throw CaseError(where_, "the phase that rises in the slit must be the denser one");
     const auto level = [&](const Box& box)
     {
@@ -71,8 +79,17 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
     };
     const double w = slit_.high.x - slit_.low.x, W = reservoir_.high.x - reservoir_.low.x;
     const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = view.surfaceTension;
-    const BosanquetRise rise{gamma, cosTheta, rho_0, rho_0 - view.restDensity[1 - phase_], view.viscosity[phase_], -view.g.y,
-                             w, start_ - foot_, W, gamma * cosTheta / W, slipLength_};
+    const BosanquetRise rise{gamma,
+                             cosTheta,
+                             rho_0,
+                             rho_0 - view.restDensity[1 - phase_],
+                             view.viscosity[phase_],
+                             -view.g.y,
+                             w,
+                             start_ - foot_,
+                             W,
+                             gamma * cosTheta / W,
+                             slipLength_};
     result.value = level(slit_) - level(reservoir_);
     result.reference = rise.height(view.time);
     if (std::isnan(result.reference)) result.note = "Bosanquet's equation is too stiff to be followed to this time";

@@ -16,13 +16,8 @@ const Switch angularMomentum{"angularMomentum", false, "the angular momentum as 
 }
 
 Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
-    : context_(context),
-      phases_(context.phases),
-      angular_(entry::angularMomentum(d)),
-      origin_(entry::origin(d)),
-      where_(d.location())
-{
-}
+    : context_(context), phases_(context.phases), angular_(entry::angularMomentum(d)), origin_(entry::origin(d)), where_(d.location())
+{}
 
 EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }
 
@@ -42,8 +37,9 @@ Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>&
                                 const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
                                 return Motion{m * u, m * cross(x - origin, u), 0.5 * m * dot(u, u), -m * dot(g, x), m * mag(u)};
                             });
-    return {motion, groupSums(view.n, std::max<std::size_t>(1, view.phases.size()), [&](std::size_t i) { return phaseOf(view, i); },
-                              [&](std::size_t i) { return view.mass[i]; })};
+    return {motion, groupSums(
+                        view.n, std::max<std::size_t>(1, view.phases.size()), [&](std::size_t i) { return phaseOf(view, i); },
+                        [&](std::size_t i) { return view.mass[i]; })};
 }
 
 Conservation::Motion& Conservation::Motion::operator+=(const Motion& other)

@@ -30,8 +30,7 @@ std::vector<Vector<3>> directions(int dimension)
     const int n = dimension == 2 ? 360 : 1000;
     std::vector<Vector<3>> result;
     for (int k = 0; k < n; ++k)
-        if (dimension == 2)
-            result.push_back({std::cos(2 * pi * (k + 0.5) / n), std::sin(2 * pi * (k + 0.5) / n), 0});
+        if (dimension == 2) result.push_back({std::cos(2 * pi * (k + 0.5) / n), std::sin(2 * pi * (k + 0.5) / n), 0});
         else
         {
             const double y = 1 - 2 * (k + 0.5) / n, r = std::sqrt(1 - y * y), angle = k * pi * (3 - std::sqrt(5.0));
@@ -92,19 +91,18 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
     for (const auto& direction : directions(view.dimension))
     {
         const double sinks = -dot(direction, foot.normal), beyond = farthest + view.support;
-        const double reach = sinks*beyond > foot.distance ? foot.distance/sinks : beyond;
+        const double reach = sinks * beyond > foot.distance ? foot.distance / sinks : beyond;
         const auto r = fraction.surface(drop.centre, direction, reach);
-        if (r && shape.foot(drop.centre + *r*direction).distance > above_*view.spacing) surface.push_back(drop.centre + *r*direction);
+        if (r && shape.foot(drop.centre + *r * direction).distance > above_ * view.spacing) surface.push_back(drop.centre + *r * direction);
     }
 
     const auto sphere = fitSphere(surface, view.dimension);
     if (sphere.radius > 0)
     {
         const double h = shape.foot(sphere.centre).distance, R = sphere.radius;
-        result.value = std::acos(std::clamp(-h/R - foot.k1*(sqr(R) - sqr(h))/(2*R), -1.0, 1.0))/degree;
+        result.value = std::acos(std::clamp(-h / R - foot.k1 * (sqr(R) - sqr(h)) / (2 * R), -1.0, 1.0)) / degree;
     }
-    else
-        result.note = "the surface of the drop does not rise far enough above the wall to be fitted";
+    else result.note = "the surface of the drop does not rise far enough above the wall to be fitted";
     return result;
 }
 

@@ -16,7 +16,7 @@ class ContactAngle
 {
     std::size_t phase_;
     std::string name_, around_; ///< of two phases
-    double angle_, above_; ///< [degrees], negative: that of the wall; [spacings]
+    double angle_, above_;      ///< [degrees], negative: that of the wall; [spacings]
 
 public:
     static EntryList entries();

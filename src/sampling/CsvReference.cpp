@@ -17,8 +17,9 @@ namespace entry
 const Text file{"file", required, "table, relative to the case; its first line names the columns, # begins a note"};
 const SubDictionary columns{"columns", required, "names of the columns"}, units{"units", byScene("1 each"), "SI value of 1 in each column"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
-const Word coordinate{"coordinate", required, "column of the coordinate"}, time{"time", byScene("none: a steady reference"), "column of the time"},
-    timeAlone{"time", required, "column of the time"}, value{"value", required, "column of the value"};
+const Word coordinate{"coordinate", required, "column of the coordinate"},
+    time{"time", byScene("none: a steady reference"), "column of the time"}, timeAlone{"time", required, "column of the time"},
+    value{"value", required, "column of the value"};
 const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"},
     timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"}, valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
 const FreeName column{"<column>", "word or number", "what the column must hold"};
@@ -71,9 +72,17 @@ EntryList CsvReference::entries(Over over)
 {
     const EntryList rest{{entry::select, {entry::column}}, entry::interpolation};
     if (over == Over::time)
-        return EntryList{entry::file, {entry::columns, {entry::timeAlone, entry::value}}, {entry::units, {entry::timeUnit, entry::valueUnit}}} + rest;
-    return EntryList{entry::file, {entry::columns, {entry::coordinate, entry::time, entry::value}},
-                     {entry::units, {entry::coordinateUnit, entry::timeUnit, entry::valueUnit}}, entry::axis, entry::origin, entry::mirror} + rest;
+        return EntryList{entry::file,
+                         {entry::columns, {entry::timeAlone, entry::value}},
+                         {entry::units, {entry::timeUnit, entry::valueUnit}}} +
+               rest;
+    return EntryList{entry::file,
+                     {entry::columns, {entry::coordinate, entry::time, entry::value}},
+                     {entry::units, {entry::coordinateUnit, entry::timeUnit, entry::valueUnit}},
+                     entry::axis,
+                     entry::origin,
+                     entry::mirror} +
+           rest;
 }
 
 void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFolder)
@@ -93,8 +102,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
         entry::axis.error(d, fmt::format("axis is needed: coordinate column \"{}\" does not say x, y or z", coordinateName));
 
     const auto unitsOf = entry::units(d);
-    const double coordinateUnit = (inSpace ? entry::coordinateUnit : entry::timeUnit)(unitsOf), timeUnit = inSpace ? entry::timeUnit(unitsOf) : 1,
-                 valueUnit = entry::valueUnit(unitsOf);
+    const double coordinateUnit = (inSpace ? entry::coordinateUnit : entry::timeUnit)(unitsOf),
+                 timeUnit = inSpace ? entry::timeUnit(unitsOf) : 1, valueUnit = entry::valueUnit(unitsOf);
     const auto select = entry::select(d);
     std::map<std::string, std::string> wanted;
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
@@ -146,8 +155,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
         };
         const double time = steady_ ? 0 : timeUnit * number_(t), coordinate = coordinateUnit * number_(c);
         if (!table[time].emplace(coordinate, valueUnit * number_(v)).second)
-            d.diagnostics().error(
-                here, fmt::format("a second value at {} = {}: say by `select` which rows are meant", coordinateName, cells[c]));
+            d.diagnostics().error(here,
+                                  fmt::format("a second value at {} = {}: say by `select` which rows are meant", coordinateName, cells[c]));
     }
     for (const auto& [time, rows] : table)
     {

@@ -48,14 +48,7 @@ const std::map<std::string, std::vector<std::pair<double, double>>>& references(
           {0.343, 16.335},
           {0.45, 31.69},
           {0.6802, 162.6}}},
-        {"fcc",
-         {{0.001, 1.21680},
-          {0.027, 2.04387},
-          {0.064, 2.88875},
-          {0.125, 4.44572},
-          {0.216, 7.75764},
-          {0.343, 16.639},
-          {0.45, 33.49}}},
+        {"fcc", {{0.001, 1.21680}, {0.027, 2.04387}, {0.064, 2.88875}, {0.125, 4.44572}, {0.216, 7.75764}, {0.343, 16.639}, {0.45, 33.49}}},
         {"square", {{0.05, 15.56}, {0.10, 24.83}, {0.20, 51.53}, {0.40, 217.89}, {0.60, 1763}}},
     };
     return table;
@@ -67,8 +60,7 @@ constexpr double sameSolidFraction = 1e-3;
 /// Spheres per cell of edge `period`.
 int spheresPerCell(const std::string& lattice) { return lattice == "bcc" ? 2 : lattice == "fcc" ? 4 : 1; }
 
-double referenceOf(const Dictionary& d, const std::string& lattice, double solidFraction,
-                   const std::vector<std::string>& lattices)
+double referenceOf(const Dictionary& d, const std::string& lattice, double solidFraction, const std::vector<std::string>& lattices)
 {
     const auto known = references().find(lattice);
     if (known == references().end())
@@ -83,8 +75,9 @@ double referenceOf(const Dictionary& d, const std::string& lattice, double solid
         if (std::abs(fraction - solidFraction) <= sameSolidFraction * fraction) return K;
         fractions += fmt::format("{}{}", fractions.empty() ? "" : ", ", fraction);
     }
-    entry::lattice.error(d, fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
-                                        lattice, solidFraction, fractions));
+    entry::lattice.error(d,
+                         fmt::format("K of {} is not known for a solid fraction of {:.4g}. Known solid fractions: {}; or give `reference`",
+                                     lattice, solidFraction, fractions));
     return 1;
 }
 
@@ -103,8 +96,7 @@ DragFactor::DragFactor(const Dictionary& d, const Geometry& geometry, const std:
         solidFraction_ = geometry.dimension == 2 ? pi * a * a : spheresPerCell(lattice) * 4.0 / 3 * pi * a * a * a;
         if (lattice.empty()) entry::lattice.error(d, "lattice is needed where period is given. Known lattices: " + list(lattices));
     }
-    else
-        solidFraction_ = entry::solidFraction.needed(d);
+    else solidFraction_ = entry::solidFraction.needed(d);
     const auto reference = entry::reference.ifGiven(d);
     reference_ = reference ? *reference : referenceOf(d, lattice, solidFraction_, lattices);
 }
@@ -126,8 +118,8 @@ Measurement DragFactor::operator()(const ParticleView& view) const
     const double superficial = sum(view.n, [&](std::size_t i) { return view.volume[i] * alongG(i); }) / Vcell;
     const double rho = view.restDensity.at(phase_), mu = view.viscosity.at(phase_);
     const double a = radius_, phi = solidFraction_;
-    result.value = view.dimension == 2 ? rho * g * pi * a * a / (phi * mu * superficial)
-                                       : 2 * a * a * rho * g / (9 * phi * mu * superficial);
+    result.value =
+        view.dimension == 2 ? rho * g * pi * a * a / (phi * mu * superficial) : 2 * a * a * rho * g / (9 * phi * mu * superficial);
     if (superficial == 0)
     {
         result.value = std::numeric_limits<double>::quiet_NaN();

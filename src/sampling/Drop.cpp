@@ -74,7 +74,8 @@ double Drop::radius(int dimension) const
 
 double Drop::reach(const ParticleView& view) const
 {
-    return reduce(view.n, 0.0, [&](std::size_t i) { return has(view, i) ? mag(displacement(view, centre, position(view, i))) : 0.0; }, Larger{});
+    return reduce(
+        view.n, 0.0, [&](std::size_t i) { return has(view, i) ? mag(displacement(view, centre, position(view, i))) : 0.0; }, Larger{});
 }
 
 Drop dropOrBubble(const ParticleView& view, std::size_t phase)

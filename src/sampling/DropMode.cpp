@@ -28,8 +28,7 @@ Complex dropMode(int n, double R, double gamma, const ModeFluid& drop, const Mod
         const Complex slopeIn = in * scaledBesselI(n - 1, in * R) / scaledBesselI(n, in * R) - n / R;
         const Complex slopeOut = -out * scaledBesselK(n - 1, out * R) / scaledBesselK(n, out * R) - n / R;
         return mismatch({solution(n, R, drop.mu, n / R, 0, -drop.rho * s), solution(n, R, drop.mu, slopeIn, in * in, 0)},
-                        {solution(n, R, around.mu, -n / R, 0, around.rho * s), solution(n, R, around.mu, slopeOut, out * out, 0)}, K,
-                        s);
+                        {solution(n, R, around.mu, -n / R, 0, around.rho * s), solution(n, R, around.mu, slopeOut, out * out, 0)}, K, s);
     };
     return rateNear({-decay, omega}, determinant);
 }

@@ -15,7 +15,12 @@ namespace entry
 const DictionaryList comparisons{"fields", byScene("the one comparison that stands here"),
                                  "several comparisons, each with its own field, reference ..."};
 const SubDictionary reference{"reference", required, "what to compare with"};
-const Choice type{"type", {{"formula", "an exact solution, or a measure, which needs no field"}, {"csv", "a table"}, {"expression", "of place and time"}}, required, "of the reference"};
+const Choice type{"type",
+                  {{"formula", "an exact solution, or a measure, which needs no field"},
+                   {"csv", "a table"},
+                   {"expression", "of place and time"}},
+                  required,
+                  "of the reference"};
 
 static const Choice& name()
 {
@@ -64,13 +69,14 @@ void Errors::readComparison(const Dictionary& d)
     if (type == "csv")
     {
         auto csv = CsvReference(reference, context_.output.caseFolder(context_.name));
-        comparisons_.push_back(FieldComparison(d, context_,
-                                               [csv](const Vector<3>& x, double t) -> std::optional<Vector<3>>
-                                               {
-                                                   const auto value = csv(x, t);
-                                                   return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
-                                               },
-                                               csv.rows()));
+        comparisons_.push_back(FieldComparison(
+            d, context_,
+            [csv](const Vector<3>& x, double t) -> std::optional<Vector<3>>
+            {
+                const auto value = csv(x, t);
+                return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
+            },
+            csv.rows()));
     }
     if (type == "expression") comparisons_.push_back(FieldComparison(d, context_, readExpressionReference(reference)));
     if (!type) leaveRest();
@@ -111,13 +117,21 @@ void Errors::eachList(const std::function<void(const std::string&, std::vector<d
 Histories Errors::histories() const
 {
     Histories all;
-    eachList([&](const std::string& name, const std::vector<double>& list) { if (!list.empty()) all[name] = list; });
+    eachList(
+        [&](const std::string& name, const std::vector<double>& list)
+        {
+            if (!list.empty()) all[name] = list;
+        });
     return all;
 }
 
 void Errors::restore(const Histories& stored)
 {
-    eachList([&](const std::string& name, std::vector<double>& list) { if (const auto found = stored.find(name); found != stored.end()) list = found->second; });
+    eachList(
+        [&](const std::string& name, std::vector<double>& list)
+        {
+            if (const auto found = stored.find(name); found != stored.end()) list = found->second;
+        });
 }
 
 void Errors::execute(const ParticleView& view)
@@ -128,14 +142,13 @@ void Errors::execute(const ParticleView& view)
         const auto row = comparison(view);
         if (!row) continue;
         if (!table_)
-            table_.emplace(
-                context_.file("errors.dat"), std::vector<std::string>{},
-                std::vector<std::string>{"field", "L1", "L2", "Linf", "nParticles", "executionTime", "value", "reference"});
-        table_->row(view.time, std::vector<std::string>{row->field, cell(row->error.L1), cell(row->error.L2),
-                                                        cell(row->error.Linf), fmt::format("{}", row->particles),
-                                                        cell(view.executionTime), cell(row->value), cell(row->reference)});
-        report_ += fmt::format("{}{}: {} L2 {:.4g} Linf {:.4g}{}{}", report_.empty() ? "" : "\n", context_.name, row->field,
-                               row->error.L2, row->error.Linf, row->note.empty() ? "" : "; ", row->note);
+            table_.emplace(context_.file("errors.dat"), std::vector<std::string>{},
+                           std::vector<std::string>{"field", "L1", "L2", "Linf", "nParticles", "executionTime", "value", "reference"});
+        table_->row(view.time, std::vector<std::string>{row->field, cell(row->error.L1), cell(row->error.L2), cell(row->error.Linf),
+                                                        fmt::format("{}", row->particles), cell(view.executionTime), cell(row->value),
+                                                        cell(row->reference)});
+        report_ += fmt::format("{}{}: {} L2 {:.4g} Linf {:.4g}{}{}", report_.empty() ? "" : "\n", context_.name, row->field, row->error.L2,
+                               row->error.Linf, row->note.empty() ? "" : "; ", row->note);
     }
 }
 

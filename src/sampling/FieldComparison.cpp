@@ -1,9 +1,9 @@
 #include "FieldComparison.hpp"
-#include "contains.hpp"
 #include "Interpolator.hpp"
 #include "Measurement.hpp"
 #include "SampledField.hpp"
 #include "VolumeMean.hpp"
+#include "contains.hpp"
 #include "sharedEntries.hpp"
 #include "words.hpp"
 #include <algorithm>
@@ -14,11 +14,15 @@ namespace sph
 
 namespace entry
 {
-const Choice component{
-    "component", {"x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"}, byScene("the magnitude of the difference"), "component to compare"},
+const Choice component{"component",
+                       {"x", "y", "z", "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"},
+                       byScene("the magnitude of the difference"),
+                       "component to compare"},
     norm{"norm", {"relative", "absolute"}, "relative", "errors divided by the reference, or as they are"},
-    cellMeans{
-        "cellMeans", {"x", "y", "z"}, notGiven, "direction along which the reference is averaged over a spacing: all that particles have of a cusp"},
+    cellMeans{"cellMeans",
+              {"x", "y", "z"},
+              notGiven,
+              "direction along which the reference is averaged over a spacing: all that particles have of a cusp"},
     points{"points",
            {"particles", {"rows", "the rows of a csv reference, all of the same weight, where the field is interpolated"}},
            "particles",
@@ -31,18 +35,21 @@ const SubDictionary region{"region", byScene("everywhere"), "compare points with
 const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
 }
 
-bool readsRelative(const Dictionary& d)
-{
-    return entry::norm(d) == "relative";
-}
+bool readsRelative(const Dictionary& d) { return entry::norm(d) == "relative"; }
 
 std::string readComponent(const Dictionary& d) { return entry::component.ifGiven(d).value_or(""); }
 
 EntryList FieldComparison::entries()
 {
-    return {
-        entry::field,     entry::component, entry::norm, entry::scale, entry::points, entry::phaseAlone, {entry::region, {entry::min, entry::max}},
-        entry::cellMeans, entry::removeMean};
+    return {entry::field,
+            entry::component,
+            entry::norm,
+            entry::scale,
+            entry::points,
+            entry::phaseAlone,
+            {entry::region, {entry::min, entry::max}},
+            entry::cellMeans,
+            entry::removeMean};
 }
 
 FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference,
@@ -55,7 +62,8 @@ FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& con
       where_(component_.empty() ? entry::field.where(d) : entry::component.where(d)),
       reference_(std::move(reference))
 {
-    if (const auto axis = entry::cellMeans.ifGiven(d)) cell_ = {*axis == "x" ? 1.0 : 0.0, *axis == "y" ? 1.0 : 0.0, *axis == "z" ? 1.0 : 0.0};
+    if (const auto axis = entry::cellMeans.ifGiven(d))
+        cell_ = {*axis == "x" ? 1.0 : 0.0, *axis == "y" ? 1.0 : 0.0, *axis == "z" ? 1.0 : 0.0};
     if (entry::phaseAlone.given(d)) phase_ = readPhase(d, entry::phaseAlone, context.phases);
     if (entry::region.given(d))
     {
@@ -74,8 +82,7 @@ int FieldComparison::component(const SampledField& field) const
 {
     if (component_.empty())
     {
-        if (field.components() > 3)
-            throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
+        if (field.components() > 3) throw CaseError(where_, fmt::format("field {} is a tensor: compare a component of it", field_));
         return -1;
     }
     const auto own = componentNames(field.type());
@@ -87,10 +94,7 @@ int FieldComparison::component(const SampledField& field) const
     return int(found - names.begin());
 }
 
-bool FieldComparison::within(const Vector<3>& x, int dimension) const
-{
-    return !region_ || contains(*region_, x, dimension);
-}
+bool FieldComparison::within(const Vector<3>& x, int dimension) const { return !region_ || contains(*region_, x, dimension); }
 
 /// The reference at a particle, or its mean over the particle's cell by the mid-point rule.
 std::optional<Vector<3>> FieldComparison::referenceAt(const Vector<3>& x, const ParticleView& view) const
@@ -100,11 +104,11 @@ std::optional<Vector<3>> FieldComparison::referenceAt(const Vector<3>& x, const 
     Vector<3> sum;
     for (int k = 0; k < parts; ++k)
     {
-        const auto value = reference_(x + ((k + 0.5)/parts - 0.5)*view.spacing*cell_, view.time);
+        const auto value = reference_(x + ((k + 0.5) / parts - 0.5) * view.spacing * cell_, view.time);
         if (!value) return {};
         sum += *value;
     }
-    return sum/parts;
+    return sum / parts;
 }
 
 std::vector<FieldComparison::Sample> FieldComparison::atParticles(const ParticleView& view, const SampledField& field, int only) const
@@ -147,9 +151,7 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     if (samples.empty()) return {};
 
     const auto meanOf = [&](Vector<3> Sample::*of)
-    {
-        return sum(samples.size(), [&](std::size_t i) { return VolumeMean<Vector<3>>::of(samples[i].volume, samples[i].*of); }).value();
-    };
+    { return sum(samples.size(), [&](std::size_t i) { return VolumeMean<Vector<3>>::of(samples[i].volume, samples[i].*of); }).value(); };
     if (removeMean_)
     {
         const auto value = meanOf(&Sample::value), exact = meanOf(&Sample::exact);
@@ -161,8 +163,7 @@ std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) co
     }
     const auto normsOf = [&](const auto& part)
     { return sum(samples.size(), [&](std::size_t i) { return NormSum(samples[i].volume, mag(part(samples[i]))); }).norms(); };
-    const auto errors = normsOf([](const Sample& s) { return s.value - s.exact; }),
-               values = normsOf([](const Sample& s) { return s.value; });
+    const auto errors = normsOf([](const Sample&s) { return s.value - s.exact; }), values = normsOf([](const Sample&s) { return s.value; });
     const auto scale = scale_ ? Norms{*scale_, *scale_, *scale_} : normsOf([](const Sample& s) { return s.exact; });
     return ErrorRow{component_.empty() ? field_ : field_ + "." + component_,
                     relative_ ? relativeTo(scale, errors) : errors,

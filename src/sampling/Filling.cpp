@@ -25,14 +25,14 @@ EntryList Filling::entries() { return {entry::min, entry::max, entry::level}; }
 
 Vector<3> Filling::centre(int i, int k, int l, double spacing) const
 {
-    return box_.low + spacing*Vector<3>{i + 0.5, k + 0.5, context_.geometry.dimension == 3 ? l + 0.5 : 0};
+    return box_.low + spacing * Vector<3>{i + 0.5, k + 0.5, context_.geometry.dimension == 3 ? l + 0.5 : 0};
 }
 
 void Filling::findCavity(double spacing)
 {
     for (int c = 0; c < context_.geometry.dimension; ++c)
-        n_[c] = std::max(1, int(std::lround((box_.high.*component(c) - box_.low.*component(c))/spacing)));
-    cavity_.resize(std::size_t(n_[0])*n_[1]*n_[2]);
+        n_[c] = std::max(1, int(std::lround((box_.high.*component(c) - box_.low.*component(c)) / spacing)));
+    cavity_.resize(std::size_t(n_[0]) * n_[1] * n_[2]);
     std::size_t at = 0;
     for (int l = 0; l < n_[2]; ++l)
         for (int k = 0; k < n_[1]; ++k)
@@ -46,7 +46,7 @@ double Filling::shareReached(const ParticleView& view) const
     const bool flat = context_.geometry.dimension == 2;
     for (std::size_t p = 0; p < view.n; ++p)
     {
-        const auto q = (position(view, p) - box_.low)/view.spacing;
+        const auto q = (position(view, p) - box_.low) / view.spacing;
         if (!contains({{-1, -1, -1}, {n_[0] + 1.0, n_[1] + 1.0, n_[2] + 1.0}}, q, context_.geometry.dimension)) continue;
         const int i_p = int(std::floor(q.x)), k_p = int(std::floor(q.y)), l_p = flat ? 0 : int(std::floor(q.z));
         for (int l = flat ? 0 : l_p - 1; l <= (flat ? 0 : l_p + 1); ++l)
@@ -56,12 +56,12 @@ double Filling::shareReached(const ParticleView& view) const
                     if (i < 0 || k < 0 || l < 0 || i >= n_[0] || k >= n_[1] || l >= n_[2]) continue;
                     auto by = position(view, p) - centre(i, k, l, view.spacing);
                     if (flat) by.z = 0;
-                    if (mag(by) <= view.spacing) reached[(std::size_t(l)*n_[1] + k)*n_[0] + i] = true;
+                    if (mag(by) <= view.spacing) reached[(std::size_t(l) * n_[1] + k) * n_[0] + i] = true;
                 }
     }
     double count = 0;
     for (std::size_t at = 0; at < cavity_.size(); ++at) count += cavity_[at] && reached[at];
-    return count/samples_;
+    return count / samples_;
 }
 
 void Filling::execute(const ParticleView& view)
@@ -70,10 +70,10 @@ void Filling::execute(const ParticleView& view)
     const FieldView* const phi = view.find("phi");
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto inBox = [&](std::size_t i) { return contains(box_, position(view, i), context_.geometry.dimension); };
-    const double volume = sum(view.n, [&](std::size_t i) { return inBox(i) ? view.mass[i]/view.restDensity[phaseOf(view, i)] : 0; });
+    const double volume = sum(view.n, [&](std::size_t i) { return inBox(i) ? view.mass[i] / view.restDensity[phaseOf(view, i)] : 0; });
     leastPhi_ = least(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : infinity; });
     mostPhi_ = most(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : -infinity; });
-    filled_ = volume/(samples_*std::pow(view.spacing, context_.geometry.dimension));
+    filled_ = volume / (samples_ * std::pow(view.spacing, context_.geometry.dimension));
     reached_ = shareReached(view);
     if (!fillTime_ && reached_ >= level_) fillTime_ = view.time;
     std::vector<std::string> columns{"filled", "reached"}, cells{cell(filled_), cell(reached_)};
@@ -82,7 +82,9 @@ void Filling::execute(const ParticleView& view)
         columns.insert(columns.end(), {"minPhi", "maxPhi"});
         cells.insert(cells.end(), {cell(leastPhi_), cell(mostPhi_)});
     }
-    if (!table_) table_.emplace(context_.file("filling.dat"), std::vector<std::string>{fmt::format("share of the cavity, {:.6g} samples", samples_)}, columns);
+    if (!table_)
+        table_.emplace(context_.file("filling.dat"), std::vector<std::string>{fmt::format("share of the cavity, {:.6g} samples", samples_)},
+                       columns);
     table_->row(view.time, cells);
 }
 

@@ -19,7 +19,7 @@ class Filling : public FunctionObject
     FunctionContext context_;
     Box box_;
     double level_;
-    std::vector<bool> cavity_;             ///< of the lattice's cells, x fastest
+    std::vector<bool> cavity_; ///< of the lattice's cells, x fastest
     std::array<int, 3> n_{1, 1, 1};
     double samples_ = 0;
     std::optional<double> fillTime_;
@@ -36,7 +36,10 @@ public:
     void execute(const ParticleView&) override;
     std::string report() const override;
     Histories histories() const override { return fillTime_ ? Histories{{"fillTime", {*fillTime_}}} : Histories{}; }
-    void restore(const Histories& stored) override { if (const auto found = stored.find("fillTime"); found != stored.end() && !found->second.empty()) fillTime_ = found->second[0]; }
+    void restore(const Histories& stored) override
+    {
+        if (const auto found = stored.find("fillTime"); found != stored.end() && !found->second.empty()) fillTime_ = found->second[0];
+    }
 };
 
 }

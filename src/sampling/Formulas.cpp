@@ -34,16 +34,18 @@ template<class Solution> Formula velocity(const std::string& name)
 template<class Solution> Formula pressure(const std::string& name)
 {
     return {name, "p",
-            [](const Dictionary& dictionary) -> ExactField
-            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; }; },
+            [](const Dictionary& dictionary) -> ExactField {
+                return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; };
+            },
             Solution::entries};
 }
 
 template<class Solution> Formula phi(const std::string& name)
 {
     return {name, "phi",
-            [](const Dictionary& dictionary) -> ExactField
-            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; }; },
+            [](const Dictionary& dictionary) -> ExactField {
+                return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; };
+            },
             Solution::entries};
 }
 

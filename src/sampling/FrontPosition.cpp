@@ -13,7 +13,9 @@ const SubDictionary table{"table", required, "positions over time"};
 }
 
 FrontPosition::FrontPosition(const Dictionary& d, const std::vector<std::string>& phases, const std::filesystem::path& caseFolder)
-    : phase_(readPhase(d, entry::phase, phases)), direction_(entry::direction(d)), origin_(entry::origin(d)),
+    : phase_(readPhase(d, entry::phase, phases)),
+      direction_(entry::direction(d)),
+      origin_(entry::origin(d)),
       table_(entry::table(d), caseFolder, CsvReference::Over::time)
 {}
 

@@ -54,8 +54,8 @@ class FunctionObjects
         double next; ///< runTime: the next time [s]; writeTime: the number of write times so far
     };
     std::vector<Entry> entries_;
-    void read(const Dictionary&, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&,
-              const std::string& name, double now);
+    void read(const Dictionary&, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&, const std::string& name,
+              double now);
     void restore(const Histories&);
     static bool due(const Entry&, const RunTime&, bool writeTime, bool end);
 

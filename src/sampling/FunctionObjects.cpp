@@ -61,7 +61,8 @@ const Choice control{"executeControl",
                       {"timeStep", "at each executeInterval-th step"},
                       {"runTime", "at multiples of executeInterval"},
                       {"onEnd", "when the run ends"}}, // in the order of FunctionObjects::Entry::Control
-                     "writeTime", "when it is due"};
+                     "writeTime",
+                     "when it is due"};
 const Scalar time{"executeInterval", units::s, required, positive, "time between two samples"};
 const Count times{"executeInterval", 1, atLeast(1), "write times or steps between two samples"};
 const FreeName function{"<function>", "dictionary", "a function object; its name is that of the folder below postProcessing"};
@@ -76,7 +77,8 @@ static const Choice& type()
 EntryList functionEntries()
 {
     return {{entry::function,
-             {{entry::control, {{"writeTime", {entry::times}}, {"timeStep", {entry::times}}, {"runTime", {entry::time}}, {"onEnd", {entry::times}}}},
+             {{entry::control,
+               {{"writeTime", {entry::times}}, {"timeStep", {entry::times}}, {"runTime", {entry::time}}, {"onEnd", {entry::times}}}},
               {entry::type(), types()}}}};
 }
 
@@ -123,7 +125,8 @@ void FunctionObjects::restore(const Histories& all)
         for (const auto& [name, values] : all)
             if (name.starts_with(prefix)) own[name.substr(prefix.size())] = values;
         // The time folder's own sample is taken again when the run starts.
-        if (const auto counted = own.find(writeTimes); counted != own.end() && !counted->second.empty()) entry.next = counted->second[0] - 1;
+        if (const auto counted = own.find(writeTimes); counted != own.end() && !counted->second.empty())
+            entry.next = counted->second[0] - 1;
         if (!own.empty()) entry.object->restore(own);
     }
 }
@@ -143,8 +146,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
                            const OutputPlace& output, const std::string& name, double now)
 {
     using Control = Entry::Control;
-    if (!functions.isDictionary(name))
-        return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
+    if (!functions.isDictionary(name)) return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
     const auto d = functions.subDict(name);
     const auto type = entry::type().known(d);
     if (!type) return;

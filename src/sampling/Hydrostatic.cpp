@@ -16,18 +16,16 @@ const Scalar pTop{"pTop", units::pressure, 0, "pressure above the uppermost laye
 
 Hydrostatic::Hydrostatic(std::vector<double> heights, std::vector<double> densities, const Vector<3>& g)
     : heights_(std::move(heights)), densities_(std::move(densities)), g_(g), pTop_(0)
-{
-}
+{}
 
 Hydrostatic::Hydrostatic(const Dictionary& d)
     : heights_(entry::heights(d)), densities_(entry::densities(d)), g_(entry::g(d)), origin_(entry::origin(d)), pTop_(entry::pTop(d))
 {
     if (heights_.size() != densities_.size())
-        entry::densities.error(d, fmt::format("{} densities for {} heights: one of each per layer, from the bottom up",
-                                         densities_.size(), heights_.size()));
+        entry::densities.error(d, fmt::format("{} densities for {} heights: one of each per layer, from the bottom up", densities_.size(),
+                                              heights_.size()));
     const auto isNegative = [](double a) { return a < 0; };
-    if (std::ranges::any_of(heights_, isNegative))
-        entry::heights.error(d, "heights are thicknesses of layers and must not be negative");
+    if (std::ranges::any_of(heights_, isNegative)) entry::heights.error(d, "heights are thicknesses of layers and must not be negative");
     if (std::ranges::any_of(densities_, isNegative)) entry::densities.error(d, "densities must not be negative");
     if (!(mag(g_) > 0)) entry::g.error(d, "g must not be zero: it tells which way is up");
 }

@@ -35,8 +35,9 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     Measurement result;
     const auto phase = [&](std::size_t i) { return phaseOf(view, i); };
     // Of the first phase alone.
-    const auto wave = groupSums(view.n, 1, phase, [&](std::size_t i)
-                                { return VolumeMean<>::of(view.mass[i] / view.restDensity[0], std::cos(k * view.x[i])); })[0];
+    const auto wave =
+        groupSums(view.n, 1, phase,
+                  [&](std::size_t i) { return VolumeMean<>::of(view.mass[i] / view.restDensity[0], std::cos(k * view.x[i])); })[0];
     const double amplitude = 2 / area * wave.amount;
     result.particles = wave.particles;
     const auto height = groupSums(view.n, 2, phase, [&](std::size_t i) { return VolumeMean<>::of(1, view.y[i]); });

@@ -18,8 +18,7 @@ std::variant<Kernel<2>, Kernel<3>> kernelOf(const ParticleView& view)
 
 /// Positions with the copies that lie within H of the periodic domain, [low - H, high + H]: several on each side where the period
 /// is shorter than H.
-void addCopies(std::vector<Vector<3>>& x, std::vector<std::size_t>& source, double Vector<3>::*component, double low, double high,
-               double H)
+void addCopies(std::vector<Vector<3>>& x, std::vector<std::size_t>& source, double Vector<3>::*component, double low, double high, double H)
 {
     const double period = high - low;
     const int shifts = int(std::ceil(H / period)) + 1;
@@ -48,10 +47,8 @@ template<int dim> void makeLinear(std::vector<double>& w, const std::vector<Vect
     const auto basis = [](const Vector<3>& d)
     {
         Column b;
-        if constexpr (dim == 2)
-            b << 1, d.x, d.y;
-        else
-            b << 1, d.x, d.y, d.z;
+        if constexpr (dim == 2) b << 1, d.x, d.y;
+        else b << 1, d.x, d.y, d.z;
         return b;
     };
     Matrix M = Matrix::Zero();
@@ -63,8 +60,7 @@ template<int dim> void makeLinear(std::vector<double>& w, const std::vector<Vect
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(M);
     if (!(eigen.eigenvalues()(0) > leastEigenvalueRatio * eigen.eigenvalues()(dim))) return;
 
-    const Column a =
-        eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().row(0).transpose();
+    const Column a = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() * eigen.eigenvectors().row(0).transpose();
     for (std::size_t k = 0; k < w.size(); ++k) w[k] *= a.dot(basis(offset[k]));
 }
 
@@ -185,10 +181,8 @@ PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form) c
     for (auto& w : result.weight) w /= result.coverage;
     if (form == Interpolation::linear)
     {
-        if (kernel_.index() == 0)
-            makeLinear<2>(result.weight, offset);
-        else
-            makeLinear<3>(result.weight, offset);
+        if (kernel_.index() == 0) makeLinear<2>(result.weight, offset);
+        else makeLinear<3>(result.weight, offset);
     }
     return result;
 }

@@ -28,7 +28,12 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
     const double gamma = sigma_ > 0 ? sigma_ : view.surfaceTension;
     const SampledField p(view, "p", {});
 
-    enum Side : std::size_t { inside, outside, neither };
+    enum Side : std::size_t
+    {
+        inside,
+        outside,
+        neither
+    };
     const auto side = [&](std::size_t i)
     {
         const double r = mag(displacement(view, drop.centre, position(view, i)));
@@ -38,8 +43,7 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
     Measurement result;
     result.particles = mean[inside].particles + mean[outside].particles;
     result.reference = (view.dimension - 1) * gamma / R;
-    if (mean[inside].particles > 0)
-        result.value = mean[inside].value() - (mean[outside].particles > 0 ? mean[outside].value() : 0);
+    if (mean[inside].particles > 0) result.value = mean[inside].value() - (mean[outside].particles > 0 ? mean[outside].value() : 0);
     else
     {
         result.value = std::numeric_limits<double>::quiet_NaN();

@@ -15,10 +15,10 @@ namespace entry
 {
 const ListOf<Vector<3>> centres{"centres", units::m, required, "centres of the two solids"};
 const Scalar radius{"radius", units::m, required, positive, "of the solids"},
-    contactAngle{
-        "contactAngle", degrees, required,
-        Range{.low = 0, .high = 180, .highIncluded = false}.saying("a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
-        "of the solids"};
+    contactAngle{"contactAngle", degrees, required,
+                 Range{.low = 0, .high = 180, .highIncluded = false}.saying(
+                     "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
+                 "of the solids"};
 }
 
 namespace
@@ -29,20 +29,20 @@ std::vector<Vector<3>> directionsAcross(const Vector<3>& axis, int dimension)
 {
     if (dimension == 2) return {{-axis.y, axis.x, 0}, {axis.y, -axis.x, 0}};
     const auto other = std::fabs(axis.z) < 0.5 ? Vector<3>{0, 0, 1} : Vector<3>{1, 0, 0};
-    const auto first = cross(axis, other)/mag(cross(axis, other)), second = cross(axis, first);
+    const auto first = cross(axis, other) / mag(cross(axis, other)), second = cross(axis, first);
     std::vector<Vector<3>> directions;
     const int n = 32;
     for (int k = 0; k < n; ++k)
     {
-        const double angle = 2*std::numbers::pi*(k + 0.5)/n;
-        directions.push_back(std::cos(angle)*first + std::sin(angle)*second);
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / n;
+        directions.push_back(std::cos(angle) * first + std::sin(angle) * second);
     }
     return directions;
 }
 
 double volumeOf(const ParticleView& view, std::size_t phase)
 {
-    return sum(view.n, [&](std::size_t i) { return phaseOf(view, i) == phase ? view.mass[i] : 0; })/view.restDensity[phase];
+    return sum(view.n, [&](std::size_t i) { return phaseOf(view, i) == phase ? view.mass[i] : 0; }) / view.restDensity[phase];
 }
 
 }
@@ -59,10 +59,11 @@ LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const 
     }
     if (geometry.dimension == 2) centres[0].z = centres[1].z = 0;
     const double distance = mag(centres[1] - centres[0]);
-    gap_ = distance - 2*radius_;
-    if (gap_ < 0) entry::centres.error(d, fmt::format("the centres are {:.4g} m apart, less than two radii: there is no gap for a bridge", distance));
-    else axis_ = (centres[1] - centres[0])/distance;
-    middle_ = (centres[0] + centres[1])/2;
+    gap_ = distance - 2 * radius_;
+    if (gap_ < 0)
+        entry::centres.error(d, fmt::format("the centres are {:.4g} m apart, less than two radii: there is no gap for a bridge", distance));
+    else axis_ = (centres[1] - centres[0]) / distance;
+    middle_ = (centres[0] + centres[1]) / 2;
 }
 
 EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry::radius, entry::contactAngle}; }
@@ -94,7 +95,7 @@ Measurement BridgeNeck::operator()(const ParticleView& view) const
             sum += *r;
             ++result.particles;
         }
-    result.value = sum/double(result.particles);
+    result.value = sum / double(result.particles);
     if (result.particles < directions.size())
     {
         result.value = std::numeric_limits<double>::quiet_NaN();
@@ -106,10 +107,15 @@ Measurement BridgeNeck::operator()(const ParticleView& view) const
 Measurement BridgePressure::operator()(const ParticleView& view) const
 {
     Measurement result;
-    result.reference = view.surfaceTension*atRest(view).curvature();
+    result.reference = view.surfaceTension * atRest(view).curvature();
     const VolumeFraction fraction(view, phase_);
     const SampledField p(view, "p", {});
-    enum Side : std::size_t { inside, outside, neither };
+    enum Side : std::size_t
+    {
+        inside,
+        outside,
+        neither
+    };
     const auto side = [&](std::size_t i)
     {
         const auto x = position(view, i);

@@ -13,8 +13,8 @@ class LiquidBridge
 {
 protected:
     std::size_t phase_;
-    Vector<3> middle_, axis_;                    ///< midway between the centres; along the line of centres, of unit length
-    double radius_, gap_ = 0, angle_;            ///< [m], [m], [degrees]
+    Vector<3> middle_, axis_;         ///< midway between the centres; along the line of centres, of unit length
+    double radius_, gap_ = 0, angle_; ///< [m], [m], [degrees]
     Location where_;
 
     /// CaseError where there is no surface tension, or no such bridge.

@@ -27,10 +27,10 @@ protected:
 
     struct Shape
     {
-        std::array<double, 2> angle{};   ///< [degrees]
-        double a = 0;                    ///< [m]
+        std::array<double, 2> angle{}; ///< [degrees]
+        double a = 0;                  ///< [m]
         std::size_t particles = 0;
-        std::string note;                ///< why there is no shape
+        std::string note; ///< why there is no shape
     };
     Shape fitted(const ParticleView&) const;
     Shape exact(const ParticleView&) const;

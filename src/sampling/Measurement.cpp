@@ -35,8 +35,7 @@ Measure measure(const Dictionary& d, const Geometry& geometry, const std::vector
     std::shared_ptr<M> made;
     if constexpr (std::constructible_from<M, const Dictionary&, const std::vector<std::string>&, const std::filesystem::path&>)
         made = std::make_shared<M>(d, phases, folder);
-    else
-        made = std::make_shared<M>(d, geometry, phases);
+    else made = std::make_shared<M>(d, geometry, phases);
     return {[made](const ParticleView& view) { return (*made)(view); },
             [made]() -> std::vector<std::vector<double>*>
             {
@@ -84,8 +83,8 @@ std::vector<std::string> measureNames()
     return names;
 }
 
-Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry,
-                    const std::vector<std::string>& phases, const std::filesystem::path& caseFolder)
+Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases,
+                    const std::filesystem::path& caseFolder)
 {
     for (const auto& m : catalogue())
         if (m.name == name) return m.read(d, geometry, phases, caseFolder);

@@ -10,9 +10,9 @@ namespace sph
 
 struct Measurement
 {
-    double value = 0;                ///< NaN where it cannot be measured; `note` then says why
-    double reference = 0;            ///< NaN where there is none at this time
-    std::size_t particles = 0;       ///< that the value rests on
+    double value = 0;          ///< NaN where it cannot be measured; `note` then says why
+    double reference = 0;      ///< NaN where there is none at this time
+    std::size_t particles = 0; ///< that the value rests on
     std::string note;
 };
 

@@ -13,9 +13,9 @@ struct ParticleView
     int dimension = 3;
     std::size_t n = 0;
     const double *x = nullptr, *y = nullptr, *z = nullptr; ///< positions [m]; z null in 2-D
-    std::vector<FieldView> fields; ///< U rho p and what the models show; 2-D vectors have a null third component
-    const double *mass = nullptr, *volume = nullptr; ///< [kg], [m^3]
-    const double* phase = nullptr;                   ///< index into `phases` as a number
+    std::vector<FieldView> fields;                         ///< U rho p and what the models show; 2-D vectors have a null third component
+    const double *mass = nullptr, *volume = nullptr;       ///< [kg], [m^3]
+    const double* phase = nullptr;                         ///< index into `phases` as a number
     std::vector<std::string> phases;
     std::vector<double> restDensity, soundSpeed, viscosity; ///< of each phase [kg/m^3], [m/s], [Pa s]
     double surfaceTension = 0;                              ///< of the first pair of phases [N/m]; 0 where there is none

@@ -25,8 +25,8 @@ Complex planeMode(double k, double depth, double g, double gamma, const ModeFlui
     {
         const auto vortical = [&](const ModeFluid& f) { return std::sqrt(k * k + s * f.rho / f.mu); };
         return mismatch({solution(k, depth, lower.mu, 1, k, -lower.rho * s / k), solution(k, depth, lower.mu, 1, vortical(lower), 0)},
-                        {solution(k, depth, upper.mu, -1, k, upper.rho * s / k), solution(k, depth, upper.mu, -1, vortical(upper), 0)},
-                        K, s);
+                        {solution(k, depth, upper.mu, -1, k, upper.rho * s / k), solution(k, depth, upper.mu, -1, vortical(upper), 0)}, K,
+                        s);
     };
     return rateNear(-damping + std::sqrt(damping * damping + inviscid), determinant);
 }

@@ -20,12 +20,16 @@ double i2erfc(double z) { return 0.25 * ((1 + 2 * z * z) * std::erfc(z) - 2 * z 
 
 PlanePoiseuille::PlanePoiseuille(double nu, double acceleration, double width)
     : nu_(nu), F_(acceleration), L_(width), direction_{1, 0, 0}, normal_{0, 1, 0}, steady_(false)
-{
-}
+{}
 
 PlanePoiseuille::PlanePoiseuille(const Dictionary& d)
-    : nu_(entry::nu(d)), F_(entry::acceleration(d)), L_(entry::width(d)), direction_(entry::direction(d)), normal_(entry::normal(d)),
-      origin_(entry::origin(d)), steady_(entry::steady(d))
+    : nu_(entry::nu(d)),
+      F_(entry::acceleration(d)),
+      L_(entry::width(d)),
+      direction_(entry::direction(d)),
+      normal_(entry::normal(d)),
+      origin_(entry::origin(d)),
+      steady_(entry::steady(d))
 {}
 
 EntryList PlanePoiseuille::entries()
@@ -45,8 +49,7 @@ double PlanePoiseuille::speed(double y, double t) const
     {
         const double s = 2 * std::sqrt(nu_ * t);
         double sum = 0;
-        for (int k = 0, sign = 1; k < 5; ++k, sign = -sign)
-            sum += sign * (i2erfc((k * L_ + y) / s) + i2erfc((k * L_ + L_ - y) / s));
+        for (int k = 0, sign = 1; k < 5; ++k, sign = -sign) sum += sign * (i2erfc((k * L_ + y) / s) + i2erfc((k * L_ + L_ - y) / s));
         return F_ * t * (1 - 4 * sum);
     }
     double sum = 0;

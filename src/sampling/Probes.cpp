@@ -26,10 +26,7 @@ bool inside(const Geometry& g, const Vector<3>& x)
 }
 
 Probes::Probes(const Dictionary& d, const FunctionContext& context)
-    : context_(context),
-      fields_(entry::fields(d)),
-      locations_(entry::probeLocations(d)),
-      fieldsWhere_(entry::fields.where(d))
+    : context_(context), fields_(entry::fields(d)), locations_(entry::probeLocations(d)), fieldsWhere_(entry::fields.where(d))
 {
     for (std::size_t k = 0; k < locations_.size(); ++k)
         if (!inside(context.geometry, locations_[k]))

@@ -16,7 +16,12 @@ const Direction up{"up", Vector<3>{0, 1, 0}, "against gravity"};
 Ritter::Ritter(double depth, double g, double rho) : depth_(depth), g_(g), rho_(rho), direction_{1, 0, 0}, up_{0, 1, 0} {}
 
 Ritter::Ritter(const Dictionary& d)
-    : depth_(entry::depth(d)), g_(entry::g(d)), rho_(entry::rho(d)), direction_(entry::direction(d)), up_(entry::up(d)), origin_(entry::origin(d))
+    : depth_(entry::depth(d)),
+      g_(entry::g(d)),
+      rho_(entry::rho(d)),
+      direction_(entry::direction(d)),
+      up_(entry::up(d)),
+      origin_(entry::origin(d))
 {}
 
 EntryList Ritter::entries() { return {entry::depth, entry::g, entry::rho, entry::direction, entry::up, entry::origin}; }

@@ -7,8 +7,8 @@ namespace sph
 
 namespace entry
 {
-const Scalar side{"side", units::m, required, positive, "of the square"}, omega{"omega", units::none/units::s, required, "rate of rotation"},
-    rho{"rho", units::density, 1000, positive, "density"};
+const Scalar side{"side", units::m, required, positive, "of the square"},
+    omega{"omega", units::none / units::s, required, "rate of rotation"}, rho{"rho", units::density, 1000, positive, "density"};
 const VectorParameter centre{"centre", units::m, Vector<3>{}, "of the square"};
 }
 

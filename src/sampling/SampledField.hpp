@@ -24,10 +24,7 @@ public:
         const double* values = array(component);
         return values ? values[i] : 0;
     }
-    const double* array(int component) const
-    {
-        return component < int(field_.component.size()) ? field_.component[component] : nullptr;
-    }
+    const double* array(int component) const { return component < int(field_.component.size()) ? field_.component[component] : nullptr; }
 };
 
 /// "p", "U_x U_y U_z": the names of the columns of a field.

@@ -32,7 +32,7 @@ public:
     double speed(double s) const;
 
     double value(const Vector<3>& x, double) const { return phi(fromMiddle(x)); }
-    Vector<3> velocity(const Vector<3>& x, double) const { return speed(fromMiddle(x))*direction_; }
+    Vector<3> velocity(const Vector<3>& x, double) const { return speed(fromMiddle(x)) * direction_; }
 
 private:
     double fromMiddle(const Vector<3>& x) const;

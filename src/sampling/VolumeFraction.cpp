@@ -17,13 +17,13 @@ double VolumeFraction::operator()(const Vector<3>& x) const
 
 std::optional<double> VolumeFraction::surface(const Vector<3>& from, const Vector<3>& direction, double reach) const
 {
-    const auto inside = [&](double r) { return (*this)(from + r*direction) >= 0.5; };
-    double in = 0, out = view_.spacing/2;
-    while (out < reach && inside(out)) in = std::exchange(out, out + view_.spacing/2);
+    const auto inside = [&](double r) { return (*this)(from + r * direction) >= 0.5; };
+    double in = 0, out = view_.spacing / 2;
+    while (out < reach && inside(out)) in = std::exchange(out, out + view_.spacing / 2);
     if (out >= reach) return {};
     for (int k = 0; k < 20; ++k)
     {
-        const double middle = (in + out)/2;
+        const double middle = (in + out) / 2;
         (inside(middle) ? in : out) = middle;
     }
     return in;

@@ -12,7 +12,7 @@ template<class T = double> struct VolumeMean
     T amount{};        ///< sum V f
     std::size_t particles = 0;
 
-    static VolumeMean of(double V, const T& f) { return {V, V*f, 1}; }
+    static VolumeMean of(double V, const T& f) { return {V, V * f, 1}; }
     VolumeMean& operator+=(const VolumeMean& other)
     {
         volume += other.volume;
@@ -21,7 +21,7 @@ template<class T = double> struct VolumeMean
         return *this;
     }
     /// NaN without particles.
-    T value() const { return amount/(particles > 0 ? volume : std::numeric_limits<double>::quiet_NaN()); }
+    T value() const { return amount / (particles > 0 ? volume : std::numeric_limits<double>::quiet_NaN()); }
 };
 
 }

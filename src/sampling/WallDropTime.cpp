@@ -20,21 +20,24 @@ const Direction wallNormal{"normal", Vector<3>{0, 1, 0}, "of the wall through or
 }
 
 WallDropTime::WallDropTime(const Dictionary& d, const Geometry&, const std::vector<std::string>&)
-    : field_(entry::field(d)), share_(entry::share(d)), reference_(entry::time(d)), origin_(entry::origin(d)), normal_(entry::wallNormal(d)),
-      where_(entry::field.where(d)), times_{0}, values_{entry::start(d)}
+    : field_(entry::field(d)),
+      share_(entry::share(d)),
+      reference_(entry::time(d)),
+      origin_(entry::origin(d)),
+      normal_(entry::wallNormal(d)),
+      where_(entry::field.where(d)),
+      times_{0},
+      values_{entry::start(d)}
 {}
 
-EntryList WallDropTime::entries()
-{
-    return {entry::field, entry::start, entry::share, entry::time, entry::origin, entry::wallNormal};
-}
+EntryList WallDropTime::entries() { return {entry::field, entry::start, entry::share, entry::time, entry::origin, entry::wallNormal}; }
 
 double WallDropTime::wallValue(const ParticleView& view) const
 {
     const SampledField f(view, field_, where_);
     const auto distance = [&](std::size_t i) { return dot(position(view, i) - origin_, normal_); };
     // In this order of arguments the first for a NaN, which then shows in the value.
-    const auto row = [&](std::size_t i) { return std::size_t(std::min(3.0, std::max(0.0, distance(i)/view.spacing))); };
+    const auto row = [&](std::size_t i) { return std::size_t(std::min(3.0, std::max(0.0, distance(i) / view.spacing))); };
     const auto distances = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, distance(i)); }),
                values = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, f(0, i)); });
     double atWall = 0;
@@ -43,7 +46,7 @@ double WallDropTime::wallValue(const ParticleView& view) const
         const double d_a = distances[a].value();
         double term = values[a].value();
         for (std::size_t b = 0; b < 3; ++b)
-            if (const double d_b = distances[b].value(); b != a) term *= d_b/(d_b - d_a);
+            if (const double d_b = distances[b].value(); b != a) term *= d_b / (d_b - d_a);
         atWall += term;
     }
     return atWall;
@@ -67,9 +70,9 @@ Measurement WallDropTime::operator()(const ParticleView& view)
     const double way = values_.back() - values_.front();
     for (std::size_t k = 1; k < times_.size() && way != 0; ++k)
     {
-        const double before = (values_[k - 1] - values_[0])/way, after = (values_[k] - values_[0])/way;
+        const double before = (values_[k - 1] - values_[0]) / way, after = (values_[k] - values_[0]) / way;
         if (after < share_) continue;
-        result.value = times_[k - 1] + (share_ - before)/(after - before)*(times_[k] - times_[k - 1]);
+        result.value = times_[k - 1] + (share_ - before) / (after - before) * (times_[k] - times_[k - 1]);
         result.note.clear();
         break;
     }

@@ -19,7 +19,8 @@ inline Box readBox(const Dictionary& d, const Geometry& g)
     const Box box{entry::min(d, g.low), entry::max(d, g.high)};
     for (int k = 0; k < g.dimension; ++k)
         if (const auto c = component(k); !(box.high.*c > box.low.*c))
-            entry::max.error(d, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], box.high.*c, box.low.*c));
+            entry::max.error(d, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k], box.high.*c,
+                                            box.low.*c));
     return box;
 }
 

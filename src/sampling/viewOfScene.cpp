@@ -13,7 +13,7 @@ ParticleView viewOfScene(const Coefficients& c, const std::string& kernel, const
     v.viscosity = c.viscosity;
     v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
     v.surfaceTensions = c.surfaceTension;
-    v.g = c.g + c.bodyForce/c.restDensity[0];
+    v.g = c.g + c.bodyForce / c.restDensity[0];
     v.spacing = c.spacing;
     v.support = c.support;
     v.kernel = kernel;

@@ -14,9 +14,9 @@ struct Reading
 {
     const Case& theCase;
     const Geometry& geometry;
-    const Dictionary& schemes;                 ///< system/sphSchemes
+    const Dictionary& schemes; ///< system/sphSchemes
     Settings& settings;
-    std::vector<StepLimit> (*limits)(const Settings&);   ///< of the step, as far as the settings have been read: what a default may hang on
+    std::vector<StepLimit> (*limits)(const Settings&); ///< of the step, as far as the settings have been read: what a default may hang on
 
     bool paper() const { return settings.has("scheme", "paper"); }
     /// The word of an entry of system/sphSchemes, and keeps it.
@@ -39,7 +39,7 @@ struct Conflict
 struct Measured
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
-    std::optional<double> leastViscosity, largestViscosity;   ///< of the moment, where viscosity is a field of its own [Pa s]
+    std::optional<double> leastViscosity, largestViscosity; ///< of the moment, where viscosity is a field of its own [Pa s]
 };
 /// Entries of a file that a model reads; `meaning` of the file, said once.
 struct FileEntries
@@ -54,13 +54,13 @@ using Limit = std::optional<StepLimit> (*)(const Settings&, const Measured&);
 struct Model
 {
     const char *word, *meaning;
-    void (*read)(const Reading&);                      ///< words to terms, state, parts
+    void (*read)(const Reading&); ///< words to terms, state, parts
     Catalogue<2> terms2;
     Catalogue<3> terms3;
-    void (*prepare)(const Reading&) = nullptr;         ///< before all models read: what others' defaults hang on
-    std::vector<Conflict> conflicts = {};              ///< looked at when all have read
-    std::vector<Limit> limits = {};                    ///< of the step, where particles move
-    std::vector<FileEntries> entries = {};             ///< for the reference of entries
+    void (*prepare)(const Reading&) = nullptr; ///< before all models read: what others' defaults hang on
+    std::vector<Conflict> conflicts = {};      ///< looked at when all have read
+    std::vector<Limit> limits = {};            ///< of the step, where particles move
+    std::vector<FileEntries> entries = {};     ///< for the reference of entries
 
     template<int dim> const Catalogue<dim>& terms() const
     {

@@ -20,21 +20,21 @@ using Numbers = std::map<std::string, double>;
 /// The part of a step that stages are run in.
 struct Substep
 {
-    double time, deltaT;     ///< at its start, and its length [s]
-    double whole;            ///< length of the step that it is a part of [s]
+    double time, deltaT; ///< at its start, and its length [s]
+    double whole;        ///< length of the step that it is a part of [s]
 };
 
 /// A line of a step's algorithm. Under it -dry-run prints the passes of the groups that it evaluates.
 template<int dim> struct Stage
 {
-    std::string name;        ///< "drift"
-    std::string equation;    ///< "x += dt/2 v"
+    std::string name;     ///< "drift"
+    std::string equation; ///< "x += dt/2 v"
     std::function<void(Particles<dim>&, const Substep&)> run;
     std::vector<std::string> groups;
-    bool onceAStep;          ///< in the middle one of several parts
+    bool onceAStep; ///< in the middle one of several parts
 
-    Stage(std::string called, std::string does, std::function<void(Particles<dim>&, const Substep&)> f, std::vector<std::string> evaluates = {},
-          bool once = false)
+    Stage(std::string called, std::string does, std::function<void(Particles<dim>&, const Substep&)> f,
+          std::vector<std::string> evaluates = {}, bool once = false)
         : name(std::move(called)), equation(std::move(does)), run(std::move(f)), groups(std::move(evaluates)), onceAStep(once)
     {}
 };
@@ -43,9 +43,9 @@ template<int dim> struct Stage
 enum class Place
 {
     beforeDrift,
-    afterEvaluation,         ///< each one: also at the start, and before fields are written
-    solve,                   ///< forces are there, velocities are not
-    afterKick,               ///< velocities are those of the end of the step
+    afterEvaluation, ///< each one: also at the start, and before fields are written
+    solve,           ///< forces are there, velocities are not
+    afterKick,       ///< velocities are those of the end of the step
     afterDrift,
     atEnd
 };
@@ -55,7 +55,7 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
-    bool ofPart = false;   ///< of what acts in each part of a step, with the most parts; else of what acts once
+    bool ofPart = false; ///< of what acts in each part of a step, with the most parts; else of what acts once
 };
 
 template<int dim> class Part
@@ -112,7 +112,10 @@ struct PartMaker
 template<template<int> class P, class... Args> PartMaker partOf(Args... args)
 {
     const auto make = [=]<int dim>(std::integral_constant<int, dim>) -> PartMaker::Make<dim>
-    { return [=](Particles<dim>& particles, const Numbers& restored) -> std::unique_ptr<Part<dim>> { return std::make_unique<P<dim>>(particles, restored, args...); }; };
+    {
+        return [=](Particles<dim>& particles, const Numbers& restored) -> std::unique_ptr<Part<dim>>
+        { return std::make_unique<P<dim>>(particles, restored, args...); };
+    };
     return {make(std::integral_constant<int, 2>{}), make(std::integral_constant<int, 3>{})};
 }
 

@@ -36,14 +36,16 @@ void copyNumbers(const Cloud& cloud, const std::string& name, const ValueType& t
         }
         for (std::size_t i = 0; i < numbers.size(); ++i)
             if (numbers[i] != 0)
-                throw CaseError({cloud.folder + "/" + name, 0}, fmt::format("{} has {}_{} = {}: in 2-D it must be 0", cloud.particle(i), name, names[k], numbers[i]));
+                throw CaseError({cloud.folder + "/" + name, 0},
+                                fmt::format("{} has {}_{} = {}: in 2-D it must be 0", cloud.particle(i), name, names[k], numbers[i]));
     }
 }
 
 std::vector<Group> groupsOf(const Settings& settings)
 {
     std::vector<Group> groups{{ofEvaluation, settings.terms}};
-    if (!settings.slowTerms.empty()) groups.push_back({onceAStep, settings.slowTerms, {}, {{Acceleration::info.name, SlowAcceleration::info.name}}});
+    if (!settings.slowTerms.empty())
+        groups.push_back({onceAStep, settings.slowTerms, {}, {{Acceleration::info.name, SlowAcceleration::info.name}}});
     groups.insert(groups.end(), settings.groups.begin(), settings.groups.end());
     return groups;
 }
@@ -70,25 +72,31 @@ void Loading::checkScale(const std::string& name, const std::string& unit, doubl
                          const std::function<double(std::size_t)>& atRest) const
 {
     for (std::size_t i = 0; i < size(); ++i)
-        if (const double value = values[0][i], rest = atRest(i); !(value >= least*rest && value <= most*rest))
-            throw CaseError({cloud.fields.contains(name) ? cloud.folder + "/" + name : cloud.folder, 0},
-                            fmt::format("{} has {} = {:.6g} {}: at rest it has {:.6g} {}, and {:.3g} to {:.3g} times that can be computed with",
-                                        cloud.particle(i), name, value, unit, rest, unit, least, most));
+        if (const double value = values[0][i], rest = atRest(i); !(value >= least * rest && value <= most * rest))
+            throw CaseError(
+                {cloud.fields.contains(name) ? cloud.folder + "/" + name : cloud.folder, 0},
+                fmt::format("{} has {} = {:.6g} {}: at rest it has {:.6g} {}, and {:.3g} to {:.3g} times that can be computed with",
+                            cloud.particle(i), name, value, unit, rest, unit, least, most));
 }
 
 template<int dim>
-Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud, const Numbers& restored)
-    : settings_(settings), geometry_(geometry), catalogue_(catalogue), coefficients_(settings.coefficients),
+Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud,
+                          const Numbers& restored)
+    : settings_(settings),
+      geometry_(geometry),
+      catalogue_(catalogue),
+      coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      images_(geometry, settings.resolution.H() + skinInSpacings*settings.resolution.spacing, settings.resolution.spacing,
-              skinInSpacings*settings.resolution.spacing),
+      images_(geometry, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
+              skinInSpacings * settings.resolution.spacing),
       leakGuard_(geometry, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
-      kernel_(settings.resolution.kernel, settings.resolution.H()), owned_(cloud.size()), skin_(skinInSpacings*settings.resolution.spacing)
+      kernel_(settings.resolution.kernel, settings.resolution.H()),
+      owned_(cloud.size()),
+      skin_(skinInSpacings * settings.resolution.spacing)
 {
     plan_.allocate(store_);
     allocateState();
-    if (!geometry.layers.empty())
-        images_.setLayers({geometry, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
+    if (!geometry.layers.empty()) images_.setLayers({geometry, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
     for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
@@ -144,7 +152,8 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
     {
         const Loading loading{cloud, coefficients_, phases, restarted, arraysOf(evolving.value)};
         if (evolving.value.name == Position::info.name) continue;
-        if (evolving.written && cloud.fields.contains(evolving.fileName())) copyNumbers(cloud, evolving.fileName(), evolving.value.type(dim), loading.values);
+        if (evolving.written && cloud.fields.contains(evolving.fileName()))
+            copyNumbers(cloud, evolving.fileName(), evolving.value.type(dim), loading.values);
         else if (evolving.missing) evolving.missing(loading);
         if (evolving.loaded) evolving.loaded(loading);
         if (evolving.check) evolving.check(loading);
@@ -152,7 +161,7 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
     if (const auto onDisk = cloud.fields.find(Mass::info.name); onDisk != cloud.fields.end() && owned_ > 0)
     {
         const double *m = store_.component(Mass::info.name, 0), *m_0 = onDisk->second.component[0].data();
-        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i]/m_0[i]; })/double(owned_);
+        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i] / m_0[i]; }) / double(owned_);
     }
     for (const auto& rate : settings_.keptRates())
         if (restarted && cloud.fields.contains(rate.name)) copyNumbers(cloud, rate.name, rate.type(dim), arraysOf(rate));
@@ -162,7 +171,7 @@ template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
     leakGuard_(store_, owned_, images_);
-    cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5*(settings_.resolution.H() + skin_));
+    cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
     makeLists();
     for (const auto& part : parts_) part->sorted(*this);
@@ -188,7 +197,7 @@ template<int dim> void Particles<dim>::bind()
 /// Nothing parts two particles at one place: every sum takes x_ij = 0.
 template<int dim> void Particles<dim>::checkApart() const
 {
-    const double closest = 1e-9*coefficients_.spacing;
+    const double closest = 1e-9 * coefficients_.spacing;
     for (std::size_t i = 0; i < owned_; ++i)
         for (const int j : lists_.of(i))
             if (std::size_t(j) > i && std::size_t(j) < owned_ && mag(position(i) - position(j)) < closest)
@@ -205,7 +214,7 @@ template<int dim> Vector<dim> Particles<dim>::position(std::size_t i) const
 
 template<int dim> void Particles<dim>::evaluate()
 {
-    if (travelled_ > 0.5*skin_) rebuild();
+    if (travelled_ > 0.5 * skin_) rebuild();
     else images_.move(store_);
     evaluateFirst();
 }
@@ -231,7 +240,7 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
     for (const auto& part : parts_) memories.push_back(part->memory());
 
     // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
-    if (travelled_ > 0.5*skin_) makeLists();
+    if (travelled_ > 0.5 * skin_) makeLists();
     else images_.move(store_);
     at();
 
@@ -247,20 +256,24 @@ template<int dim> void Particles<dim>::observe()
         std::vector<const double*> a;
         if (store_.has(name))
             for (int c = 0; c < dim; ++c) a.push_back(store_.component(name, c));
-        return std::sqrt(reduce(owned_, 0.0, [&](std::size_t i)
-        {
-            double sum = 0;
-            for (const double* component : a) sum += sqr(component[i]);
-            return sum;
-        }, Larger{}));
+        return std::sqrt(reduce(
+            owned_, 0.0,
+            [&](std::size_t i)
+            {
+                double sum = 0;
+                for (const double* component : a) sum += sqr(component[i]);
+                return sum;
+            },
+            Larger{}));
     };
-    look([&]
-    {
-        evaluateFirst();
-        if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-        complete();
-        observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
-    });
+    look(
+        [&]
+        {
+            evaluateFirst();
+            if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
+            complete();
+            observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
+        });
 }
 
 template<int dim> void Particles<dim>::planAlone()
@@ -279,7 +292,8 @@ template<int dim> void Particles<dim>::planAlone()
         if (!accelerates(term)) continue;
         auto terms = others;
         terms.push_back(term);
-        alone_[term] = std::make_unique<Plan<dim>>(catalogue_, std::vector<Group>{{ofEvaluation, terms}}, givenOf(settings_), rulesOf<dim>(settings_));
+        alone_[term] =
+            std::make_unique<Plan<dim>>(catalogue_, std::vector<Group>{{ofEvaluation, terms}}, givenOf(settings_), rulesOf<dim>(settings_));
     }
 }
 
@@ -287,22 +301,24 @@ template<int dim> std::map<std::string, double> Particles<dim>::powers()
 {
     if (alone_.empty()) planAlone();
     std::map<std::string, double> power;
-    look([&]
-    {
-        const auto v = store_.pointers(Velocity{}), a = store_.pointers(Acceleration{});
-        const double* const m = store_.component(Mass::info.name, 0);
-        for (const auto& [term, plan] : alone_)
+    look(
+        [&]
         {
-            plan->bind(store_, coefficients_);
-            plan->evaluate(store_, images_, lists_, kernel_);
-            power[term] = sum(owned_, [&](std::size_t i)
+            const auto v = store_.pointers(Velocity{}), a = store_.pointers(Acceleration{});
+            const double* const m = store_.component(Mass::info.name, 0);
+            for (const auto& [term, plan] : alone_)
             {
-                double of = 0;
-                for (int c = 0; c < dim; ++c) of += m[i]*v[c][i]*a[c][i];
-                return of;
-            });
-        }
-    });
+                plan->bind(store_, coefficients_);
+                plan->evaluate(store_, images_, lists_, kernel_);
+                power[term] = sum(owned_,
+                                  [&](std::size_t i)
+                                  {
+                                      double of = 0;
+                                      for (int c = 0; c < dim; ++c) of += m[i] * v[c][i] * a[c][i];
+                                      return of;
+                                  });
+            }
+        });
     return power;
 }
 
@@ -326,19 +342,21 @@ template<int dim> void Particles<dim>::normaliseDensity()
     if (settings_.endsInside)
     {
         const double dx = coefficients_.spacing;
-        const int n = int(coefficients_.support/dx) + 1;
+        const int n = int(coefficients_.support / dx) + 1;
         double sum = 0;
         for (int i = -n; i <= n; ++i)
             for (int k = -n; k <= n; ++k)
-                for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l) sum += kernel_.W(dx*std::sqrt(double(i*i + k*k + l*l)));
-        coefficients_.densityScale = 1/(std::pow(dx, dim)*sum);
+                for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l)
+                    sum += kernel_.W(dx * std::sqrt(double(i * i + k * k + l * l)));
+        coefficients_.densityScale = 1 / (std::pow(dx, dim) * sum);
         bind();
         return evaluate();
     }
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);
     const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
     coefficients_.densityScale *=
-        startCompression_*double(owned_)/sum(owned_, [&](std::size_t i) { return m[i]/coefficients_.restDensity[phase ? int(phase[i]) : 0]/V[i]; });
+        startCompression_ * double(owned_) /
+        sum(owned_, [&](std::size_t i) { return m[i] / coefficients_.restDensity[phase ? int(phase[i]) : 0] / V[i]; });
     bind();
     evaluate();
 }

@@ -33,7 +33,7 @@ public:
     /// Wraps, sorts, makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
-    void moved(double distance) { travelled_ += distance*images_.closingSpeed(); }
+    void moved(double distance) { travelled_ += distance * images_.closingSpeed(); }
 
     std::size_t size() const { return owned_; }
     const Settings& settings() const { return settings_; }
@@ -82,7 +82,8 @@ private:
     const Catalogue<dim>& catalogue_;
     Coefficients coefficients_;
     Plan<dim> plan_;
-    std::map<std::string, std::unique_ptr<Plan<dim>>> alone_;   ///< by operation that accelerates: an evaluation of it and what it reads; empty until asked for
+    std::map<std::string, std::unique_ptr<Plan<dim>>>
+        alone_; ///< by operation that accelerates: an evaluation of it and what it reads; empty until asked for
     FieldStore<dim> store_;
     Images<dim> images_;
     LeakGuard<dim> leakGuard_;
@@ -94,7 +95,7 @@ private:
     std::vector<int> held_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0, maxSpeed_ = 0, observedAcceleration_ = 0;
-    double startCompression_ = 1;   ///< mean of density over that at rest which a pressure at the start asks for
+    double startCompression_ = 1; ///< mean of density over that at rest which a pressure at the start asks for
     long rebuilds_ = 0;
     bool predicted_ = false;
 

@@ -27,17 +27,17 @@ struct StepFactors
 struct Integration
 {
     std::string scheme = "predictorCorrector";
-    bool predicts = true;                      ///< values half a step on are predicted, for the rates there
-    bool keepsRates = false;                   ///< the rates of a step predict those of the next
-    bool solves = false;                       ///< for velocities, of which viscosity is a linear force (ImplicitSolve.hpp)
-    bool solvesPressure = false;               ///< and pressure too
-    bool moves = true;                         ///< particles; else time is that of what they carry
-    int maxSubSteps = 1;                       ///< parts of a step at most, an odd number
-    double theta = 1, tolerance = 1e-6;        ///< of the solve
+    bool predicts = true;               ///< values half a step on are predicted, for the rates there
+    bool keepsRates = false;            ///< the rates of a step predict those of the next
+    bool solves = false;                ///< for velocities, of which viscosity is a linear force (ImplicitSolve.hpp)
+    bool solvesPressure = false;        ///< and pressure too
+    bool moves = true;                  ///< particles; else time is that of what they carry
+    int maxSubSteps = 1;                ///< parts of a step at most, an odd number
+    double theta = 1, tolerance = 1e-6; ///< of the solve
     int maxIter = 1000;
     StepFactors factors;
-    std::vector<std::string> responses;        ///< terms: what forces make of a change in velocity; selected with the rates of a particle alone
-    double dampingRate = 0, dampedUntil = 0;   ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
+    std::vector<std::string> responses; ///< terms: what forces make of a change in velocity; selected with the rates of a particle alone
+    double dampingRate = 0, dampedUntil = 0; ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
 };
 
 /// Density over rest density outside which a solution is rubbish, neither read nor written. Weakly compressible flow keeps within a few per cent,
@@ -53,34 +53,35 @@ struct Settings
     Coefficients coefficients;
     Integration integration;
 
-    State state;                               ///< all that evolves
-    std::vector<std::string> terms;            ///< of an evaluation, names in the catalogues
-    std::vector<std::string> slowTerms;        ///< those that act once in a step of several parts, in its middle
-    std::vector<Group> groups;                 ///< further groups of the plan
-    std::map<std::string, std::vector<StateField>> ruleReads;   ///< by field: what the rule of its images reads of their source
-    Catalogue<2> terms2;                       ///< of models that come in any number: entries beside those of the catalogues
+    State state;                                              ///< all that evolves
+    std::vector<std::string> terms;                           ///< of an evaluation, names in the catalogues
+    std::vector<std::string> slowTerms;                       ///< those that act once in a step of several parts, in its middle
+    std::vector<Group> groups;                                ///< further groups of the plan
+    std::map<std::string, std::vector<StateField>> ruleReads; ///< by field: what the rule of its images reads of their source
+    Catalogue<2> terms2;                                      ///< of models that come in any number: entries beside those of the catalogues
     Catalogue<3> terms3;
-    std::vector<std::pair<std::string, std::string>> shown;   ///< derived fields in time folders: name, and that on disk
-    std::vector<PartMaker> parts;              ///< of models that do more than terms can say
-    std::vector<std::string> reasons;          ///< what was chosen for the user, and why: one line each for the log
-    std::string energyAdvice = "a smaller factor in `integration`";   ///< where a run gains energy
+    std::vector<std::pair<std::string, std::string>> shown;         ///< derived fields in time folders: name, and that on disk
+    std::vector<PartMaker> parts;                                   ///< of models that do more than terms can say
+    std::vector<std::string> reasons;                               ///< what was chosen for the user, and why: one line each for the log
+    std::string energyAdvice = "a smaller factor in `integration`"; ///< where a run gains energy
 
-    std::map<std::string, std::string> chosen;     ///< words of entries, where a model has chosen one
-    std::vector<std::string> carriers{Velocity::info.name};   ///< fields that particles drift by
-    std::map<std::string, FieldClass> fieldClasses;   ///< of all fields that the models know, in this scene or not
-    Names apart;                                   ///< where forces add to another field than the whole acceleration: somebody wants their sum by itself
-    std::map<std::string, std::string> absent;     ///< fields of models that the scene does not have, and what to say where a dictionary gives one
+    std::map<std::string, std::string> chosen;              ///< words of entries, where a model has chosen one
+    std::vector<std::string> carriers{Velocity::info.name}; ///< fields that particles drift by
+    std::map<std::string, FieldClass> fieldClasses;         ///< of all fields that the models know, in this scene or not
+    Names apart; ///< where forces add to another field than the whole acceleration: somebody wants their sum by itself
+    std::map<std::string, std::string>
+        absent; ///< fields of models that the scene does not have, and what to say where a dictionary gives one
 
-    Leaked leaked = Leaked::putBack;               ///< what becomes of particles in a solid
-    bool variableViscosity = false;            ///< viscosity is a field
-    bool integratedDensity = false;            ///< density evolves
+    Leaked leaked = Leaked::putBack; ///< what becomes of particles in a solid
+    bool variableViscosity = false;  ///< viscosity is a field
+    bool integratedDensity = false;  ///< density evolves
     bool normaliseDensity = true;
-    bool stiffnessLimit = false;               ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
-    bool surfaceTension = false;               ///< acts between phases
-    bool continuesInterfaces = false;          ///< interfaces go straight on behind walls
-    bool endsInside = false;                   ///< some particles lack neighbours: beyond a free surface, or where those end that openings hold
-    bool weighted = false;                     ///< some wall is curved or has edges: images carry volume factors
-    bool needsParticles = true;                ///< at the start; else they come in
+    bool stiffnessLimit = false;      ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
+    bool surfaceTension = false;      ///< acts between phases
+    bool continuesInterfaces = false; ///< interfaces go straight on behind walls
+    bool endsInside = false;          ///< some particles lack neighbours: beyond a free surface, or where those end that openings hold
+    bool weighted = false;            ///< some wall is curved or has edges: images carry volume factors
+    bool needsParticles = true;       ///< at the start; else they come in
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
     /// Rates that the next step begins with: as much state as what they change.
@@ -97,7 +98,8 @@ struct Settings
         std::vector<std::pair<std::string, std::string>> all;
         const auto add = [&](const std::string& name, const std::string& onDisk)
         {
-            if (std::none_of(all.begin(), all.end(), [&](const auto& field) { return field.second == onDisk; })) all.emplace_back(name, onDisk);
+            if (std::none_of(all.begin(), all.end(), [&](const auto& field) { return field.second == onDisk; }))
+                all.emplace_back(name, onDisk);
         };
         for (const char* name : {"U", "rho", "p", "phase", "m"}) add(name, name);
         for (const auto& evolving : state)

@@ -53,8 +53,11 @@ ChoiceWords names()
 
 namespace entry
 {
-const Choice scheme{"scheme", names(), byScene("freeSurface where one liquid, without openings, fills less than 95 % of its space and the file has none of that set's words; else suite"),
-                    "the set of defaults"};
+const Choice scheme{
+    "scheme", names(),
+    byScene(
+        "freeSurface where one liquid, without openings, fills less than 95 % of its space and the file has none of that set's words; else suite"),
+    "the set of defaults"};
 }
 
 void addSchemeSet(const Dictionary& sphSchemes) { addSchemeSet(sphSchemes, entry::scheme(sphSchemes, "suite")); }

@@ -32,14 +32,15 @@ template<int dim> auto positionsOf(const Particles<dim>& particles)
 /// int_(rho_0)^rho (p - p_b)/rho^2 drho [J/kg] of Tait's equation
 double compressionEnergy(double rho, double restDensity, double B, double n)
 {
-    const double q = rho/restDensity;
-    const double power = std::fabs(n - 1) < 1e-9 ? std::log(q) : (std::pow(q, n - 1) - 1)/(n - 1);
-    return B/restDensity*(power + 1/q - 1);
+    const double q = rho / restDensity;
+    const double power = std::fabs(n - 1) < 1e-9 ? std::log(q) : (std::pow(q, n - 1) - 1) / (n - 1);
+    return B / restDensity * (power + 1 / q - 1);
 }
 }
 
 template<int dim>
-EnergyBalance<dim>::EnergyBalance(const Particles<dim>& particles, const Settings& settings, const Geometry& geometry, const Summary& summary)
+EnergyBalance<dim>::EnergyBalance(const Particles<dim>& particles, const Settings& settings, const Geometry& geometry,
+                                  const Summary& summary)
     : settings_(settings)
 {
     given_ = summary.kineticEnergy + interfaces(particles) + compression(particles, summary) + walls(particles, geometry, summary);
@@ -71,37 +72,41 @@ template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& pa
 {
     const auto& c = settings_.coefficients;
     if (!settings_.surfaceTension) return 0;
-    const double H = c.support, norm = dim == 2 ? 2*H*H*H/3 : std::numbers::pi*H*H*H*H/4;
+    const double H = c.support, norm = dim == 2 ? 2 * H * H * H / 3 : std::numbers::pi * H * H * H * H / 4;
     const double *phase = componentOf(particles, Phase::info.name), *V = componentOf(particles, Volume::info.name);
     const auto x = positionsOf(particles);
     const std::size_t n = c.phases.size();
-    const double twice = sum(particles.size(), [&](std::size_t i)
-    {
-        double across = 0;
-        for (const int j : particles.lists().of(i))
-            if (phase[j] != phase[i] && mag(x(std::size_t(j)) - x(i)) < H)
-                across += c.surfaceTension[std::size_t(phase[i])*n + std::size_t(phase[j])]*V[j];
-        return V[i]*across;
-    });
-    return 0.5*twice/norm;
+    const double twice = sum(particles.size(),
+                             [&](std::size_t i)
+                             {
+                                 double across = 0;
+                                 for (const int j : particles.lists().of(i))
+                                     if (phase[j] != phase[i] && mag(x(std::size_t(j)) - x(i)) < H)
+                                         across += c.surfaceTension[std::size_t(phase[i]) * n + std::size_t(phase[j])] * V[j];
+                                 return V[i] * across;
+                             });
+    return 0.5 * twice / norm;
 }
 
 template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& particles, const Summary& summary) const
 {
     const double slack = 0.02, noise = 0.01; // of the background pressure; Mach number
-    const double mostBackground = 0.05;      // of rho c^2: what a weakly compressible fluid can answer; a uniform pressure beyond it does no more work
+    const double mostBackground =
+        0.05; // of rho c^2: what a weakly compressible fluid can answer; a uniform pressure beyond it does no more work
     const auto& c = settings_.coefficients;
     double stiffest = 0;
-    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
-    const double background = std::min(std::fabs(c.backgroundPressure), mostBackground*stiffest);
+    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k] * sqr(c.soundSpeed[k]));
+    const double background = std::min(std::fabs(c.backgroundPressure), mostBackground * stiffest);
     const double *m = componentOf(particles, Mass::info.name), *rho = componentOf(particles, Density::info.name);
     const double* phase = settings_.multiphase() ? componentOf(particles, Phase::info.name) : nullptr;
-    double total = sum(particles.size(), [&](std::size_t i)
-    {
-        const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-        return m[i]*(compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack*background/rho[i]);
-    });
-    for (std::size_t k = 0; k < c.phases.size(); ++k) total += 0.5*summary.mass[k]*sqr(noise*c.soundSpeed[k]);
+    double total =
+        sum(particles.size(),
+            [&](std::size_t i)
+            {
+                const std::size_t k = phase ? std::size_t(phase[i]) : 0;
+                return m[i] * (compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack * background / rho[i]);
+            });
+    for (std::size_t k = 0; k < c.phases.size(); ++k) total += 0.5 * summary.mass[k] * sqr(noise * c.soundSpeed[k]);
     return total;
 }
 
@@ -116,25 +121,31 @@ template<int dim> double EnergyBalance<dim>::walls(const Particles<dim>& particl
         double wetting = 0, fastest = 0;
     };
     const Larger larger;
-    const auto total = reduce(particles.size(), AtWalls{}, [&](std::size_t i)
-    {
-        AtWalls here;
-        particles.images().forEachWallNear(at(i), [&](const Foot& foot, const Patch& patch)
+    const auto total = reduce(
+        particles.size(), AtWalls{},
+        [&](std::size_t i)
         {
-            if (foot.distance > c.spacing) return; // the row at the wall
-            larger(here.fastest, mag(geometry.wallVelocity(patch.wall, in3D(at(i)) - foot.distance*foot.normal)));
-            if (c.wallTension.empty()) return;
-            const auto of = c.wallTension.begin() + long(std::size_t(patch.wall)*n);
-            const auto [least, most] = std::minmax_element(of, of + long(n));
-            here.wetting += (*most - *least)*V[i]/c.spacing;
+            AtWalls here;
+            particles.images().forEachWallNear(at(i),
+                                               [&](const Foot& foot, const Patch& patch)
+                                               {
+                                                   if (foot.distance > c.spacing) return; // the row at the wall
+                                                   larger(here.fastest,
+                                                          mag(geometry.wallVelocity(patch.wall,
+                                                                                    in3D(at(i)) - foot.distance * foot.normal)));
+                                                   if (c.wallTension.empty()) return;
+                                                   const auto of = c.wallTension.begin() + long(std::size_t(patch.wall) * n);
+                                                   const auto [least, most] = std::minmax_element(of, of + long(n));
+                                                   here.wetting += (*most - *least) * V[i] / c.spacing;
+                                               });
+            return here;
+        },
+        [&](AtWalls& sum, const AtWalls& here)
+        {
+            sum.wetting += here.wetting;
+            larger(sum.fastest, here.fastest);
         });
-        return here;
-    }, [&](AtWalls& sum, const AtWalls& here)
-    {
-        sum.wetting += here.wetting;
-        larger(sum.fastest, here.fastest);
-    });
-    return total.wetting + 0.5*std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0)*sqr(total.fastest);
+    return total.wetting + 0.5 * std::accumulate(summary.mass.begin(), summary.mass.end(), 0.0) * sqr(total.fastest);
 }
 
 template class EnergyBalance<2>;

@@ -29,7 +29,7 @@ template<int dim> class Simulation final : public AnySimulation
     Catalogue<dim> terms_;
     Particles<dim> particles_;
     Schedule<dim> schedule_;
-    bool goesOn_ = false;                      ///< a restart with the forces that its time folder was written with
+    bool goesOn_ = false; ///< a restart with the forces that its time folder was written with
     Summary summary_;
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
@@ -81,14 +81,17 @@ template<int dim> class Simulation final : public AnySimulation
     {
         const double power = summary_.power;
         summary_ = measured();
-        energy_.addWork(0.5*(power + summary_.power)*deltaT);
-        for (const auto& part : particles_.parts()) energy_.addWork(part->power()*deltaT);
+        energy_.addWork(0.5 * (power + summary_.power) * deltaT);
+        for (const auto& part : particles_.parts()) energy_.addWork(part->power() * deltaT);
     }
 
 public:
     Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
-        : settings_(settings), terms_(termsOf(settings)), particles_(settings, geometry, terms_, cloud, restored),
-          schedule_(particles_, [this](double deltaT) { measure(deltaT); }), summary_(firstSummary(restored)),
+        : settings_(settings),
+          terms_(termsOf(settings)),
+          particles_(settings, geometry, terms_, cloud, restored),
+          schedule_(particles_, [this](double deltaT) { measure(deltaT); }),
+          summary_(firstSummary(restored)),
           energy_(particles_, settings_, geometry, summary_)
     {
         if (goesOn_) energy_.restore(restored);
@@ -100,7 +103,8 @@ public:
     void step(double time, double deltaT) override
     {
         const int parts = settings_.integration.maxSubSteps > 1 ? partsOf(deltaT, settings_, stepLimits()) : 1;
-        for (int part = 0; part < parts; ++part) schedule_.run({time + part*deltaT/parts, deltaT/parts, deltaT}, 2*part + 1 == parts);
+        for (int part = 0; part < parts; ++part)
+            schedule_.run({time + part * deltaT / parts, deltaT / parts, deltaT}, 2 * part + 1 == parts);
     }
 
     StepLimit stepLimit() const override { return leastOf(stepLimits()); }
@@ -108,7 +112,8 @@ public:
     {
         Measured measured{summary_.maxSpeed, summary_.maxAcceleration, summary_.maxSlowAcceleration, {}, {}};
         const auto& columns = summary_.columns;
-        if (const auto least = columns.find("minViscosity"), largest = columns.find("maxViscosity"); least != columns.end() && largest != columns.end())
+        if (const auto least = columns.find("minViscosity"), largest = columns.find("maxViscosity");
+            least != columns.end() && largest != columns.end())
         {
             measured.leastViscosity = least->second;
             measured.largestViscosity = largest->second;
@@ -191,11 +196,11 @@ public:
         return all;
     }
     long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
-    double meanNeighbours() const override { return double(particles_.lists().pairs())/double(std::max<std::size_t>(1, size())) - 1; }
+    double meanNeighbours() const override { return double(particles_.lists().pairs()) / double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }
     Leaks leaks() const override { return particles_.leaks(); }
-    double bytesPerParticle() const override { return double(particles_.bytes())/double(std::max<std::size_t>(1, size())); }
+    double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
 
 private:
     std::string ofParts(const auto& words) const
@@ -207,7 +212,8 @@ private:
 };
 }
 
-std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud,
+                                              const StateNumbers& restored)
 {
     if (cloud.size() == 0 && settings.needsParticles) throw CaseError("there are no particles: has packParticles been run?");
     if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);

@@ -16,11 +16,11 @@ namespace sph
 struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
-    double power = 0;   ///< of gravity and body force [W]
+    double power = 0; ///< of gravity and body force [W]
     Vector<3> momentum;
-    std::vector<double> mass, minDensity, maxDensity, maxSpeedOf;   ///< of each phase
+    std::vector<double> mass, minDensity, maxDensity, maxSpeedOf; ///< of each phase
     std::vector<std::size_t> count;
-    Numbers columns;      ///< of the models, by name
+    Numbers columns; ///< of the models, by name
     bool finite = true;
 };
 

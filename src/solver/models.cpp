@@ -17,8 +17,9 @@ namespace sph
 
 const std::vector<const Model*>& models()
 {
-    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(), &pressureModel(), &viscosityModel(),
-                                               &tensionModel(), &forcesModel(), &shiftingModel(), &wallsModel(), &integrationModel()};
+    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(),
+                                               &pressureModel(), &viscosityModel(),  &tensionModel(),         &forcesModel(),
+                                               &shiftingModel(), &wallsModel(),      &integrationModel()};
     return all;
 }
 

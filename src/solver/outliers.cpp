@@ -16,7 +16,10 @@ Outlier outlier(const AnySimulation& simulation, const std::string& field, doubl
 }
 }
 
-std::string Outlier::inWords() const { return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", particle, position.x, position.y, position.z); }
+std::string Outlier::inWords() const
+{
+    return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", particle, position.x, position.y, position.z);
+}
 
 std::optional<Outlier> notFinite(const AnySimulation& simulation)
 {
@@ -36,7 +39,7 @@ std::optional<Outlier> impossibleDensity(const AnySimulation& simulation, const 
     double most = 0;
     for (std::size_t i = 0; i < simulation.size(); ++i)
     {
-        const double ratio = rho[i]/restDensity[phase ? std::size_t(phase[i]) : 0];
+        const double ratio = rho[i] / restDensity[phase ? std::size_t(phase[i]) : 0];
         if (ratio >= leastCompression && ratio <= mostCompression) continue;
         const double off = ratio > 0 ? std::fabs(std::log(ratio)) : std::numeric_limits<double>::infinity();
         if (most > 0 && !(off > most)) continue;

@@ -13,8 +13,8 @@ namespace entry
 const VectorParameter bodyForce{"bodyForce", units::forcePerVolume, Vector<3>{}, "on all phases alike"};
 const Scalar mu{"mu", units::viscosity, 0, nonNegative, "dynamic viscosity"},
     exponent{"exponent", units::none, 7, positive, "of Tait's equation of state"};
-const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS, byScene("automatic: 10 times the largest velocity that `expected` implies"), positive,
-                                 "speed of sound, the same for all phases or not"};
+const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS, byScene("automatic: 10 times the largest velocity that `expected` implies"),
+                                 positive, "speed of sound, the same for all phases or not"};
 const SubDictionary expected{"expected", byScene("needed for soundSpeed automatic"), "what the scene is expected to see"};
 const Scalar depth{"depth", units::m, 0, nonNegative, "of the liquid: v = sqrt(g depth)"},
     radius{"radius", units::m, 0, nonNegative, "of curvature: v = sqrt(sigma/(rho radius))"},
@@ -32,7 +32,11 @@ struct Expected
     std::string by;
     void consider(double v, const std::string& what)
     {
-        if (v > velocity) { velocity = v; by = what; }
+        if (v > velocity)
+        {
+            velocity = v;
+            by = what;
+        }
     }
 };
 
@@ -42,11 +46,11 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
     const auto expected = entry::expected(dict);
     const double depth = entry::depth(expected), radius = entry::radius(expected);
     most.consider(entry::velocity(expected), "the expected velocity");
-    most.consider(std::sqrt(mag(c.g)*depth), "the hydrostatic pressure over the expected depth");
-    most.consider(std::sqrt(entry::pressure(expected)/rho), "the expected pressure difference");
+    most.consider(std::sqrt(mag(c.g) * depth), "the hydrostatic pressure over the expected depth");
+    most.consider(std::sqrt(entry::pressure(expected) / rho), "the expected pressure difference");
     double gamma = 0;
     for (double s : c.surfaceTension) gamma = std::max(gamma, s);
-    if (radius > 0) most.consider(std::sqrt(gamma/(rho*radius)), "the capillary pressure at the expected radius");
+    if (radius > 0) most.consider(std::sqrt(gamma / (rho * radius)), "the capillary pressure at the expected radius");
     return most;
 }
 
@@ -54,10 +58,10 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
 void readSurfaceTension(const Dictionary& dict, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
-    c.surfaceTension.assign(n*n, 0.0);
+    c.surfaceTension.assign(n * n, 0.0);
     const auto before = dict.diagnostics().errors();
     const auto pairs = entry::sigma(dict);
-    std::vector<bool> given(n*n, false);
+    std::vector<bool> given(n * n, false);
     for (const auto& [first, second, value] : pairs)
     {
         const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
@@ -66,24 +70,28 @@ void readSurfaceTension(const Dictionary& dict, Coefficients& c)
                 entry::sigma.error(dict, fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
         if (a == c.phases.end() || b == c.phases.end()) continue;
         const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
-        c.surfaceTension[k*n + l] = c.surfaceTension[l*n + k] = value;
-        given[k*n + l] = given[l*n + k] = true;
+        c.surfaceTension[k * n + l] = c.surfaceTension[l * n + k] = value;
+        given[k * n + l] = given[l * n + k] = true;
     }
     if (pairs.empty() || dict.diagnostics().errors() > before) return;
     std::vector<std::string> missing;
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = k + 1; l < n; ++l)
-            if (!given[k*n + l]) missing.push_back(fmt::format("({} {})", c.phases[k], c.phases[l]));
+            if (!given[k * n + l]) missing.push_back(fmt::format("({} {})", c.phases[k], c.phases[l]));
     if (!missing.empty())
-        entry::sigma.error(dict, fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
+        entry::sigma.error(dict,
+                           fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
 }
 }
 
 EntryList phaseEntries()
 {
     using namespace entry;
-    return {
-        phases, {phaseName, {rho, mu, soundSpeed, exponent}}, entry::sigma, bodyForce, {expected, {entry::velocity, depth, pressure, entry::radius}}};
+    return {phases,
+            {phaseName, {rho, mu, soundSpeed, exponent}},
+            entry::sigma,
+            bodyForce,
+            {expected, {entry::velocity, depth, pressure, entry::radius}}};
 }
 EntryList gravityEntries() { return {entry::dimensions, entry::gravity}; }
 
@@ -116,19 +124,22 @@ void readPhases(const Case& theCase, Settings& settings)
         else
         {
             const auto most = expectedVelocity(dict, c, rho);
-            sound = 10*most.velocity;
+            sound = 10 * most.velocity;
             if (most.velocity > 0)
-                settings.reasons.push_back(fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
+                settings.reasons.push_back(
+                    fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
             else
                 entry::soundSpeed.error(
-                    phase, fmt::format("\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
-                                       "radius; }}` to choose it from",
-                                       name));
+                    phase,
+                    fmt::format(
+                        "\"soundSpeed\" of {} is missing, and constant/phaseProperties has no `expected {{ velocity; depth; pressure; "
+                        "radius; }}` to choose it from",
+                        name));
         }
         c.soundSpeed.push_back(sound);
         const double exponent = entry::exponent(phase);
         c.exponent.push_back(exponent);
-        c.stiffness.push_back(rho*sqr(sound)/exponent);
+        c.stiffness.push_back(rho * sqr(sound) / exponent);
     }
     if (c.phases.empty()) // an error by now: a harmless one for what reads on
     {

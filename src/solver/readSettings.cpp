@@ -18,13 +18,15 @@ State stateOfAll(const Settings& settings)
     const auto& c = settings.coefficients;
     Evolving x{stateField(Position{})}, v{stateField(Velocity{}), stateField(Acceleration{})}, m{stateField(Mass{})};
     const double volume = std::pow(c.spacing, c.dimension);
-    const auto massOf = [volume](const Loading& loading, std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]*volume; };
+    const auto massOf = [volume](const Loading& loading, std::size_t i)
+    { return loading.coefficients.restDensity[loading.phaseOf(i)] * volume; };
     m.missing = [massOf](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = massOf(loading, i);
     };
-    m.check = [massOf](const Loading& loading) { loading.checkScale("m", "kg", 1e-3, 1e3, [&](std::size_t i) { return massOf(loading, i); }); };
-    m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0])*volume](const Dictionary&) { return mass; };
+    m.check = [massOf](const Loading& loading)
+    { loading.checkScale("m", "kg", 1e-3, 1e3, [&](std::size_t i) { return massOf(loading, i); }); };
+    m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0]) * volume](const Dictionary&) { return mass; };
     State state{x, v, m};
     if (settings.multiphase()) state.push_back({stateField(Phase{})});
     return state;
@@ -44,13 +46,14 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
 void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
 {
     const std::string set = "freeSurface";
-    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties") ||
-        givesWordsOf(set, schemes))
+    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") ||
+        theCase.has("constant/transportProperties") || givesWordsOf(set, schemes))
         return;
     const auto share = shareFilled(theCase, geometry, settings.coefficients.spacing);
     if (!share || *share > 0.95) return;
     addSchemeSet(schemes, set);
-    settings.reasons.push_back(fmt::format("scheme {}, for the liquid fills {:.3g} % of its space: {}", set, 100**share, wordsOfSet(set)));
+    settings.reasons.push_back(
+        fmt::format("scheme {}, for the liquid fills {:.3g} % of its space: {}", set, 100 * *share, wordsOfSet(set)));
 }
 }
 

@@ -18,7 +18,7 @@ std::optional<double> shareFilled(const Case& theCase, const Geometry& g, double
         double space = fluidFraction(g, points);
         for (int k = 0; k < g.dimension; ++k) space *= g.length(k);
         if (!positions || positions->x.empty() || !(space > 0)) return {};
-        return double(positions->x.size())*std::pow(spacing, g.dimension)/space;
+        return double(positions->x.size()) * std::pow(spacing, g.dimension) / space;
     }
     return {};
 }

@@ -27,56 +27,60 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
     const Smaller smaller;
     const Larger larger;
 
-    auto total = reduceBlocks(particles.size(), nothing, [&](std::size_t begin, std::size_t end)
-    {
-        Summary s = nothing;
-        double a2 = 0, slow2 = 0;
-        for (std::size_t i = begin; i < end; ++i)
+    auto total = reduceBlocks(
+        particles.size(), nothing,
+        [&](std::size_t begin, std::size_t end)
         {
-            Vector<dim> v_i, a_i;
-            fetch(v_i, [&](int k) { return v[k][i]; });
-            fetch(a_i, [&](int k) { return a[k][i]; });
-            const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-            larger(s.maxSpeedOf[k], dot(v_i, v_i)); // its square, to the end of the block
-            larger(a2, dot(a_i, a_i));
-            if (slow[0])
+            Summary s = nothing;
+            double a2 = 0, slow2 = 0;
+            for (std::size_t i = begin; i < end; ++i)
             {
-                fetch(a_i, [&](int d) { return slow[d][i]; });
-                larger(slow2, dot(a_i, a_i));
+                Vector<dim> v_i, a_i;
+                fetch(v_i, [&](int k) { return v[k][i]; });
+                fetch(a_i, [&](int k) { return a[k][i]; });
+                const std::size_t k = phase ? std::size_t(phase[i]) : 0;
+                larger(s.maxSpeedOf[k], dot(v_i, v_i)); // its square, to the end of the block
+                larger(a2, dot(a_i, a_i));
+                if (slow[0])
+                {
+                    fetch(a_i, [&](int d) { return slow[d][i]; });
+                    larger(slow2, dot(a_i, a_i));
+                }
+                s.kineticEnergy += 0.5 * m[i] * dot(v_i, v_i);
+                s.momentum += m[i] * in3D(v_i);
+                if (driven) s.power += m[i] / rho[i] * dot(force, in3D(v_i));
+                s.mass[k] += m[i];
+                ++s.count[k];
+                smaller(s.minDensity[k], rho[i]);
+                larger(s.maxDensity[k], rho[i]);
             }
-            s.kineticEnergy += 0.5*m[i]*dot(v_i, v_i);
-            s.momentum += m[i]*in3D(v_i);
-            if (driven) s.power += m[i]/rho[i]*dot(force, in3D(v_i));
-            s.mass[k] += m[i];
-            ++s.count[k];
-            smaller(s.minDensity[k], rho[i]);
-            larger(s.maxDensity[k], rho[i]);
-        }
-        for (double& speed : s.maxSpeedOf) speed = std::sqrt(speed);
-        s.maxAcceleration = std::sqrt(a2);
-        s.maxSlowAcceleration = std::sqrt(slow2);
-        return s;
-    }, [&](Summary& sum, const Summary& s)
-    {
-        larger(sum.maxAcceleration, s.maxAcceleration);
-        larger(sum.maxSlowAcceleration, s.maxSlowAcceleration);
-        sum.kineticEnergy += s.kineticEnergy;
-        sum.momentum += s.momentum;
-        sum.power += s.power;
-        for (std::size_t k = 0; k < phases; ++k)
+            for (double& speed : s.maxSpeedOf) speed = std::sqrt(speed);
+            s.maxAcceleration = std::sqrt(a2);
+            s.maxSlowAcceleration = std::sqrt(slow2);
+            return s;
+        },
+        [&](Summary& sum, const Summary& s)
         {
-            sum.mass[k] += s.mass[k];
-            sum.count[k] += s.count[k];
-            smaller(sum.minDensity[k], s.minDensity[k]);
-            larger(sum.maxDensity[k], s.maxDensity[k]);
-            larger(sum.maxSpeedOf[k], s.maxSpeedOf[k]);
-        }
-    });
+            larger(sum.maxAcceleration, s.maxAcceleration);
+            larger(sum.maxSlowAcceleration, s.maxSlowAcceleration);
+            sum.kineticEnergy += s.kineticEnergy;
+            sum.momentum += s.momentum;
+            sum.power += s.power;
+            for (std::size_t k = 0; k < phases; ++k)
+            {
+                sum.mass[k] += s.mass[k];
+                sum.count[k] += s.count[k];
+                smaller(sum.minDensity[k], s.minDensity[k]);
+                larger(sum.maxDensity[k], s.maxDensity[k]);
+                larger(sum.maxSpeedOf[k], s.maxSpeedOf[k]);
+            }
+        });
     total.power += dot(c.g, total.momentum);
     for (const double speed : total.maxSpeedOf) larger(total.maxSpeed, speed);
     for (const auto& part : particles.parts()) total.columns.merge(part->columns(particles));
     const auto finite = [](double q) { return std::isfinite(q); };
-    total.finite = finite(total.kineticEnergy) && finite(total.power) && finite(total.maxAcceleration) && finite(total.maxSlowAcceleration) &&
+    total.finite = finite(total.kineticEnergy) && finite(total.power) && finite(total.maxAcceleration) &&
+                   finite(total.maxSlowAcceleration) &&
                    std::ranges::all_of(total.columns, finite, [](const auto& column) { return column.second; });
     for (std::size_t k = 0; k < phases; ++k)
         total.finite = total.finite && (total.count[k] == 0 || (finite(total.minDensity[k]) && finite(total.maxDensity[k])));

@@ -82,8 +82,7 @@ template<int dim> Layers layers(const RegularGrid& grid, const PhaseParticles& p
     Layers result;
     result.offset = int(std::ceil(reach / step)) + 1;
     const int count = grid.nodes[last] + 2 * result.offset;
-    const auto layer = [&](const Sample& s)
-    { return std::clamp(int(std::floor((s.x[last] - low) / step)) + result.offset, 0, count - 1); };
+    const auto layer = [&](const Sample& s) { return std::clamp(int(std::floor((s.x[last] - low) / step)) + result.offset, 0, count - 1); };
 
     result.begin.assign(count + 1, 0);
     for (const auto& s : samples) ++result.begin[layer(s) + 1];
@@ -120,8 +119,8 @@ template<int dim> void spread(const RegularGrid& grid, const auto& kernel, doubl
 }
 
 template<int dim>
-void sums(const RegularGrid& grid, const PhaseParticles& particles, const Kernel<dim>& kernel, bool wantTotal,
-          std::vector<double>& phase, std::vector<double>& total)
+void sums(const RegularGrid& grid, const PhaseParticles& particles, const Kernel<dim>& kernel, bool wantTotal, std::vector<double>& phase,
+          std::vector<double>& total)
 {
     const double reach = kernel.support();
     const auto sorted = layers<dim>(grid, particles, reach);
@@ -150,8 +149,7 @@ void sums(const RegularGrid& grid, const PhaseParticles& particles, const Kernel
 
 /// The part of the kernel around each node that lies in the domain and outside solids: the grid itself is the quadrature, each
 /// node weighted by the part of its cell that is fluid.
-template<int dim>
-std::vector<double> fluidPart(const RegularGrid& grid, const std::vector<double>& wallDistance, const Kernel<dim>& kernel)
+template<int dim> std::vector<double> fluidPart(const RegularGrid& grid, const std::vector<double>& wallDistance, const Kernel<dim>& kernel)
 {
     const double reach = kernel.support();
     const auto step = array(grid.step);
@@ -176,8 +174,7 @@ std::vector<double> fluidPart(const RegularGrid& grid, const std::vector<double>
 
     const auto& n = grid.nodes;
     const double cell = grid.smallestStep();
-    const auto nearFace = [&](int axis, int i)
-    { return !grid.periodic[axis] && axis < dim && (i < m[axis] || i > n[axis] - 1 - m[axis]); };
+    const auto nearFace = [&](int axis, int i) { return !grid.periodic[axis] && axis < dim && (i < m[axis] || i > n[axis] - 1 - m[axis]); };
     std::vector<double> part(grid.size(), 1);
 #pragma omp parallel for schedule(dynamic, 16)
     for (int row = 0; row < n[1] * n[2]; ++row)
@@ -192,8 +189,7 @@ std::vector<double> fluidPart(const RegularGrid& grid, const std::vector<double>
             {
                 const std::array<int, 3> at{grid.wrapped(0, i + by[0]), grid.wrapped(1, j + by[1]), grid.wrapped(2, k + by[2])};
                 if (at[0] < 0 || at[1] < 0 || at[2] < 0) continue;
-                double fluid =
-                    wallDistance.empty() ? 1 : std::clamp(0.5 + wallDistance[grid.index(at[0], at[1], at[2])] / cell, 0.0, 1.0);
+                double fluid = wallDistance.empty() ? 1 : std::clamp(0.5 + wallDistance[grid.index(at[0], at[1], at[2])] / cell, 0.0, 1.0);
                 for (int d = 0; d < dim; ++d)
                     if (!grid.periodic[d] && (at[d] == 0 || at[d] == n[d] - 1)) fluid *= 0.5;
                 sum += W * fluid;
@@ -205,8 +201,8 @@ std::vector<double> fluidPart(const RegularGrid& grid, const std::vector<double>
 
 /// Divides, and where `cover` is too small continues the quotient outwards, a layer of nodes at a time, by the mean of the known
 /// neighbours: into solids and into clefts that no particle enters. Nodes deeper in a solid than `depth` stay 0.
-void divideAndContinue(const RegularGrid& grid, const std::vector<double>& wallDistance, const std::vector<double>& cover,
-                       double depth, std::vector<double>& value)
+void divideAndContinue(const RegularGrid& grid, const std::vector<double>& wallDistance, const std::vector<double>& cover, double depth,
+                       std::vector<double>& value)
 {
     std::vector<char> known(grid.size());
     std::vector<std::size_t> open;
@@ -244,8 +240,7 @@ void divideAndContinue(const RegularGrid& grid, const std::vector<double>& wallD
                 value[open[o]] = found[o];
                 known[open[o]] = 1;
             }
-            else
-                rest.push_back(open[o]);
+            else rest.push_back(open[o]);
         if (rest.size() == open.size()) break;
         open.swap(rest);
     }
@@ -266,9 +261,8 @@ std::vector<double> evaluate(const RegularGrid& grid, const std::vector<double>&
 
 }
 
-std::vector<double> colourFunction(const RegularGrid& grid, const std::vector<double>& wallDistance,
-                                   const PhaseParticles& particles, const std::string& kernel, double support,
-                                   Normalisation normalisation)
+std::vector<double> colourFunction(const RegularGrid& grid, const std::vector<double>& wallDistance, const PhaseParticles& particles,
+                                   const std::string& kernel, double support, Normalisation normalisation)
 {
     return grid.dimension == 2 ? evaluate<2>(grid, wallDistance, particles, kernel, support, normalisation)
                                : evaluate<3>(grid, wallDistance, particles, kernel, support, normalisation);

@@ -94,8 +94,7 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
             }
         addTriangles(triangles, start, grid.nodes[u], grid.nodes[v], !high);
     };
-    if (grid.dimension == 2)
-        addFace(2, true);
+    if (grid.dimension == 2) addFace(2, true);
     else
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -128,8 +127,8 @@ Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& ge
             points->InsertNextPoint(x.x, x.y, x.z);
             const auto low = x - grid.low, high = grid.high() - x;
             inDomain->InsertNextValue(std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
-            inSolid->InsertNextValue(
-                inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2 * grid.largestStep() ? -geometry.distance(x) : -1);
+            inSolid->InsertNextValue(inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2 * grid.largestStep() ? -geometry.distance(x)
+                                                                                                                     : -1);
         }
     vtkNew<vtkCellArray> triangles;
     addTriangles(triangles, 0, n, n, false);

@@ -89,8 +89,7 @@ double fluidArea(const Corner& a, const Corner& b, const Corner& c)
     const auto inPhase = clipped({a, b, c}, [](const Corner& p) { return p.colour; });
     const auto polygon = clipped(inPhase, [](const Corner& p) { return p.wall; });
     double twice = 0;
-    for (std::size_t k = 2; k < polygon.size(); ++k)
-        twice += cross(polygon[k - 1].x - polygon[0].x, polygon[k].x - polygon[0].x).z;
+    for (std::size_t k = 2; k < polygon.size(); ++k) twice += cross(polygon[k - 1].x - polygon[0].x, polygon[k].x - polygon[0].x).z;
     return std::fabs(twice) / 2;
 }
 
@@ -111,8 +110,7 @@ class Cells
 public:
     Cells(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wall)
         : grid_(grid), colour_(colour), wall_(wall), iso_(iso), noWall_(grid.largestStep())
-    {
-    }
+    {}
 
     bool inRegion(std::size_t node) const { return colour_[node] > iso_ && (wall_.empty() || wall_[node] > 0); }
 
@@ -190,8 +188,7 @@ int pieces(const RegularGrid& grid, const Cells& cells)
 
 }
 
-Enclosed enclosedVolume(const RegularGrid& grid, const std::vector<double>& colour, double iso,
-                        const std::vector<double>& wallDistance)
+Enclosed enclosedVolume(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance)
 {
     const Cells cells(grid, colour, iso, wallDistance);
     const int columns = grid.nodes[1] - 1, layers = grid.dimension == 3 ? grid.nodes[2] - 1 : 1;
@@ -207,10 +204,10 @@ double levelEnclosing(double volume, const RegularGrid& grid, const std::vector<
     double low = 0.01, high = 0.99;
     while (high - low > 1e-4)
     {
-        const double level = 0.5*(low + high);
+        const double level = 0.5 * (low + high);
         (enclosedVolume(grid, colour, level, wallDistance).volume > volume ? low : high) = level;
     }
-    return 0.5*(low + high);
+    return 0.5 * (low + high);
 }
 
 }

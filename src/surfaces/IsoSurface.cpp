@@ -143,8 +143,7 @@ void forEachCell(vtkCellArray* cells, const auto& visit)
 
 }
 
-Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const Geometry& geometry,
-                 int smoothingPasses)
+Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const Geometry& geometry, int smoothingPasses)
 {
     auto mesh = contourInSteps(grid.nodes, colour, iso, true);
     toMetres(mesh, grid, 0);
@@ -153,8 +152,8 @@ Mesh freeSurface(const RegularGrid& grid, const std::vector<double>& colour, dou
     return grid.dimension == 2 ? linesOf(mesh) : mesh;
 }
 
-Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso,
-                   const std::vector<double>& wallDistance, double length)
+Mesh closedSurface(const RegularGrid& grid, const std::vector<double>& colour, double iso, const std::vector<double>& wallDistance,
+                   double length)
 {
     const auto region = [&](int i, int j, int k)
     {

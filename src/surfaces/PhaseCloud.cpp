@@ -25,8 +25,8 @@ std::vector<double> colouringValues(const Cloud& cloud, const std::string& field
         std::vector<std::string> known;
         for (const auto& [name, content] : cloud.fields)
             if (hasSize(content)) known.push_back(name);
-        diagnostics.error(
-            where, fmt::format("the cloud has no scalar or vector field \"{}\". {}", field, suggestion(field, "fields", known)));
+        diagnostics.error(where,
+                          fmt::format("the cloud has no scalar or vector field \"{}\". {}", field, suggestion(field, "fields", known)));
         return values;
     }
     const auto& component = found->second.component;

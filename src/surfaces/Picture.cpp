@@ -42,12 +42,11 @@ namespace
 
 using Colour = std::array<double, 3>;
 
-constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.87, 0.85, 0.81}, cutStone{0.74, 0.72, 0.69},
-    water{0.08, 0.45, 0.86}, cutWater{0.20, 0.55, 0.90};
+constexpr Colour white{1, 1, 1}, ink{0.15, 0.17, 0.20}, stone{0.87, 0.85, 0.81}, cutStone{0.74, 0.72, 0.69}, water{0.08, 0.45, 0.86},
+    cutWater{0.20, 0.55, 0.90};
 
 /// Water, air and further phases, told apart by those who see no red or green, too (after Okabe and Ito 2008).
-constexpr Colour phaseColours[] = {
-    {0.00, 0.45, 0.70}, {0.85, 0.90, 0.93}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
+constexpr Colour phaseColours[] = {{0.00, 0.45, 0.70}, {0.85, 0.90, 0.93}, {0.90, 0.62, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65}};
 
 /// Dark blue over green to yellow, of even steps to the eye: nine points of the scale viridis (van der Walt and Smith 2015).
 constexpr Colour scale[] = {{0.267, 0.005, 0.329}, {0.283, 0.141, 0.458}, {0.230, 0.299, 0.535},
@@ -265,10 +264,8 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     actor->SetMapper(mapper);
     if (scene.dimension == 2) flat(actor);
     renderer->AddActor(actor);
-    if (points.phases.empty())
-        addColourBar(renderer, points, colours);
-    else
-        addLegend(renderer, scene);
+    if (points.phases.empty()) addColourBar(renderer, points, colours);
+    else addLegend(renderer, scene);
 }
 
 void addTitle(vtkRenderer* renderer, const Scene& scene)
@@ -353,10 +350,8 @@ void setSpaceCamera(vtkRenderer* renderer, const Scene& scene)
 
 void setCamera(vtkRenderer* renderer, const Scene& scene)
 {
-    if (scene.dimension == 2)
-        setPlaneCamera(renderer->GetActiveCamera(), scene);
-    else
-        setSpaceCamera(renderer, scene);
+    if (scene.dimension == 2) setPlaneCamera(renderer->GetActiveCamera(), scene);
+    else setSpaceCamera(renderer, scene);
     renderer->ResetCameraClippingRange();
 }
 

@@ -22,7 +22,7 @@ struct Camera
 struct Points
 {
     std::vector<Vector<3>> position;
-    std::vector<double> value; ///< what the colour shows
+    std::vector<double> value;                  ///< what the colour shows
     std::optional<std::array<double, 2>> range; ///< of the colours; that of the values unless given
     double diameter = 0;
     std::string title;               ///< of the colour bar; unused for phases

@@ -15,10 +15,7 @@ namespace
 /// A grid of more nodes than this is a mistaken spacing: 8 GiB for each field on it.
 constexpr double mostNodes = 1e9;
 
-bool contains(std::span<const std::string> words, const std::string& word)
-{
-    return std::ranges::find(words, word) != words.end();
-}
+bool contains(std::span<const std::string> words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
 
 Camera readCamera(const Dictionary& dict, const SurfaceCase& scene)
 {
@@ -41,8 +38,7 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
     const auto size = entry::size(dict);
     if (size.size() != 2 || size[0] < 16 || size[1] < 16 || size[0] > 8000 || size[1] > 8000)
         entry::size.error(dict, "must be width and height in pixels, each from 16 to 8000");
-    else
-        picture.size = {size[0], size[1]};
+    else picture.size = {size[0], size[1]};
     picture.camera = readCamera(entry::camera(dict), scene);
 
     const bool surfaceOnly = geometry.dimension == 3 && scene.phases.size() > 1;
@@ -96,7 +92,7 @@ SurfaceSettings readSurfaceSettings(const Dictionary& dict, const SurfaceCase& s
     for (const auto& format : settings.formats)
         if (!canHold(format, geometry.dimension))
             entry::formats.error(dict,
-                       fmt::format("{} holds triangles only, and the surface of a 2-D case is a line. Write vtp or obj", format));
+                                 fmt::format("{} holds triangles only, and the surface of a 2-D case is a line. Write vtp or obj", format));
     settings.picture = readPicture(entry::picture(dict), scene, geometry);
     return settings;
 }

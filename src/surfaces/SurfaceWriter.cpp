@@ -62,8 +62,7 @@ void writeSurface(vtkPolyData* surface, const std::filesystem::path& file)
         vtkNew<vtkOBJWriter> writer;
         runWriter(writer.Get(), mesh.Get(), partial);
     }
-    else
-        throw CaseError(fmt::format("No surface format has the extension \"{}\" of {}", format.string(), file.string()));
+    else throw CaseError(fmt::format("No surface format has the extension \"{}\" of {}", format.string(), file.string()));
     std::filesystem::rename(partial, file, failed);
     if (failed) throw CaseError(fmt::format("Cannot write {}: {}", file.string(), failed.message()));
 }

@@ -46,8 +46,7 @@ public:
     dup2(messages, STDERR_FILENO);
     fcntl(number, F_SETFD, 0);
     const auto descriptor = std::to_string(number);
-    execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
-           nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset", nullptr);
     _exit(errno == ENOENT ? notInstalled : 1);
 }
 
@@ -97,10 +96,8 @@ VirtualDisplay::VirtualDisplay()
         waitpid(server_, &status, 0);
         server_ = -1;
         if (WIFEXITED(status) && WEXITSTATUS(status) == notInstalled)
-            throw CaseError(
-                "Pictures need an X display: DISPLAY is not set and Xvfb is not installed (Debian: apt install xvfb)");
-        throw CaseError(
-            fmt::format("Pictures need an X display: DISPLAY is not set and Xvfb did not start\n{}", contents(messages)));
+            throw CaseError("Pictures need an X display: DISPLAY is not set and Xvfb is not installed (Debian: apt install xvfb)");
+        throw CaseError(fmt::format("Pictures need an X display: DISPLAY is not set and Xvfb did not start\n{}", contents(messages)));
     }
     setenv("DISPLAY", (":" + number).c_str(), 1);
 }

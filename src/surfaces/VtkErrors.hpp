@@ -26,8 +26,7 @@ public:
     explicit VtkErrors(vtkObject* source)
         : source_(source),
           tags_{source->AddObserver(vtkCommand::ErrorEvent, listener_), source->AddObserver(vtkCommand::WarningEvent, listener_)}
-    {
-    }
+    {}
     ~VtkErrors()
     {
         for (const auto tag : tags_) source_->RemoveObserver(tag);

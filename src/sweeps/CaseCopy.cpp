@@ -93,9 +93,8 @@ void copyInputs(const fs::path& from, const fs::path& to, bool withStart)
             fs::copy(from / part, to / part, fs::copy_options::recursive, reason);
             if (reason) throw CaseError({(to / part).string(), 0}, "cannot be made: " + reason.message());
         }
-    for (const char* written :
-         {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
-          "constant/lagrangian", "constant/uniform"})
+    for (const char* written : {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
+                                "constant/lagrangian", "constant/uniform"})
         fs::remove_all(to / written, reason);
     keepIncludes(from, to);
 }

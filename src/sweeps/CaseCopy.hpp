@@ -17,8 +17,7 @@ void apply(const std::vector<Override>&, const std::filesystem::path& caseFolder
 Location placeOf(const Override&, const std::filesystem::path& caseFolder);
 
 /// 16 hexadecimal digits that change with any byte of the files below a folder, their names, or `more`; files `without` apart.
-std::string inputsStamp(const std::filesystem::path& folder, const std::vector<std::string>& without,
-                        const std::vector<std::string>& more);
+std::string inputsStamp(const std::filesystem::path& folder, const std::vector<std::string>& without, const std::vector<std::string>& more);
 
 /// The content of a file as part of such a stamp.
 std::string fileStamp(const std::filesystem::path&);

@@ -95,8 +95,7 @@ ProcessOutcome runProcess(const ProcessTask& task)
     if (child < 0 || got == ssize_t(sizeof startError))
     {
         if (child > 0) ::waitpid(child, nullptr, 0);
-        throw CaseError(
-            fmt::format("{} cannot be started in {}: {}", task.command.front(), task.folder.string(), reasonOf(startError)));
+        throw CaseError(fmt::format("{} cannot be started in {}: {}", task.command.front(), task.folder.string(), reasonOf(startError)));
     }
 
     ProcessOutcome outcome;
@@ -116,8 +115,7 @@ ProcessOutcome runProcess(const ProcessTask& task)
                 ::kill(-child, SIGTERM);
             }
         }
-        else if (now > *askedToEnd + secondsToEnd)
-            ::kill(-child, SIGKILL);
+        else if (now > *askedToEnd + secondsToEnd) ::kill(-child, SIGKILL);
         // Short runs are timed to the millisecond; long ones are not disturbed.
         std::this_thread::sleep_for(std::chrono::milliseconds(now < 1 ? 1 : 20));
     }

@@ -93,8 +93,7 @@ bool readHeader(const std::vector<std::string>& header, const Location& here, Co
     {
         if (std::ranges::find(columnNames(), *cell) == columnNames().end())
             fail(fmt::format("column \"{}\" is unknown. {}", *cell, suggestion(*cell, "columns", columnNames())));
-        else if (std::find(header.begin(), cell, *cell) != cell)
-            fail(fmt::format("column \"{}\" stands twice", *cell));
+        else if (std::find(header.begin(), cell, *cell) != cell) fail(fmt::format("column \"{}\" stands twice", *cell));
     }
     const auto require = [&](const auto& column)
     {
@@ -107,8 +106,8 @@ bool readHeader(const std::vector<std::string>& header, const Location& here, Co
 }
 
 /// A row, or nothing where a cell of it is wrong.
-std::optional<ResultRow> readRow(const std::vector<std::string>& header, const std::vector<std::string>& cells,
-                                 const Location& here, Completeness wanted, Diagnostics& diagnostics)
+std::optional<ResultRow> readRow(const std::vector<std::string>& header, const std::vector<std::string>& cells, const Location& here,
+                                 Completeness wanted, Diagnostics& diagnostics)
 {
     const auto before = diagnostics.errors();
     const auto cellOf = [&](const std::string& name)
@@ -132,17 +131,14 @@ std::optional<ResultRow> readRow(const std::vector<std::string>& header, const s
         const auto cell = cellOf(column.name);
         if (cell.empty())
         {
-            if (column.required && wanted == Completeness::wholeRows)
-                diagnostics.error(here, fmt::format("\"{}\" is empty", column.name));
+            if (column.required && wanted == Completeness::wholeRows) diagnostics.error(here, fmt::format("\"{}\" is empty", column.name));
             continue;
         }
         const auto value = finiteNumber(cell);
-        if (!value)
-            diagnostics.error(here, fmt::format("\"{}\" in column {} is not a number", cell, column.name));
+        if (!value) diagnostics.error(here, fmt::format("\"{}\" in column {} is not a number", cell, column.name));
         else if (const auto mistake = mistakeIn(column.range, *value); !mistake.empty())
             diagnostics.error(here, fmt::format("{} is {} but {}", column.name, cell, mistake));
-        else
-            row.*column.value = *value;
+        else row.*column.value = *value;
     }
     if (diagnostics.errors() > before) return {};
     return row;
@@ -190,15 +186,11 @@ std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, cons
             continue;
         }
         any = true;
-        if (cells.size() != header.size())
-            diagnostics.error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));
-        else if (auto row = readRow(header, cells, here, wanted, diagnostics))
-            rows.push_back(*std::move(row));
+        if (cells.size() != header.size()) diagnostics.error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));
+        else if (auto row = readRow(header, cells, here, wanted, diagnostics)) rows.push_back(*std::move(row));
     }
-    if (header.empty())
-        diagnostics.error({file, 0}, fmt::format("has no line of column names: {}", list(columnNames())));
-    else if (!any && wanted == Completeness::wholeRows)
-        diagnostics.error({file, 0}, "has no rows");
+    if (header.empty()) diagnostics.error({file, 0}, fmt::format("has no line of column names: {}", list(columnNames())));
+    else if (!any && wanted == Completeness::wholeRows) diagnostics.error({file, 0}, "has no rows");
     return rows;
 }
 

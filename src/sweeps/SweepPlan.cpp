@@ -87,8 +87,7 @@ void collectEntries(const Dictionary& d, Override under, std::vector<Override>& 
     {
         auto next = under;
         next.keywords.push_back(key);
-        if (d.isDictionary(key))
-            collectEntries(d.subDict(key), next, overrides);
+        if (d.isDictionary(key)) collectEntries(d.subDict(key), next, overrides);
         else
         {
             next.value = valueText(d, key);
@@ -107,14 +106,11 @@ std::vector<Override> readOverrides(const Dictionary& d, const std::filesystem::
     {
         const auto known = filesOf(baseCase);
         if (!d.isDictionary(file))
-            d.error(
-                file,
-                fmt::format("\"{}\" must be a file of the case with the entries to change in it: \"system/sphSchemes\" {{ .. }}",
-                            file));
+            d.error(file, fmt::format("\"{}\" must be a file of the case with the entries to change in it: \"system/sphSchemes\" {{ .. }}",
+                                      file));
         else if (std::ranges::find(known, file) == known.end())
             d.error(file, fmt::format("the case has no file \"{}\". {}", file, suggestion(file, "files", known)));
-        else
-            collectEntries(d.subDict(file), {file, {}, {}, {}}, overrides);
+        else collectEntries(d.subDict(file), {file, {}, {}, {}}, overrides);
         d.ignore(file);
     }
     return overrides;
@@ -165,7 +161,8 @@ void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
     plan.peers = entry::peers(d);
     plan.plots = entry::plots(d);
 
-    const auto resolution = readOverrides(plan.resolutions.size() > 1 ? entry::setResolution.needed(d) : entry::setResolution(d), plan.baseCase);
+    const auto resolution =
+        readOverrides(plan.resolutions.size() > 1 ? entry::setResolution.needed(d) : entry::setResolution(d), plan.baseCase);
     const bool hasVariants = entry::variants.given(d);
     const auto variants = entry::variants(d);
     auto names = variants.keys();
@@ -173,8 +170,7 @@ void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
     if (names.empty()) entry::variants.error(d, "\"variants\" is empty: leave it out to run the case as it is");
     for (const auto& name : names)
     {
-        if (!isPlainName(name))
-            variants.error(name, fmt::format("variant \"{}\" needs a name of letters, digits and _-+.", name));
+        if (!isPlainName(name)) variants.error(name, fmt::format("variant \"{}\" needs a name of letters, digits and _-+.", name));
         PlannedRun run{name, n, hasVariants ? variants.where(name) : d.location(), resolution};
         if (hasVariants)
             for (auto& o : readOverrides(variants.subDict(name), plan.baseCase)) run.overrides.push_back(std::move(o));
@@ -189,8 +185,17 @@ void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
 EntryList sweepEntries()
 {
     using namespace entry;
-    return {baseCase, resolutions, {setResolution, {file}}, {variants, {{variant, {file}}}}, steps, repeats, timeLimit, core,
-            {errors, {entry::function, field, norm, entry::time, averageFrom}}, peers, plots};
+    return {baseCase,
+            resolutions,
+            {setResolution, {file}},
+            {variants, {{variant, {file}}}},
+            steps,
+            repeats,
+            timeLimit,
+            core,
+            {errors, {entry::function, field, norm, entry::time, averageFrom}},
+            peers,
+            plots};
 }
 
 std::string Override::entry() const { return fmt::format("{}", fmt::join(keywords, ".")); }

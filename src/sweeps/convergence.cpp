@@ -34,8 +34,7 @@ std::optional<double> costPower(const Rows& ladder)
 {
     if (ladder.size() < 2) return {};
     const auto &a = *ladder[ladder.size() - 2], &b = *ladder.back();
-    return std::clamp(std::log(b.wallSeconds / a.wallSeconds) / std::log(b.resolution / a.resolution), leastCostPower,
-                      largestCostPower);
+    return std::clamp(std::log(b.wallSeconds / a.wallSeconds) / std::log(b.resolution / a.resolution), leastCostPower, largestCostPower);
 }
 
 }
@@ -48,8 +47,8 @@ void setObservedOrders(std::span<ResultRow> rows)
         if (row.status != "ok" || !(row.error > 0)) continue;
         const ResultRow* coarser = nullptr;
         for (const auto& other : rows)
-            if (other.variant == row.variant && other.status == "ok" && other.error > 0 &&
-                other.spacing > leastRatio * row.spacing && (!coarser || other.spacing < coarser->spacing))
+            if (other.variant == row.variant && other.status == "ok" && other.error > 0 && other.spacing > leastRatio * row.spacing &&
+                (!coarser || other.spacing < coarser->spacing))
                 coarser = &other;
         if (coarser) row.order = std::log(coarser->error / row.error) / std::log(coarser->spacing / row.spacing);
     }
@@ -96,8 +95,7 @@ std::optional<double> expectedWallSeconds(std::span<const ResultRow> rows, const
     const auto apart = [&](const ResultRow& row) { return std::abs(std::log(row.resolution / resolution)); };
     if (!from)
         for (const auto& row : rows)
-            if (row.status == "ok" && row.wallSeconds > 0 && row.resolution > 0 && (!from || apart(row) < apart(*from)))
-                from = &row;
+            if (row.status == "ok" && row.wallSeconds > 0 && row.resolution > 0 && (!from || apart(row) < apart(*from))) from = &row;
     if (!from) return {};
     return from->wallSeconds * std::pow(resolution / from->resolution, power.value_or(usualCostPower));
 }

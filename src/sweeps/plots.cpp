@@ -34,8 +34,7 @@ std::vector<Curve> curvesOf(const Diagram& diagram)
     };
     add(diagram.rows, false);
     add(diagram.peers, true);
-    for (auto& curve : curves)
-        std::ranges::stable_sort(curve.rows, std::greater<>(), [](const ResultRow* row) { return row->spacing; });
+    for (auto& curve : curves) std::ranges::stable_sort(curve.rows, std::greater<>(), [](const ResultRow* row) { return row->spacing; });
     return curves;
 }
 
@@ -118,27 +117,25 @@ std::string gnuplotScript(const Diagram& diagram)
     {
         script += fmt::format("$curve{} << END_OF_CURVE\n# spacing [m]  processor time [s]  error\n", k);
         for (const auto* row : curves[k].rows)
-            script +=
-                fmt::format("{} {} {}\n", shortestText(row->spacing), shortestText(row->cpuSeconds), shortestText(row->error));
+            script += fmt::format("{} {} {}\n", shortestText(row->spacing), shortestText(row->cpuSeconds), shortestText(row->error));
         script += "END_OF_CURVE\n";
     }
-    script +=
-        fmt::format("set encoding utf8\nset logscale xy\nset format '%.0e'\nset grid xtics ytics mxtics mytics lc rgb '#999999', "
-                    "lc rgb '#dddddd'\nset key below Left reverse height 1 spacing 1.2 samplen 3 noenhanced\nset samples 50\nset "
-                    "title {} noenhanced\n"
-                    "set ylabel 'error'\nset yrange {}\n",
-                    quoted(diagram.title), rangeOf(curves, &ResultRow::error));
+    script += fmt::format("set encoding utf8\nset logscale xy\nset format '%.0e'\nset grid xtics ytics mxtics mytics lc rgb '#999999', "
+                          "lc rgb '#dddddd'\nset key below Left reverse height 1 spacing 1.2 samplen 3 noenhanced\nset samples 50\nset "
+                          "title {} noenhanced\n"
+                          "set ylabel 'error'\nset yrange {}\n",
+                          quoted(diagram.title), rangeOf(curves, &ResultRow::error));
     for (const bool againstSpacing : {false, true})
     {
         script += fmt::format("\nset xlabel '{}'\nset xrange {}\n", againstSpacing ? "spacing [m]" : "processor time [s]",
                               rangeOf(curves, againstSpacing ? &ResultRow::spacing : &ResultRow::cpuSeconds));
         const auto command = plotCommand(curves, againstSpacing);
         for (const bool svg : {true, false})
-            script += fmt::format(
-                "set terminal {}\nset output {}\n{}",
-                svg ? "svg size 720,600 dynamic background rgb 'white'" : "pngcairo size 1080,900 fontscale 1.3",
-                quoted(fmt::format("{}.{}.{}", diagram.stem, againstSpacing ? "spacing" : "cpuTime", svg ? "svg" : "png")),
-                command);
+            script +=
+                fmt::format("set terminal {}\nset output {}\n{}",
+                            svg ? "svg size 720,600 dynamic background rgb 'white'" : "pngcairo size 1080,900 fontscale 1.3",
+                            quoted(fmt::format("{}.{}.{}", diagram.stem, againstSpacing ? "spacing" : "cpuTime", svg ? "svg" : "png")),
+                            command);
     }
     return script + "unset output\n";
 }

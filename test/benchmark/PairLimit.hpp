@@ -9,8 +9,8 @@ namespace sph
 struct PairLimit
 {
     std::vector<double> x, y, z, u, v, w, rho, p;
-    std::vector<int> begin{0}, list;                 ///< neighbours within the support, self left out
-    double h;                                        ///< half the support of the Wendland C2 kernel
+    std::vector<int> begin{0}, list; ///< neighbours within the support, self left out
+    double h;                        ///< half the support of the Wendland C2 kernel
     std::vector<double> ax, ay, az, rate;
 
     void evaluate();

@@ -9,8 +9,9 @@ namespace sph
 Figures forcePass(PairLimit& limit, double skin)
 {
     const std::size_t count = limit.x.size();
-    const double H = 2*limit.h;
-    Plan<3> plan(allTerms<3>(), {"huAdamsPressure", "singlePhaseViscosity", "continuity", "integratedVolume", "tait"}, {"positions", "U", "m", "rho"});
+    const double H = 2 * limit.h;
+    Plan<3> plan(allTerms<3>(), {"huAdamsPressure", "singlePhaseViscosity", "continuity", "integratedVolume", "tait"},
+                 {"positions", "U", "m", "rho"});
     FieldStore<3> store;
     plan.allocate(store);
     store.allocateState(Position{});
@@ -18,7 +19,8 @@ Figures forcePass(PairLimit& limit, double skin)
     store.allocateState(Mass{});
     store.allocateState(Density{});
     store.resize(count + 1);
-    const auto copy = [&](const std::vector<double>& from, const char* name, int c) { std::copy(from.begin(), from.end(), store.component(name, c)); };
+    const auto copy = [&](const std::vector<double>& from, const char* name, int c)
+    { std::copy(from.begin(), from.end(), store.component(name, c)); };
     copy(limit.x, "positions", 0), copy(limit.y, "positions", 1), copy(limit.z, "positions", 2);
     copy(limit.u, "U", 0), copy(limit.v, "U", 1), copy(limit.w, "U", 2);
     copy(limit.rho, "rho", 0);
@@ -34,7 +36,7 @@ Figures forcePass(PairLimit& limit, double skin)
     c.restDensity = {1};
     c.viscosity = {0.01};
     c.soundSpeed = {10};
-    c.stiffness = {100.0/7};
+    c.stiffness = {100.0 / 7};
     c.exponent = {7};
     c.phases = {"water"};
     c.support = H;
@@ -50,11 +52,11 @@ Figures forcePass(PairLimit& limit, double skin)
         best = std::min(best, secondsOf([&] { plan.evaluate(store, images, lists, kernel); }));
     }
     const double pairs = double(limit.list.size());
-    return {{"pairLimit", pairs/bestOfLimit/1e6, "million pairs/s"},
-            {"forcePass", pairs/best/1e6, "million pairs/s"},
-            {"forcePassOfPairLimit", bestOfLimit/best, "1"},
-            {"listBuild", double(count)/bestOfBuild/1e6, "million particles/s"},
-            {"listBuildOfForcePass", bestOfBuild/best, "1"}};
+    return {{"pairLimit", pairs / bestOfLimit / 1e6, "million pairs/s"},
+            {"forcePass", pairs / best / 1e6, "million pairs/s"},
+            {"forcePassOfPairLimit", bestOfLimit / best, "1"},
+            {"listBuild", double(count) / bestOfBuild / 1e6, "million particles/s"},
+            {"listBuildOfForcePass", bestOfBuild / best, "1"}};
 }
 
 }

@@ -32,13 +32,13 @@ int main(int argc, char** argv)
         if (wanted("force")) print(forcePass(limit, 0.3));
         if (wanted("block"))
         {
-            const auto figures = wholeStep(cases/"block", "whole", limit, 12, 4);
+            const auto figures = wholeStep(cases / "block", "whole", limit, 12, 4);
             print(figures);
             print({{"bytesPerParticle", figures.back().value, figures.back().unit}});
         }
-        if (wanted("bed")) print(wholeStep(cases/"bed", "bed", limit, 20, 4));
-        if (wanted("bedStress")) print(wholeStep(cases/"bedStress", "bedStress", limit, 20, 4));
-        if (wanted("bccBed")) print(wholeStep(cases/"../../../tutorials/heapLeaching/bccBed", "bccBed", limit, 10, 4));
+        if (wanted("bed")) print(wholeStep(cases / "bed", "bed", limit, 20, 4));
+        if (wanted("bedStress")) print(wholeStep(cases / "bedStress", "bedStress", limit, 20, 4));
+        if (wanted("bccBed")) print(wholeStep(cases / "../../../tutorials/heapLeaching/bccBed", "bccBed", limit, 10, 4));
     }
     catch (const CaseError& e)
     {

@@ -1,6 +1,6 @@
 #include "wholeStep.hpp"
-#include "NeighbourLists.hpp"
 #include "Images.hpp"
+#include "NeighbourLists.hpp"
 #include "Packing.hpp"
 #include "Simulation.hpp"
 #include "readSettings.hpp"
@@ -36,7 +36,7 @@ double neighboursWithinSupport(const AnySimulation& simulation, const Settings& 
     const auto x = store.pointers(Position{});
     NeighbourLists<3> lists;
     lists.build({x[0], x[1], x[2]}, n, images.nullParticle(), H);
-    return double(lists.pairs())/double(n) - 1;
+    return double(lists.pairs()) / double(n) - 1;
 }
 }
 
@@ -57,28 +57,32 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
     {
         bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
         const long before = simulation->pairPassesRun();
-        const double seconds = secondsOf([&]
-        {
-            for (int s = 0; s < stepsATurn; ++s) simulation->step(0, simulation->stepLimit().deltaT);
-        });
+        const double seconds = secondsOf(
+            [&]
+            {
+                for (int s = 0; s < stepsATurn; ++s) simulation->step(0, simulation->stepLimit().deltaT);
+            });
         const double passesOfTurn = double(simulation->pairPassesRun() - before);
-        if (passes > 0 && seconds/passesOfTurn >= best/passes) continue; // turns differ in parts of their steps and in iterations: the best by the pass
-        best = seconds/stepsATurn;
-        passes = passesOfTurn/stepsATurn;
+        if (passes > 0 && seconds / passesOfTurn >= best / passes)
+            continue; // turns differ in parts of their steps and in iterations: the best by the pass
+        best = seconds / stepsATurn;
+        passes = passesOfTurn / stepsATurn;
     }
-    const double steps = double(turns)*stepsATurn, particles = double(simulation->size());
+    const double steps = double(turns) * stepsATurn, particles = double(simulation->size());
     const double neighbours = neighboursWithinSupport(*simulation, settings, geometry);
-    const double limitRate = double(limit.list.size())/bestOfLimit;
+    const double limitRate = double(limit.list.size()) / bestOfLimit;
     return {{name + "Particles", particles, "1"},
-            {name + "ImagesPerParticle", double(simulation->images())/particles, "1"},
+            {name + "ImagesPerParticle", double(simulation->images()) / particles, "1"},
             {name + "Neighbours", neighbours, "1"},
             {name + "PairPasses", passes, "1"},
-            {name + "ParticleSteps", particles/best/1e6, "million particle-steps/s/core"},
-            {name + "StepOfPairLimit", neighbours*passes*particles/best/limitRate, "1"},
-            {name + "ParticleStepsAt345", particles/best/1e6*345e6/limitRate, "million particle-steps/s/core where the limit is 345 million pairs/s"},
-            {name + "StepsPerListBuild", steps/double(std::max(1L, simulation->rebuilds() - rebuildsBefore)), "1"},
+            {name + "ParticleSteps", particles / best / 1e6, "million particle-steps/s/core"},
+            {name + "StepOfPairLimit", neighbours * passes * particles / best / limitRate, "1"},
+            {name + "ParticleStepsAt345", particles / best / 1e6 * 345e6 / limitRate,
+             "million particle-steps/s/core where the limit is 345 million pairs/s"},
+            {name + "StepsPerListBuild", steps / double(std::max(1L, simulation->rebuilds() - rebuildsBefore)), "1"},
             {name + "BytesPerOwnedParticle", simulation->bytesPerParticle(), "bytes, images and records included"},
-            {name + "BytesPerParticle", simulation->bytesPerParticle()*particles/(particles + double(simulation->images())), "bytes, owned or image"}};
+            {name + "BytesPerParticle", simulation->bytesPerParticle() * particles / (particles + double(simulation->images())),
+             "bytes, owned or image"}};
 }
 
 }

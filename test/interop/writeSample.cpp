@@ -12,10 +12,9 @@ constexpr std::size_t particles = 7;
 void writeDictionary(const std::filesystem::path& folder, const std::string& object, const std::string& entries)
 {
     sph::createFolders(folder / "system");
-    sph::writeFile(folder / "system" / object,
-                   "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-                   "    object      " +
-                       object + ";\n}\n\n" + entries);
+    sph::writeFile(folder / "system" / object, "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
+                                               "    object      " +
+                                                   object + ";\n}\n\n" + entries);
 }
 
 void writeDictionaries(const std::filesystem::path& folder, const std::string& format)
@@ -24,10 +23,9 @@ void writeDictionaries(const std::filesystem::path& folder, const std::string& f
                     "application sphFoamLike;\nstartFrom startTime;\nstartTime 0;\nstopAt endTime;\nendTime 1;\ndeltaT 0.25;\n"
                     "adjustTimeStep no;\nwriteControl runTime;\nwriteInterval 0.5;\nwriteFormat " +
                         format + ";\ntimeFormat general;\ntimePrecision 6;\n");
-    writeDictionary(
-        folder, "fvSchemes",
-        "ddtSchemes { default none; }\ngradSchemes { default none; }\ndivSchemes { default none; }\n"
-        "laplacianSchemes { default none; }\ninterpolationSchemes { default none; }\nsnGradSchemes { default none; }\n");
+    writeDictionary(folder, "fvSchemes",
+                    "ddtSchemes { default none; }\ngradSchemes { default none; }\ndivSchemes { default none; }\n"
+                    "laplacianSchemes { default none; }\ninterpolationSchemes { default none; }\nsnGradSchemes { default none; }\n");
     writeDictionary(folder, "fvSolution", "solvers {}\n");
 }
 

@@ -88,10 +88,8 @@ TEST(Dictionaries, NumbersThatAreNone)
 TEST(Dictionaries, SchemesThatDoNotGoTogether)
 {
     Damaged c;
-    c.replace("system/sphSchemes", "integration",
-              "surfaceTension curvature; densityDiffusion 0.1; pressureGradient monaghan; integration");
-    c.isRefused("sphFoamLike",
-                {"system/sphSchemes:2: secondOrder needs", "system/sphSchemes:3", "gives no sigma", "density continuity"});
+    c.replace("system/sphSchemes", "integration", "surfaceTension curvature; densityDiffusion 0.1; pressureGradient monaghan; integration");
+    c.isRefused("sphFoamLike", {"system/sphSchemes:2: secondOrder needs", "system/sphSchemes:3", "gives no sigma", "density continuity"});
 }
 
 // Walls made for another geometry or another resolution are refused: the solver would run with walls where there are none.
@@ -118,7 +116,9 @@ TEST(Dictionaries, PeriodShorterThanTheSupport)
         Damaged c;
         c.replace("system/sphSchemes", "spacing 0.05", std::string("spacing ") + spacing);
         for (const char* application : {"packParticles", "meshToGhost", "sphFoamLike"})
-            c.isRefused(application, {"system/sphSchemes:1: ", spacing[1] == '.' ? "periodic length 1 m along x is less than the kernel support" : "larger than the domain, 1 m along x"});
+            c.isRefused(application,
+                        {"system/sphSchemes:1: ", spacing[1] == '.' ? "periodic length 1 m along x is less than the kernel support"
+                                                                    : "larger than the domain, 1 m along x"});
     }
 }
 
@@ -158,12 +158,32 @@ TEST(Dictionaries, ZComponentsIn2D)
         std::vector<std::string> refusedBy, words;
     };
     const std::vector<Place> places{
-        {"constant/g", "(1 0 0)", "(0 0 -9.81)", {"packParticles", "sphFoamLike"}, {"constant/g:1: in 2-D the z component of \"value\"", "-9.81"}},
-        {"constant/phaseProperties", "phases (water);", "phases (water); bodyForce (1 0 2);", {"sphFoamLike"}, {"constant/phaseProperties:1: in 2-D", "\"bodyForce\""}},
+        {"constant/g",
+         "(1 0 0)",
+         "(0 0 -9.81)",
+         {"packParticles", "sphFoamLike"},
+         {"constant/g:1: in 2-D the z component of \"value\"", "-9.81"}},
+        {"constant/phaseProperties",
+         "phases (water);",
+         "phases (water); bodyForce (1 0 2);",
+         {"sphFoamLike"},
+         {"constant/phaseProperties:1: in 2-D", "\"bodyForce\""}},
         {"constant/walls", "top { velocity (0 0 0);", "top { velocity (0 0 1);", {"sphFoamLike"}, {"constant/walls:", "\"velocity\""}},
-        {"constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); velocity (0 0 1);", {"packParticles", "meshToGhost"}, {"constant/geometry:5: in 2-D", "\"velocity\""}},
-        {"system/packParticlesDict", "type taylorGreen; U 1; L 1;", "type uniform; value (1 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}},
-        {"system/packParticlesDict", "phase water;", "phase water; U (0 0 1);", {"packParticles"}, {"system/packParticlesDict: in 2-D", " found 1 at ("}}};
+        {"constant/geometry",
+         "normal (0 -1 0);",
+         "normal (0 -1 0); velocity (0 0 1);",
+         {"packParticles", "meshToGhost"},
+         {"constant/geometry:5: in 2-D", "\"velocity\""}},
+        {"system/packParticlesDict",
+         "type taylorGreen; U 1; L 1;",
+         "type uniform; value (1 0 1);",
+         {"packParticles"},
+         {"system/packParticlesDict: in 2-D", " found 1 at ("}},
+        {"system/packParticlesDict",
+         "phase water;",
+         "phase water; U (0 0 1);",
+         {"packParticles"},
+         {"system/packParticlesDict: in 2-D", " found 1 at ("}}};
     for (const auto& place : places)
         for (const auto& application : place.refusedBy)
         {

@@ -38,7 +38,8 @@ double kineticEnergy(const Cloud& cloud)
     double sum = 0;
     const auto& U = cloud.fields.at("U").component;
     for (std::size_t i = 0; i < cloud.size(); ++i)
-        sum += 0.5*(cloud.fields.contains("m") ? cloud.fields.at("m").component[0][i] : 1)*(U[0][i]*U[0][i] + U[1][i]*U[1][i] + U[2][i]*U[2][i]);
+        sum += 0.5 * (cloud.fields.contains("m") ? cloud.fields.at("m").component[0][i] : 1) *
+               (U[0][i] * U[0][i] + U[1][i] * U[1][i] + U[2][i] * U[2][i]);
     return sum;
 }
 
@@ -65,8 +66,8 @@ TEST(ExtremeScenes, OneParticleFallsFreely)
     const auto cloud = lastCloud(c);
     ASSERT_EQ(cloud.size(), 1u);
     EXPECT_NEAR(cloud.fields.at("U").component[0][0], 0.08, 1e-15);
-    EXPECT_NEAR(cloud.x[0], 0.5 + 0.5*0.08*0.08, 1e-15);
-    EXPECT_NEAR(cloud.y[0], 0.5 - 0.08*0.08, 1e-15);
+    EXPECT_NEAR(cloud.x[0], 0.5 + 0.5 * 0.08 * 0.08, 1e-15);
+    EXPECT_NEAR(cloud.y[0], 0.5 - 0.08 * 0.08, 1e-15);
     EXPECT_NEAR(cloud.fields.at("rho").component[0][0], 1000, 1e-9);
 }
 
@@ -83,8 +84,8 @@ TEST(ExtremeScenes, OneParticleOnAFloor)
     c.runWell("sphFoamLike");
     const auto cloud = lastCloud(c);
     EXPECT_GT(cloud.y[0], 0);
-    const double weight = 1000*0.05*0.05*10; // per metre of depth [N/m]
-    EXPECT_LT(kineticEnergy(cloud) + weight*cloud.y[0], 1.001*weight*0.3);
+    const double weight = 1000 * 0.05 * 0.05 * 10; // per metre of depth [N/m]
+    EXPECT_LT(kineticEnergy(cloud) + weight * cloud.y[0], 1.001 * weight * 0.3);
 }
 
 // Closer than round-off: told apart by nothing, and refused. A hundredth of a spacing apart they are two, pushed apart with no momentum.
@@ -122,10 +123,10 @@ TEST(ExtremeScenes, ZeroViscosity)
     const auto& U = cloud.fields.at("U").component;
     double momentum = 0;
     for (const double u : U[0]) momentum += u;
-    EXPECT_NEAR(momentum/400, 0, 1e-13);
-    const double start = 1000*0.25; // J/m: rho U^2/4 over the unit square
-    EXPECT_LT(kineticEnergy(cloud), 1.001*start);
-    EXPECT_GT(kineticEnergy(cloud), 0.5*start);
+    EXPECT_NEAR(momentum / 400, 0, 1e-13);
+    const double start = 1000 * 0.25; // J/m: rho U^2/4 over the unit square
+    EXPECT_LT(kineticEnergy(cloud), 1.001 * start);
+    EXPECT_GT(kineticEnergy(cloud), 0.5 * start);
 }
 
 // sigma 0 is no sigma: the same passes, the same result to the last bit, and a drop at rest stays so.
@@ -133,7 +134,8 @@ TEST(ExtremeScenes, ZeroSurfaceTension)
 {
     auto files = dropCase();
     files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);\n";
-    files["system/packParticlesDict"] = "lattice cubic; fill ( { region all; phase gas; } { region sphere; centre (0.5 0.5 0); radius 0.3; phase liquid; } );\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; fill ( { region all; phase gas; } { region sphere; centre (0.5 0.5 0); radius 0.3; phase liquid; } );\n";
     auto zero = files, none = files;
     zero["constant/phaseProperties"] = std::regex_replace(files["constant/phaseProperties"], std::regex("gas\\) 1"), "gas) 0");
     none["constant/phaseProperties"] = std::regex_replace(files["constant/phaseProperties"], std::regex("sigma.*"), "");
@@ -155,7 +157,7 @@ TEST(ExtremeScenes, AtRestForManySteps)
         const TestCase c(files);
         for (const char* step : {"packParticles", "meshToGhost", "sphFoamLike"}) c.runWell(step);
         // 3e-13 m/s is what a rounding error of the pressure, 1e-16 rho c^2, makes in a step
-        EXPECT_LT(kineticEnergy(lastCloud(c)), 0.5*1000*sqr(3e-13)) << phase;
+        EXPECT_LT(kineticEnergy(lastCloud(c)), 0.5 * 1000 * sqr(3e-13)) << phase;
     }
 }
 
@@ -173,7 +175,7 @@ TEST(ExtremeScenes, AtTheSoundSpeed)
         const auto log = c.runWell("sphFoamLike");
         EXPECT_NE(log.find("of its sound speed of 1 m/s"), std::string::npos);
         EXPECT_EQ(log.find("of its sound speed"), log.rfind("of its sound speed"));
-        EXPECT_LT(kineticEnergy(lastCloud(c)), 1000*0.25*U*U);
+        EXPECT_LT(kineticEnergy(lastCloud(c)), 1000 * 0.25 * U * U);
     }
 }
 
@@ -232,15 +234,19 @@ TEST(ExtremeScenes, AllInOneCell)
     const TestCase c(periodicBox());
     std::vector<std::pair<double, double>> at;
     for (int i = 0; i < 8; ++i)
-        for (int k = 0; k < 8; ++k) at.push_back({0.5 + 0.006*(i - 3.5), 0.5 + 0.006*(k - 3.5)});
+        for (int k = 0; k < 8; ++k) at.push_back({0.5 + 0.006 * (i - 3.5), 0.5 + 0.006 * (k - 3.5)});
     place(c, at);
     c.runWell("meshToGhost");
     c.runWell("sphFoamLike");
     const auto cloud = lastCloud(c);
     double x = 0, y = 0;
-    for (std::size_t i = 0; i < cloud.size(); ++i) { x += cloud.x[i]; y += cloud.y[i]; }
-    EXPECT_NEAR(x/64, 0.5, 1e-12);
-    EXPECT_NEAR(y/64, 0.5, 1e-12);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        x += cloud.x[i];
+        y += cloud.y[i];
+    }
+    EXPECT_NEAR(x / 64, 0.5, 1e-12);
+    EXPECT_NEAR(y / 64, 0.5, 1e-12);
 }
 
 /// Peak memory [byte] of the solver on two clusters at the ends of a channel of that many spacings.
@@ -248,16 +254,18 @@ double memoryOfClusters(double spacings)
 {
     auto files = channelCase();
     files["system/sphSchemes"] = bare;
-    files["constant/geometry"] = fmt::format("dimension 2; domain {{ min (0 0 0); max ({} 1 0); periodic (x); }}\nwalls {{ floor {{ type plane; point (0 0 0); "
-                                             "normal (0 1 0); }} }}\n", 0.05*spacings);
+    files["constant/geometry"] =
+        fmt::format("dimension 2; domain {{ min (0 0 0); max ({} 1 0); periodic (x); }}\nwalls {{ floor {{ type plane; point (0 0 0); "
+                    "normal (0 1 0); }} }}\n",
+                    0.05 * spacings);
     const TestCase c(files);
     std::vector<std::pair<double, double>> at;
     for (int i = 0; i < 10; ++i)
         for (int k = 0; k < 10; ++k)
-            for (const double start : {0.25, 0.05*spacings - 1}) at.push_back({start + 0.05*i, 0.025 + 0.05*k});
+            for (const double start : {0.25, 0.05 * spacings - 1}) at.push_back({start + 0.05 * i, 0.025 + 0.05 * k});
     place(c, at);
     c.runWell("meshToGhost");
-    const auto outcome = runProcess({{SPH_APPLICATIONS "/sphFoamLike"}, c.folder(), c.folder()/"log.sphFoamLike", {}, 60.0});
+    const auto outcome = runProcess({{SPH_APPLICATIONS "/sphFoamLike"}, c.folder(), c.folder() / "log.sphFoamLike", {}, 60.0});
     EXPECT_TRUE(outcome.well()) << outcome.inWords();
     EXPECT_EQ(lastCloud(c).size(), 200u);
     return outcome.peakMemory;

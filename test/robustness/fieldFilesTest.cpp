@@ -93,9 +93,11 @@ TEST(FieldFiles, NotANumberAndInfinite)
 // Each file is of one class, and the solver says of which, before it copies a component that is not there.
 TEST(FieldFiles, OfAnotherClass)
 {
-    for (const auto& [field, isClass, other, value] :
-         {std::array{"U", "vectorField", "scalarField", "1"}, {"U", "vectorField", "labelField", "1"}, {"U", "vectorField", "symmTensorField", "(1 2 3 4 5 6)"},
-          {"m", "scalarField", "vectorField", "(1 2 3)"}, {"phase", "labelField", "scalarField", "0.7"}})
+    for (const auto& [field, isClass, other, value] : {std::array{"U", "vectorField", "scalarField", "1"},
+                                                       {"U", "vectorField", "labelField", "1"},
+                                                       {"U", "vectorField", "symmTensorField", "(1 2 3 4 5 6)"},
+                                                       {"m", "scalarField", "vectorField", "(1 2 3)"},
+                                                       {"phase", "labelField", "scalarField", "0.7"}})
     {
         SCOPED_TRACE(std::string(field) + " " + other);
         auto c = inText();

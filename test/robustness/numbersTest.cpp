@@ -47,7 +47,8 @@ TEST(Numbers, Huge)
     for (const auto& entry : entries)
         for (const char* number : {"1e300", "-1e300", "1e-300", "0"})
         {
-            if (entry.key == "endTime" && number[0] == '1' && std::string(number).find('-') == std::string::npos) continue; // an honest wish to run for ever
+            if (entry.key == "endTime" && number[0] == '1' && std::string(number).find('-') == std::string::npos)
+                continue; // an honest wish to run for ever
             SCOPED_TRACE(entry.key + " " + number);
             Damaged c;
             put(c, entry, number);

@@ -57,7 +57,7 @@ TEST(Openings, Powder)
     isRefusedWith("phi 0.45", "phi 0.68", {file + ":9: ", "less than phiMax"});
     isRefusedWith("phi 0.45", "phi -0.1", {file + ":9: ", "phi"});
     Damaged unknown(goodDuct());
-    std::filesystem::remove(unknown.folder()/"constant/transportProperties");
+    std::filesystem::remove(unknown.folder() / "constant/transportProperties");
     unknown.isRefused("sphFoamLike", {file + ":9: ", "has no suspension"});
 }
 
@@ -74,7 +74,8 @@ TEST(Openings, WhereThereIsNoDuct)
 {
     isRefusedWith("point (0 0 0);", "point (0 0 0); min (0 1.2 0); max (0 1.5 0);",
                   {file + ":1: ", "\"gate\" has no fluid in its plane", "inside a wall"});
-    isRefusedWith("point (0 0 0);", "point (0 0 0); min (0 0.42 0); max (0 0.43 0);", {file + ":1: ", "less than the support of the kernel"});
+    isRefusedWith("point (0 0 0);", "point (0 0 0); min (0 0.42 0); max (0 0.43 0);",
+                  {file + ":1: ", "less than the support of the kernel"});
     isRefusedWith("point (0 0 0);", "point (0 0 0); min (0 0.6 0); max (0 0.4 0);", {file + ":4: ", "max must not be less than min"});
     isRefusedWith("point (0 0 0)", "point (-0.15 0 0)", {file + ":1: ", "of domain beyond its plane"});
     isRefusedWith("point (1 0 0)", "point (7 0 0)", {file + ":11: ", "has no fluid in its plane"});
@@ -86,14 +87,16 @@ TEST(Openings, WhereThereIsNoDuct)
 // Turned round, an inlet would hold and take away the scene in place of the duct: the other opening tells, or that there is nothing before the plane.
 TEST(Openings, NormalsOutOfTheScene)
 {
-    isRefusedWith("normal (1 0 0)", "normal (-1 0 0)", {file + ":1: ", "opening \"gate\" has \"vent\" beyond its plane", "its normal must point into the scene"});
+    isRefusedWith("normal (1 0 0)", "normal (-1 0 0)",
+                  {file + ":1: ", "opening \"gate\" has \"vent\" beyond its plane", "its normal must point into the scene"});
     isRefusedWith("normal (-1 0 0)", "normal (1 0 0)", {file + ":11: ", "opening \"vent\" has \"gate\" beyond its plane"});
     const std::string vent = "vent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
     Damaged alone(goodDuct());
     alone.replace(file, vent, "");
     alone.replace(file, "normal (1 0 0)", "normal (-1 0 0)");
-    alone.isRefused("sphFoamLike", {file + ":1: ", "opening \"gate\" has 0.2 m of scene before its plane, less than the 0.31 m that it holds beyond",
-                                    "its normal must point into the scene"});
+    alone.isRefused("sphFoamLike",
+                    {file + ":1: ", "opening \"gate\" has 0.2 m of scene before its plane, less than the 0.31 m that it holds beyond",
+                     "its normal must point into the scene"});
 }
 
 // Where the domain goes on beyond it there is no telling a runner from a scene: what is taken away is in the log and in the balance.
@@ -124,7 +127,7 @@ TEST(Openings, AcrossAPeriodicDirection)
 TEST(Openings, WithWhatTheyDoNotGoWith)
 {
     Damaged phases(goodDuct());
-    std::filesystem::remove(phases.folder()/"constant/transportProperties");
+    std::filesystem::remove(phases.folder() / "constant/transportProperties");
     phases.replace(file, "    phi 0.45;\n", "");
     phases.write("constant/phaseProperties",
                  "phases (water oil); water { rho 1000; mu 10; soundSpeed 15; } oil { rho 1000; mu 10; soundSpeed 15; }\n");
@@ -138,7 +141,8 @@ TEST(Openings, WithWhatTheyDoNotGoWith)
 // An error, or a result without anything that is not finite.
 TEST(Openings, NumbersBeyondSense)
 {
-    for (const std::string entry : {"velocity 3", "pressure 3e4", "phi 0.45", "pressure 100", "point (0 0 0)", "point (1 0 0)", "normal (1 0 0)"})
+    for (const std::string entry :
+         {"velocity 3", "pressure 3e4", "phi 0.45", "pressure 100", "point (0 0 0)", "point (1 0 0)", "normal (1 0 0)"})
         for (const std::string number : {"nan", "inf", "-inf", "1e300", "-1e300", "1e-300"})
         {
             const auto at = entry.find_first_of(" (");

@@ -34,8 +34,7 @@ class Damaged : public TestCase
 public:
     explicit Damaged(const TestCase& good = goodChannel()) : TestCase(Files{})
     {
-        for (const auto& entry : std::filesystem::directory_iterator(good.folder()))
-            copyFrom(good, entry.path().filename().string());
+        for (const auto& entry : std::filesystem::directory_iterator(good.folder())) copyFrom(good, entry.path().filename().string());
     }
 
     /// Exit code 1, every word in the message, time folders as they were and no new ones, no half-written ones.
@@ -47,8 +46,7 @@ public:
         EXPECT_EQ(outcome.code, 1) << outcome.err
                                    << outcome.out.substr(outcome.out.size() - std::min<std::size_t>(outcome.out.size(), 1500));
         EXPECT_NE(outcome.err.find("--> FATAL ERROR"), std::string::npos);
-        for (const auto& word : words)
-            EXPECT_NE(outcome.err.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << outcome.err;
+        for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << outcome.err;
         EXPECT_EQ(difference(before, timeFolders()), "");
     }
 

@@ -17,12 +17,15 @@ Files tankCase(const std::string& bodies)
     auto files = columnCase();
     files["system/controlDict"] = "application sphFoamLike; startFrom startTime; startTime 0; stopAt endTime; endTime 3.2;\n"
                                   "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.1; writeFormat ascii;\n";
-    files["system/sphSchemes"] = "resolution { spacing 0.02; support 3; kernel wendlandC2; }\nwallVelocity reflected; wallPressure detaching;\ndensity continuity; "
-                                 "densityDiffusion 0.1; densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; "
-                                 "shiftingAtSurface tangential;\nintegration { scheme leapfrog; }\n";
-    files["system/packParticlesDict"] = "lattice cubic; fill ( { region box; min (0 0 0); max (1 0.5 1); phase water; } );\npressure \"9810*(0.5 - $y)\";\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.02; support 3; kernel wendlandC2; }\nwallVelocity reflected; wallPressure detaching;\ndensity continuity; "
+        "densityDiffusion 0.1; densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; "
+        "shiftingAtSurface tangential;\nintegration { scheme leapfrog; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; fill ( { region box; min (0 0 0); max (1 0.5 1); phase water; } );\npressure \"9810*(0.5 - $y)\";\n";
     files["constant/geometry"] =
-        "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls\n{\n    tank { type box; min (0 0 0); max (1 1 0); fluid inside; }\n" + bodies + "}\n";
+        "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls\n{\n    tank { type box; min (0 0 0); max (1 1 0); fluid inside; }\n" +
+        bodies + "}\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 1; soundSpeed 32; }\n";
     return files;
 }
@@ -39,8 +42,9 @@ Files blockInSpace()
     replace("system/packParticlesDict", "max (1 0.5 1)", "max (1 0.2 1)");
     replace("system/packParticlesDict", "9810*(0.5", "9810*(0.2");
     replace("constant/phaseProperties", "soundSpeed 32", "soundSpeed 20");
-    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (0.5 0.3 0.3); }\nwalls\n{\n    tank { type box; min (0 0 0); max (0.5 0.3 0.3); "
-                                 "fluid inside; }\n    block { type box; min (0.2 0 0.1); max (0.4 0.1 0.3); fluid outside; }\n}\n";
+    files["constant/geometry"] =
+        "dimension 3; domain { min (0 0 0); max (0.5 0.3 0.3); }\nwalls\n{\n    tank { type box; min (0 0 0); max (0.5 0.3 0.3); "
+        "fluid inside; }\n    block { type box; min (0.2 0 0.1); max (0.4 0.1 0.3); fluid outside; }\n}\n";
     return files;
 }
 
@@ -64,10 +68,11 @@ template<class IsSolid> Ran ran(const Files& files, const IsSolid& isSolid)
     while (std::getline(log, line))
     {
         if (line.starts_with("Leaked: ")) result.leaked = std::stol(line.substr(8));
-        if (const auto at = line.find("kinetic energy "); line.starts_with("step ") && at != std::string::npos) energies.push_back(std::stod(line.substr(at + 15)));
+        if (const auto at = line.find("kinetic energy "); line.starts_with("step ") && at != std::string::npos)
+            energies.push_back(std::stod(line.substr(at + 15)));
     }
-    const std::size_t from = energies.size() - energies.size()/8;
-    for (std::size_t k = from; k < energies.size(); ++k) result.kineticEnergy += energies[k]/double(energies.size() - from);
+    const std::size_t from = energies.size() - energies.size() / 8;
+    for (std::size_t k = from; k < energies.size(); ++k) result.kineticEnergy += energies[k] / double(energies.size() - from);
     for (const auto& time : std::filesystem::directory_iterator(c.folder()))
     {
         const auto file = time.path().filename().string() + "/lagrangian/sph/positions";
@@ -94,12 +99,14 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
     EXPECT_EQ(tank.leaked, 0);
     const std::pair<const char*, Ran> scenes[]{
         {"block on the floor", ran(tankCase(block), inBox(0.4, 0, 0.6, 0.2))},
-        {"two overlapping boxes", ran(tankCase("    low { type box; min (0.3 0.1 0); max (0.6 0.24 0); fluid outside; }\n    high { type box; min (0.44 0.18 0); "
-                                               "max (0.76 0.36 0); fluid outside; }\n"),
-                                      [](double x, double y, double) { return inBox(0.3, 0.1, 0.6, 0.24)(x, y, 0) || inBox(0.44, 0.18, 0.76, 0.36)(x, y, 0); })},
+        {"two overlapping boxes",
+         ran(tankCase("    low { type box; min (0.3 0.1 0); max (0.6 0.24 0); fluid outside; }\n    high { type box; min (0.44 0.18 0); "
+                      "max (0.76 0.36 0); fluid outside; }\n"),
+             [](double x, double y, double) { return inBox(0.3, 0.1, 0.6, 0.24)(x, y, 0) || inBox(0.44, 0.18, 0.76, 0.36)(x, y, 0); })},
         {"ball in a corner", ran(tankCase("    ball { type sphere; centre (0 0 0); radius 0.2; fluid outside; }\n"),
                                  [](double x, double y, double) { return y < 0 || x < 0 || std::hypot(x, y) < 0.2; })},
-        {"step between floor and wall", ran(tankCase("    step { type box; min (0.6 0 0); max (1 0.1 0); fluid outside; }\n"), inBox(0.6, 0, 1, 0.1))},
+        {"step between floor and wall",
+         ran(tankCase("    step { type box; min (0.6 0 0); max (1 0.1 0); fluid outside; }\n"), inBox(0.6, 0, 1, 0.1))},
     };
     for (const auto& [name, scene] : scenes)
     {
@@ -114,7 +121,8 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
 // Water of 8 spacings beside and over a block of 4 in three dimensions; 4e-3 J measured at the first settling, 1e-6 at the end.
 TEST(Solids, InThreeDimensionsAreAtRest)
 {
-    const auto scene = ran(blockInSpace(), [](double x, double y, double z) { return x < 0 || y < 0 || z < 0 || (x > 0.2 && x < 0.4 && y < 0.1 && z > 0.1); });
+    const auto scene = ran(blockInSpace(), [](double x, double y, double z)
+                           { return x < 0 || y < 0 || z < 0 || (x > 0.2 && x < 0.4 && y < 0.1 && z > 0.1); });
     EXPECT_EQ(scene.inSolid, 0);
     EXPECT_EQ(scene.leaked, 0);
     EXPECT_LT(scene.kineticEnergy, 1e-5);
@@ -151,10 +159,13 @@ TEST(Solids, ThatMakeNoSenseAreNamed)
         EXPECT_EQ(outcome.code, 1);
         for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << outcome.err;
     };
-    refused("    away { type box; min (1.2 0 0); max (1.6 0.4 0); fluid outside; }\n", {"constant/geometry:5", "\"away\" lies outside the domain"});
-    refused(block + "    pebble { type sphere; centre (0.5 0.1 0); radius 0.08; fluid outside; }\n", {"constant/geometry:6", "\"pebble\" lies in other walls"});
-    refused("    left { type box; min (-0.1 0 0); max (0.6 1 0); fluid outside; }\n    right { type box; min (0.5 -1 0); max (1 1.2 0); fluid outside; }\n",
-            {"constant/geometry:5", "leave no fluid", "\"left\", \"right\""});
+    refused("    away { type box; min (1.2 0 0); max (1.6 0.4 0); fluid outside; }\n",
+            {"constant/geometry:5", "\"away\" lies outside the domain"});
+    refused(block + "    pebble { type sphere; centre (0.5 0.1 0); radius 0.08; fluid outside; }\n",
+            {"constant/geometry:6", "\"pebble\" lies in other walls"});
+    refused(
+        "    left { type box; min (-0.1 0 0); max (0.6 1 0); fluid outside; }\n    right { type box; min (0.5 -1 0); max (1 1.2 0); fluid outside; }\n",
+        {"constant/geometry:5", "leave no fluid", "\"left\", \"right\""});
 }
 
 TEST(Solids, LeakGuardIsTold)
@@ -166,7 +177,8 @@ TEST(Solids, LeakGuardIsTold)
     c.runWell("meshToGhost");
     const auto outcome = c.run("sphFoamLike", "-dry-run");
     EXPECT_EQ(outcome.code, 1);
-    for (const char* word : {"system/sphSchemes:", "putback", "Did you mean \"putBack\"?"}) EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    for (const char* word : {"system/sphSchemes:", "putback", "Did you mean \"putBack\"?"})
+        EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
 }
 
 }

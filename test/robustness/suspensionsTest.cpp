@@ -20,8 +20,8 @@ struct Entry
     std::string text, key;
     int line;
 };
-const std::vector<Entry> entries{{"phi 0.4", "phi", 3},   {"phiMax 0.68", "phiMax", 4}, {"exponent 1.82", "exponent", 5},
-                                 {"Dc 0.4", "Dc", 6}, {"Deta 0.62", "Deta", 7},     {"radius 0.05", "radius", 8}};
+const std::vector<Entry> entries{{"phi 0.4", "phi", 3}, {"phiMax 0.68", "phiMax", 4}, {"exponent 1.82", "exponent", 5},
+                                 {"Dc 0.4", "Dc", 6},   {"Deta 0.62", "Deta", 7},     {"radius 0.05", "radius", 8}};
 
 TEST(Suspensions, NumbersThatAreNoneOrOfTheWrongSign)
 {
@@ -56,9 +56,12 @@ std::vector<std::string> warningsOfChannel(int across, double phi, const std::st
 {
     auto files = suspensionCase();
     files["system/controlDict"] = "stopAt endTime; endTime 90; maxDeltaT 0.15; writeControl adjustableRunTime; writeInterval 45;\n";
-    files["system/sphSchemes"] = fmt::format("resolution {{ spacing #eval \"1/{}\"; support 2.6; kernel quinticSpline; }} integration {{ scheme quasiSteady; }}\n", across);
+    files["system/sphSchemes"] =
+        fmt::format("resolution {{ spacing #eval \"1/{}\"; support 2.6; kernel quinticSpline; }} integration {{ scheme quasiSteady; }}\n",
+                    across);
     files["system/packParticlesDict"] = "lattice cubic;\n";
-    files["constant/geometry"] = std::regex_replace(files["constant/geometry"], std::regex("max \\(1 1 0\\)"), fmt::format("max (#eval \"4/{}\" 1 0)", across));
+    files["constant/geometry"] =
+        std::regex_replace(files["constant/geometry"], std::regex("max \\(1 1 0\\)"), fmt::format("max (#eval \"4/{}\" 1 0)", across));
     auto& powder = files["constant/transportProperties"];
     powder = std::regex_replace(powder, std::regex("phi 0.4"), fmt::format("phi {}", phi));
     powder = std::regex_replace(powder, std::regex("Deta 0.62"), "Deta " + Deta);
@@ -78,8 +81,9 @@ TEST(Suspensions, WithACuspThatIsNotResolved)
     const std::string kauzlaric = "#eval \"0.4*2.82/1.82\"";
     const auto coarse = warningsOfChannel(9, 0.3, kauzlaric);
     ASSERT_EQ(coarse.size(), 1u);
-    EXPECT_TRUE(std::regex_search(coarse[0], std::regex("at time 45 the cusp of the powder is not resolved: where the shear vanishes, near \\([0-9.e-]+ 0.5 0\\), "
-                                                        "phi is 0.6[0-9]* and rises by 6[0-9] % within a spacing\\. From a spacing of about 0.05[0-9]* m on")))
+    EXPECT_TRUE(std::regex_search(
+        coarse[0], std::regex("at time 45 the cusp of the powder is not resolved: where the shear vanishes, near \\([0-9.e-]+ 0.5 0\\), "
+                              "phi is 0.6[0-9]* and rises by 6[0-9] % within a spacing\\. From a spacing of about 0.05[0-9]* m on")))
         << coarse[0];
     EXPECT_EQ(warningsOfChannel(19, 0.3, kauzlaric), std::vector<std::string>{});
     for (const double phi : {0.45, 0.55, 0.66}) EXPECT_EQ(warningsOfChannel(9, phi, kauzlaric), std::vector<std::string>{}) << phi;
@@ -105,7 +109,7 @@ TEST(Suspensions, CreepingFlowThroughWalls)
     const auto with = [](const std::string& packing, const std::string& force)
     {
         Damaged c(goodSuspension());
-        std::filesystem::remove_all(c.folder()/"0.02");
+        std::filesystem::remove_all(c.folder() / "0.02");
         c.replace("system/sphSchemes", "semiImplicit", "quasiSteady");
         c.replace("system/sphSchemes", "shifting 2", "shifting 0");
         c.replace("system/packParticlesDict", "jitter 0.1; velocity { type taylorGreen; U 1; L 1; }", packing);
@@ -116,7 +120,8 @@ TEST(Suspensions, CreepingFlowThroughWalls)
     for (const auto& outcome : {with("jitter 0.1;", "(1 0 0)"), with("", "(0 1 0)")})
     {
         EXPECT_EQ(outcome.code, 1);
-        EXPECT_NE(outcome.err.find("system/sphSchemes: scheme quasiSteady leaves particles where they are"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("system/sphSchemes: scheme quasiSteady leaves particles where they are"), std::string::npos)
+            << outcome.err;
     }
     EXPECT_EQ(with("", "(1 0 0)").code, 0);
     EXPECT_EQ(with("", "(0 0 0)").code, 0);
@@ -125,12 +130,12 @@ TEST(Suspensions, CreepingFlowThroughWalls)
 TEST(Suspensions, WithoutPowder)
 {
     Damaged lost(goodSuspension());
-    std::filesystem::remove(lost.folder()/"0.02/lagrangian/sph/phi");
+    std::filesystem::remove(lost.folder() / "0.02/lagrangian/sph/phi");
     lost.isRefused("sphFoamLike", {"0.02/lagrangian/sph/phi: is missing, and was written with the others"});
-    std::filesystem::remove(lost.folder()/"0.02/uniform/lagrangian/sph/cloudProperties");
+    std::filesystem::remove(lost.folder() / "0.02/uniform/lagrangian/sph/cloudProperties");
     lost.isRefused("sphFoamLike", {"has no field phi: where the powder is, is lost"});
     Damaged never(goodSuspension());
-    std::filesystem::remove_all(never.folder()/"0.02");
+    std::filesystem::remove_all(never.folder() / "0.02");
     never.replace("constant/transportProperties", "phi 0.4;", "");
     never.isRefused("sphFoamLike", {"constant/transportProperties: has no `phi`"});
 }

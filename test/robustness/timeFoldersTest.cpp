@@ -19,7 +19,8 @@ TEST(Fuzz, RestartsFromDamagedTimeFolders)
         names.push_back(name);
         texts.push_back(text);
     }
-    fuzz(30, [&](Mutator& mutator)
+    fuzz(30,
+         [&](Mutator& mutator)
          {
              const Damaged c(*good[mutator.below(2)]);
              const auto name = mutator.oneOf(names), file = "0.02/" + name;

@@ -22,14 +22,16 @@ struct Units
 struct Dimension
 {
     int length, time, mass;
-    double in(const Units& u) const { return std::ldexp(1.0, length*u.length + time*u.time + mass*u.mass); }
+    double in(const Units& u) const { return std::ldexp(1.0, length * u.length + time * u.time + mass * u.mass); }
 };
 
 constexpr Dimension metre{1, 0, 0}, second{0, 1, 0}, speed{1, -1, 0};
-const std::vector<std::pair<std::string, Dimension>> entries{
-    {"spacing", metre}, {"min", metre}, {"max", metre}, {"point", metre}, {"centre", metre}, {"radius", metre}, {"period", metre}, {"L", metre},
-    {"U", speed}, {"soundSpeed", speed}, {"rho", {-3, 0, 1}}, {"mu", {-1, -1, 1}}, {"sigma", {0, -2, 1}}, {"value", {1, -2, 0}},
-    {"endTime", second}, {"writeInterval", second}};
+const std::vector<std::pair<std::string, Dimension>> entries{{"spacing", metre},       {"min", metre},        {"max", metre},
+                                                             {"point", metre},         {"centre", metre},     {"radius", metre},
+                                                             {"period", metre},        {"L", metre},          {"U", speed},
+                                                             {"soundSpeed", speed},    {"rho", {-3, 0, 1}},   {"mu", {-1, -1, 1}},
+                                                             {"sigma", {0, -2, 1}},    {"value", {1, -2, 0}}, {"endTime", second},
+                                                             {"writeInterval", second}};
 
 /// The numbers of all entries that have a unit, in the new units.
 std::string inUnits(const Units& u, std::string text)
@@ -41,7 +43,8 @@ std::string inUnits(const Units& u, std::string text)
         std::string scaled;
         auto rest = text.cbegin();
         for (std::sregex_iterator e(text.begin(), text.end(), entry), none; e != none; ++e)
-            for (std::sregex_iterator n(text.begin() + e->position(1), text.begin() + e->position(1) + e->length(1), number); n != none; ++n)
+            for (std::sregex_iterator n(text.begin() + e->position(1), text.begin() + e->position(1) + e->length(1), number); n != none;
+                 ++n)
             {
                 const auto at = text.cbegin() + e->position(1) + n->position();
                 scaled.append(rest, at);
@@ -68,7 +71,7 @@ void expectSame(const std::vector<double>& a, const std::vector<double>& b, doub
 {
     ASSERT_EQ(a.size(), b.size()) << what;
     std::size_t different = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) different += a[i]*factor != b[i];
+    for (std::size_t i = 0; i < a.size(); ++i) different += a[i] * factor != b[i];
     EXPECT_EQ(different, 0u) << what << " of " << different << " in " << a.size() << " particles differ";
 }
 
@@ -82,8 +85,9 @@ void expectSameInAllUnits(const Files& files, int dimension)
         expectSame(base.x, other.x, metre.in(u), "x");
         expectSame(base.y, other.y, metre.in(u), "y");
         expectSame(base.z, other.z, metre.in(u), "z");
-        const std::map<std::string, Dimension> fields{
-            {"U", speed}, {"rho", {-3, 0, 1}}, {"p", {-1, -2, 1}}, {"m", {dimension - 3, 0, 1}}, {"phase", {0, 0, 0}}, {"dUdtAtWall", {1, -2, 0}}};
+        const std::map<std::string, Dimension> fields{{"U", speed},         {"rho", {-3, 0, 1}},
+                                                      {"p", {-1, -2, 1}},   {"m", {dimension - 3, 0, 1}},
+                                                      {"phase", {0, 0, 0}}, {"dUdtAtWall", {1, -2, 0}}};
         for (const auto& [name, field] : base.fields)
             for (std::size_t k = 0; k < field.component.size(); ++k)
                 expectSame(field.component[k], other.fields.at(name).component[k], fields.at(name).in(u), name);

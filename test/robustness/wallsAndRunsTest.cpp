@@ -18,8 +18,7 @@ namespace
 TEST(Walls, MoreCurvedThanTheSupport)
 {
     Damaged c;
-    c.replace("constant/geometry", "walls\n{",
-              "walls\n{\n    rod { type cylinder; point (0.5 0.5 0); radius 0.1; fluid outside; }");
+    c.replace("constant/geometry", "walls\n{", "walls\n{\n    rod { type cylinder; point (0.5 0.5 0); radius 0.1; fluid outside; }");
     c.isRefused("meshToGhost", {"constant/geometry:4", "rod"}, "-check");
 }
 
@@ -82,7 +81,9 @@ TEST(Runs, WithADensityBelowZeroAfterTheLastStep)
         c.runWell("meshToGhost");
         const auto outcome = c.run("sphFoamLike");
         EXPECT_EQ(outcome.code, 1) << stopAt << outcome.out;
-        EXPECT_TRUE(std::regex_search(outcome.err, std::regex("the density of water has reached -[0-9.]+ kg/m\\^3 in particle [0-9]+ at \\(0[^)]*\\) at time 0.05625,")))
+        EXPECT_TRUE(std::regex_search(
+            outcome.err,
+            std::regex("the density of water has reached -[0-9.]+ kg/m\\^3 in particle [0-9]+ at \\(0[^)]*\\) at time 0.05625,")))
             << outcome.err;
         EXPECT_FALSE(c.has("0.05625"));
     }
@@ -104,7 +105,8 @@ TEST(Runs, WithAFixedStepBeyondTheLimit)
     EXPECT_EQ(warnings("0.0012").size(), 0u);
     const auto found = warnings("0.002");
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_TRUE(std::regex_search(found[0], std::regex("Warning: at time 0.02 deltaT 0.002 s is 1.2[0-9] times the longest stable step, 0.0015[0-9]* s by sound")))
+    EXPECT_TRUE(std::regex_search(
+        found[0], std::regex("Warning: at time 0.02 deltaT 0.002 s is 1.2[0-9] times the longest stable step, 0.0015[0-9]* s by sound")))
         << found[0];
 }
 
@@ -137,11 +139,12 @@ TEST(Runs, EndedBySignals)
         Damaged c;
         c.replace("system/controlDict", "endTime 0.04", "endTime 1e5");
         c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 1e5");
-        const auto command = std::string("OMP_NUM_THREADS=1 timeout --preserve-status -s ") + signal + " 3 '" SPH_APPLICATIONS "/sphFoamLike' -case '" +
-                             c.folder().string() + "' > /dev/null 2>&1 < /dev/null";
+        const auto command = std::string("OMP_NUM_THREADS=1 timeout --preserve-status -s ") + signal +
+                             " 3 '" SPH_APPLICATIONS "/sphFoamLike' -case '" + c.folder().string() + "' > /dev/null 2>&1 < /dev/null";
         EXPECT_EQ(std::system(command.c_str()), 0) << signal;
         std::size_t times = 0;
-        for (const auto& entry : std::filesystem::directory_iterator(c.folder())) times += std::filesystem::exists(entry.path() / "uniform/time");
+        for (const auto& entry : std::filesystem::directory_iterator(c.folder()))
+            times += std::filesystem::exists(entry.path() / "uniform/time");
         EXPECT_EQ(times, 2u) << signal << ": 0.02, and where it was stopped";
         EXPECT_FALSE(c.has(".lock"));
     }
@@ -183,9 +186,11 @@ TEST(Runs, WithAnEndThatIsPast)
     Damaged c;
     for (const char* end : {"0.02", "0.01", "-1"})
     {
-        c.replace("system/controlDict", c.read("system/controlDict").find("endTime 0.04") != std::string::npos ? "endTime 0.04" : "endTime 0.01",
+        c.replace("system/controlDict",
+                  c.read("system/controlDict").find("endTime 0.04") != std::string::npos ? "endTime 0.04" : "endTime 0.01",
                   std::string("endTime ") + end);
-        EXPECT_NE(c.runWell("sphFoamLike").find(std::string("--> Warning: nothing to do: the run starts at 0.02 s and endTime is ") + end + " s."),
+        EXPECT_NE(c.runWell("sphFoamLike")
+                      .find(std::string("--> Warning: nothing to do: the run starts at 0.02 s and endTime is ") + end + " s."),
                   std::string::npos);
         c.replace("system/controlDict", std::string("endTime ") + end, "endTime 0.01");
     }
@@ -224,9 +229,12 @@ TEST(Disk, FullForEveryProgramThatWrites)
     Damaged c;
     c.write("system/sphSchemes", c.read("system/sphSchemes") + "// " + std::string(5000, '*') + "\n");
     const auto before = c.files(".");
-    for (const auto& [application, arguments] : std::vector<std::pair<std::string, std::string>>{
-             {"packParticles", ""}, {"packParticles", "-time 0.5"}, {"meshToGhost", ""}, {"sphFoamLike", ""},
-             {"sphDictionary", "system/sphSchemes -entry wallVelocity -set reflected"}})
+    for (const auto& [application, arguments] :
+         std::vector<std::pair<std::string, std::string>>{{"packParticles", ""},
+                                                          {"packParticles", "-time 0.5"},
+                                                          {"meshToGhost", ""},
+                                                          {"sphFoamLike", ""},
+                                                          {"sphDictionary", "system/sphSchemes -entry wallVelocity -set reflected"}})
     {
         SCOPED_TRACE(application + " " + arguments);
         {
@@ -250,8 +258,7 @@ TEST(Disk, Full)
     const std::unique_ptr<const TestCase, decltype(unmount)> mounted(&place, unmount);
     {
         const TestCase c(Files{}, place.folder());
-        for (const char* part :
-             {"system", "0.02", "constant/geometry", "constant/phaseProperties", "constant/g", "constant/walls"})
+        for (const char* part : {"system", "0.02", "constant/geometry", "constant/phaseProperties", "constant/g", "constant/walls"})
         {
             std::filesystem::create_directories((c.folder() / part).parent_path());
             c.copyFrom(goodChannel(), part);

@@ -45,8 +45,8 @@ Files rowsOf(const TestCase& c)
 void addStep(const TestCase& c, const std::string& what)
 {
     const auto script = c.folder() / "step";
-    c.write("step", "#!/bin/sh\ncase $PWD in */8) ;; *) exit 0 ;; esac\nif [ ! -e '" + c.folder().string() +
-                        "/once' ]; then touch '" + c.folder().string() + "/once'; " + what + "; fi\n");
+    c.write("step", "#!/bin/sh\ncase $PWD in */8) ;; *) exit 0 ;; esac\nif [ ! -e '" + c.folder().string() + "/once' ]; then touch '" +
+                        c.folder().string() + "/once'; " + what + "; fi\n");
     std::filesystem::permissions(script, std::filesystem::perms::owner_all);
     c.replace(dict, "meshToGhost sphFoamLike", "meshToGhost sphFoamLike \"" + script.string() + "\"");
 }
@@ -75,9 +75,8 @@ TEST(WorkPrecision, MistakesAreNamedTogetherBeforeTheFirstRun)
                  "workPrecisionDict:1: resolution 0 must be",
                  "workPrecisionDict:5: the case has no file \"system/sphScheme\". Did you mean \"system/sphSchemes\"?",
                  "workPrecisionDict:6: system/sphSchemes: entry \"densty\" is not used here. Did you mean \"density\"?",
-                 "workPrecisionDict:7: system/sphSchemes: entry \"schem\" is not used here",
-                 "workPrecisionDict:8: system/sphSchemes: ", "wendlandC9",
-                 "workPrecisionDict:9: system/controlDict: entry \"endTim\" is not used here. Did you mean \"endTime\"?",
+                 "workPrecisionDict:7: system/sphSchemes: entry \"schem\" is not used here", "workPrecisionDict:8: system/sphSchemes: ",
+                 "wendlandC9", "workPrecisionDict:9: system/controlDict: entry \"endTim\" is not used here. Did you mean \"endTime\"?",
                  "workPrecisionDict:11: there is no application \"meshToGhosts\". Did you mean \"meshToGhost\"?",
                  "workPrecisionDict:14: function object errors compares no field \"U.z\"", "workPrecisionDict:15: ", "\"L3\"",
                  "workPrecisionDict:16: system/controlDict has no function object \"error\"",
@@ -222,9 +221,8 @@ TEST(WorkPrecision, SurvivesRunsThatFail)
     c.replace(dict, "{ field U.x; norm L2; }", "{ field U.x; norm L2; time 0.02; }");
     const auto outcome = c.run("workPrecision", "", 1, 60);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    expectWords(outcome.out,
-                {"meshToGhost: exit code 1", "sphFoamLike: exit code 1: the solution has diverged: water has reached",
-                 "sphFoamLike: stopped at the time limit", "1 of 4 runs ended well"});
+    expectWords(outcome.out, {"meshToGhost: exit code 1", "sphFoamLike: exit code 1: the solution has diverged: water has reached",
+                              "sphFoamLike: stopped at the time limit", "1 of 4 runs ended well"});
     const auto rows = rowsOf(c);
     ASSERT_EQ(rows.size(), 4u);
     expectWords(rows.at("base,6"), {",ok,"});

@@ -87,8 +87,7 @@ public:
         return outcome;
     }
     /// Throws where an application fails, with its message: for the steps that a test takes for granted.
-    std::string runWell(const std::string& application, const std::string& arguments = "", int threads = 1,
-                        int seconds = 60) const
+    std::string runWell(const std::string& application, const std::string& arguments = "", int threads = 1, int seconds = 60) const
     {
         const auto outcome = run(application, arguments, threads, seconds);
         if (outcome.code != 0)
@@ -101,8 +100,7 @@ public:
     {
         Files all;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / under))
-            if (entry.is_regular_file())
-                all[std::filesystem::relative(entry.path(), folder_ / under).string()] = contentsOf(entry.path());
+            if (entry.is_regular_file()) all[std::filesystem::relative(entry.path(), folder_ / under).string()] = contentsOf(entry.path());
         return all;
     }
 };
@@ -112,10 +110,8 @@ inline std::string difference(const Files& a, const Files& b)
 {
     std::string different;
     for (const auto& [name, text] : a)
-        if (const auto other = b.find(name); other == b.end())
-            different += name + " is missing; ";
-        else if (other->second != text)
-            different += name + " differs; ";
+        if (const auto other = b.find(name); other == b.end()) different += name + " is missing; ";
+        else if (other->second != text) different += name + " differs; ";
     for (const auto& [name, _] : b)
         if (!a.contains(name)) different += name + " is new; ";
     return different;

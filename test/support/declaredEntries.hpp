@@ -57,10 +57,8 @@ inline std::string variantOf(const Entries& entries, int variant, bool whole)
         }
         else if (!e.inside.empty() || i.type == "dictionary")
             text += keyword + " { " + (e.inside.empty() ? "" : variantOf(e.inside, variant % variantsOf(e.inside), whole)) + "}\n";
-        else if (!whole && !i.isRequired && e.cases.empty())
-            continue;
-        else if (i.type != "choice")
-            text += keyword + " " + exampleOf(i) + ";\n";
+        else if (!whole && !i.isRequired && e.cases.empty()) continue;
+        else if (i.type != "choice") text += keyword + " " + exampleOf(i) + ";\n";
         else
         {
             int k = variant % variantsOf({e});
@@ -102,7 +100,12 @@ inline std::string difference(const std::string& file, const EntryList& declared
         for (const bool whole : {true, false})
         {
             lookUpLog = &lookUps;
-            try { read(variantOf(declared, k, whole)); } catch (const CaseError&) {}
+            try
+            {
+                read(variantOf(declared, k, whole));
+            }
+            catch (const CaseError&)
+            {}
             lookUpLog = nullptr;
         }
     }
@@ -117,8 +120,8 @@ inline std::string difference(const std::string& file, const EntryList& declared
         for (std::size_t at = file.size(); at < dictionary.size();)
         {
             const auto end = std::min(dictionary.find('.', at + 1), dictionary.size());
-            if (const auto word = dictionary.substr(at + 1,
-                                                    end - at - 1); word.find_first_not_of("0123456789") != std::string::npos) path += "." + word;
+            if (const auto word = dictionary.substr(at + 1, end - at - 1); word.find_first_not_of("0123456789") != std::string::npos)
+                path += "." + word;
             at = end;
         }
         found.insert(path + "." + keyword);

@@ -6,9 +6,8 @@ namespace sph::test
 {
 
 /// Ten write times are at multiples of 0.02 s.
-inline const std::string controls =
-    "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.08;\n"
-    "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.02; writeFormat binary;\n";
+inline const std::string controls = "application sphFoamLike; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.08;\n"
+                                    "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.02; writeFormat binary;\n";
 
 /// Channel between planes, driven across, with particles off their lattice and in motion, so that lists are rebuilt between
 /// write times.
@@ -33,8 +32,7 @@ inline Files channelCase()
 inline Files dropCase()
 {
     auto files = channelCase();
-    files["system/sphSchemes"] =
-        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
     files["system/packParticlesDict"] =
         "lattice cubic; jitter 0.1;\nfill\n(\n    { region all; phase gas; }\n    { region sphere; centre (0.5 0 0); radius "
         "0.4; phase liquid; U (1 0 0); }\n);\n";
@@ -52,12 +50,14 @@ inline Files dropCase()
 inline Files suspensionCase()
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme semiImplicit; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme semiImplicit; }\n";
     files["constant/phaseProperties"] = "phases (feedstock);\nfeedstock { rho 1000; mu 10; soundSpeed 15; }\n";
     auto& packing = files["system/packParticlesDict"];
     packing.replace(packing.find("phase water"), 11, "phase feedstock");
-    files["constant/transportProperties"] = "suspension\n{\n    phi 0.4;\n    phiMax 0.68;\n    exponent 1.82;\n    Dc 0.4;\n    Deta 0.62;\n    radius 0.05;\n    a "
-                                            "radius;\n}\n";
+    files["constant/transportProperties"] =
+        "suspension\n{\n    phi 0.4;\n    phiMax 0.68;\n    exponent 1.82;\n    Dc 0.4;\n    Deta 0.62;\n    radius 0.05;\n    a "
+        "radius;\n}\n";
     return files;
 }
 
@@ -65,10 +65,12 @@ inline Files suspensionCase()
 inline Files openCase()
 {
     auto files = suspensionCase();
-    files["constant/geometry"] = "dimension 2; domain { min (-0.2 0 0); max (1.2 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
-                                 "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
-    files["constant/openings"] = "gate\n{\n    type inlet;\n    point (0 0 0);\n    normal (1 0 0);\n    velocity 3;\n    pressure 3e4;\n    profile developed;\n    phi "
-                                 "0.45;\n}\nvent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (-0.2 0 0); max (1.2 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
+        "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
+    files["constant/openings"] =
+        "gate\n{\n    type inlet;\n    point (0 0 0);\n    normal (1 0 0);\n    velocity 3;\n    pressure 3e4;\n    profile developed;\n    phi "
+        "0.45;\n}\nvent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
     return files;
 }
 
@@ -93,8 +95,9 @@ inline Files columnCase()
         "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nwallVelocity freeSlip; wallPressure detaching;\ndensity continuity; densityDiffusion "
         "0.1; densityDiffusionForm antuono;\nartificialViscosity 0.02; pressureGradient tensileControlled; shifting 2; shiftingAtSurface "
         "tangential;\nintegration { scheme leapfrog; }\n";
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
-                                 "inside; } }\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
+        "inside; } }\n";
     files["system/packParticlesDict"] = "lattice cubic; fill ( { region box; min (0 0 0); max (0.5 0.6 0); phase water; } );\npressure "
                                         "\"6000*(0.6 - $y)\";\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; soundSpeed 40; }\n";

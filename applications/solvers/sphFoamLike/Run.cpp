@@ -47,15 +47,16 @@ std::string hostName()
 std::string banner(const std::filesystem::path& folder)
 {
     const auto now = fmt::localtime(std::time(nullptr));
-    return fmt::format("sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
-                       "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : 1\nThreads: {}\n\n",
-                       now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), omp_get_max_threads());
+    return fmt::format(
+        "sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
+        "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : 1\nThreads: {}\n\n",
+        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), omp_get_max_threads());
 }
 
 /// Domains without a periodic face on either side may be drawn a little larger than the particles' box.
 void writeBox(const Case& theCase, const Geometry& g)
 {
-    const double thickness = g.dimension == 2 ? 0.01*std::max(g.length(0), g.length(1)) : 0;
+    const double thickness = g.dimension == 2 ? 0.01 * std::max(g.length(0), g.length(1)) : 0;
     const double low[3] = {g.low.x, g.low.y, g.dimension == 2 ? -thickness : g.low.z};
     const double high[3] = {g.high.x, g.high.y, g.dimension == 2 ? thickness : g.high.z};
     writeBoundingMesh(theCase.folder(), low, high);
@@ -73,7 +74,8 @@ Geometry Run::loadGeometry(const Case& theCase)
     }
     const auto dict = theCase.dictionary("constant/walls");
     if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
-        theCase.diagnostics().error({"constant/walls", 0}, "does not belong to the present constant/geometry and resolution: run meshToGhost again");
+        theCase.diagnostics().error({"constant/walls", 0},
+                                    "does not belong to the present constant/geometry and resolution: run meshToGhost again");
     auto geometry = readWalls(dict, resolution);
     if (wallsAreLayers(schemes)) geometry.layers = readWallLayers(theCase.folder(), geometry.walls.size(), theCase.diagnostics());
     return geometry;
@@ -91,7 +93,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
-    omp_set_num_threads(std::clamp(int(cloud.size()/2000), 1, omp_get_max_threads()));
+    omp_set_num_threads(std::clamp(int(cloud.size() / 2000), 1, omp_get_max_threads()));
     simulation_ = makeSimulation(settings_, geometry_, cloud, time_.restored());
     for (std::size_t k = 0; k < settings_.coefficients.phases.size(); ++k)
         if (simulation_->summary().count[k] == 0)
@@ -115,7 +117,8 @@ void Run::reportPlan() const
         limits += fmt::format("{}{} {:.4g} s", limits.empty() ? "" : ", ", each.by, each.deltaT);
     log_ << fmt::format("Step      : at most {:.4g} s by {} ({})\nPlan of a step:\n", limit.deltaT, limit.by, limits);
     simulation_->printPlan(log_);
-    log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n", simulation_->bytesPerParticle());
+    log_ << fmt::format("    allocated   {:.1f} bytes a particle, images included, neighbour lists aside\n\n",
+                        simulation_->bytesPerParticle());
 }
 
 void Run::printPlan() const { reportPlan(); }
@@ -124,7 +127,8 @@ void Run::check(const StepLimit& limit) const
 {
     const auto summary = simulation_->summary();
     const auto& rest = settings_.coefficients.restDensity;
-    const auto impossible = [&](std::size_t k, double rho) { return !(rho >= leastCompression*rest[k] && rho <= mostCompression*rest[k]); };
+    const auto impossible = [&](std::size_t k, double rho)
+    { return !(rho >= leastCompression * rest[k] && rho <= mostCompression * rest[k]); };
     bool suspect = !summary.finite;
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
         suspect = suspect || (summary.count[k] > 0 && (impossible(k, summary.minDensity[k]) || impossible(k, summary.maxDensity[k])));
@@ -135,11 +139,12 @@ void Run::check(const StepLimit& limit) const
         for (const double rho : {summary.minDensity[k], summary.maxDensity[k]})
             if (summary.count[k] > 0 && impossible(k, rho)) notWeaklyCompressible(k, rho, "");
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
-        if (summary.maxSpeedOf[k] > mostMach*settings_.coefficients.soundSpeed[k])
-            throw DivergedError(fmt::format("{} has reached {:.4g} m/s at time {}, {:.3g} times its sound speed: no flow of a weakly compressible fluid. The "
-                                            "step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
-                                            settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(),
-                                            summary.maxSpeedOf[k]/settings_.coefficients.soundSpeed[k], limit.by));
+        if (summary.maxSpeedOf[k] > mostMach * settings_.coefficients.soundSpeed[k])
+            throw DivergedError(fmt::format(
+                "{} has reached {:.4g} m/s at time {}, {:.3g} times its sound speed: no flow of a weakly compressible fluid. The "
+                "step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
+                settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(),
+                summary.maxSpeedOf[k] / settings_.coefficients.soundSpeed[k], limit.by));
 }
 
 void Run::checkParticles(const StepLimit& limit) const
@@ -159,25 +164,29 @@ void Run::notFinite(const std::string& what, const StepLimit& limit) const
 void Run::notWeaklyCompressible(std::size_t k, double rho, const std::string& where) const
 {
     const auto& c = settings_.coefficients;
-    throw DivergedError(fmt::format("the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
-                                    "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
-                                    c.phases[k], rho, where, time_.name(), rho/c.restDensity[k], simulation_->summary().maxSpeed, c.soundSpeed[k]));
+    throw DivergedError(
+        fmt::format("the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
+                    "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
+                    c.phases[k], rho, where, time_.name(), rho / c.restDensity[k], simulation_->summary().maxSpeed, c.soundSpeed[k]));
 }
 
 double Run::nextDeltaT(const StepLimit& limit)
 {
     // Without an end, as with `stopAt nextWrite;`, RunTime itself refuses a step that no longer advances time.
     const double span = std::isfinite(time_.endTime()) ? time_.endTime() - time_.startTime() : 0;
-    if (time_.adjustTimeStep() && limit.deltaT < shortestStep*span)
-        throw DivergedError(fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
-                                        "acceleration {:.3g} m/s^2)", limit.deltaT, time_.name(), limit.by,
-                                        simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+    if (time_.adjustTimeStep() && limit.deltaT < shortestStep * span)
+        throw DivergedError(
+            fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
+                        "acceleration {:.3g} m/s^2)",
+                        limit.deltaT, time_.name(), limit.by, simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
     const double deltaT = time_.nextDeltaT(limit.deltaT);
     if (!warnedOfStep_ && !time_.adjustTimeStep() && deltaT > limit.deltaT)
     {
         warnedOfStep_ = true;
-        log_ << fmt::format("--> Warning: at time {} deltaT {:.4g} s is {:.3g} times the longest stable step, {:.4g} s by {}. Give a smaller deltaT, or leave the "
-                            "step to the limits (`adjustTimeStep yes;`)\n", time_.name(), deltaT, deltaT/limit.deltaT, limit.deltaT, limit.by);
+        log_ << fmt::format(
+            "--> Warning: at time {} deltaT {:.4g} s is {:.3g} times the longest stable step, {:.4g} s by {}. Give a smaller deltaT, or leave the "
+            "step to the limits (`adjustTimeStep yes;`)\n",
+            time_.name(), deltaT, deltaT / limit.deltaT, limit.deltaT, limit.by);
     }
     return deltaT;
 }
@@ -190,16 +199,20 @@ void Run::warnOfCompression()
     for (std::size_t k = 0; k < warned_.size(); ++k)
     {
         if (warned_[k] || summary.count[k] == 0) continue;
-        const double mach = summary.maxSpeedOf[k]/c.soundSpeed[k], compression = summary.maxDensity[k]/c.restDensity[k];
+        const double mach = summary.maxSpeedOf[k] / c.soundSpeed[k], compression = summary.maxDensity[k] / c.restDensity[k];
         std::string what;
-        if (mach > suspectMach) what = fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
+        if (mach > suspectMach)
+            what =
+                fmt::format("moves at {:.3g} m/s, {:.2g} of its sound speed of {:.3g} m/s", summary.maxSpeedOf[k], mach, c.soundSpeed[k]);
         else if (compression > suspectCompression)
-            what = fmt::format("has a density of {:.4g} kg/m^3, {:.3g} times that at rest, with a sound speed of {:.3g} m/s", summary.maxDensity[k], compression,
-                               c.soundSpeed[k]);
+            what = fmt::format("has a density of {:.4g} kg/m^3, {:.3g} times that at rest, with a sound speed of {:.3g} m/s",
+                               summary.maxDensity[k], compression, c.soundSpeed[k]);
         else continue;
         warned_[k] = true;
-        log_ << fmt::format("--> Warning: at time {} {} {}: weak compressibility is lost. A sound speed of ten times the largest of flow speed, "
-                            "sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %\n", time_.name(), c.phases[k], what);
+        log_ << fmt::format(
+            "--> Warning: at time {} {} {}: weak compressibility is lost. A sound speed of ten times the largest of flow speed, "
+            "sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %\n",
+            time_.name(), c.phases[k], what);
     }
 }
 
@@ -208,11 +221,12 @@ void Run::checkEnergy()
 {
     if (!settings_.integration.moves) return;
     energy_ = simulation_->energy();
-    const double share = energy_.held/energy_.supplied;
+    const double share = energy_.held / energy_.supplied;
     const auto what = [&]
     {
-        return fmt::format("the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied", energy_.held,
-                           time_.name(), share);
+        return fmt::format(
+            "the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied",
+            energy_.held, time_.name(), share);
     };
     const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.energyAdvice);
     if (share > mostEnergy) throw DivergedError(fmt::format("{}{}. {}", what(), tracedSteps_ > 0 ? "; " + sourceOfEnergy() : "", advice));
@@ -225,7 +239,7 @@ void Run::traceEnergy(double deltaT)
 {
     if (!warnedOfEnergy_ || tracedSteps_ == tracedForEnergy) return;
     if (tracedSteps_++ == 0) tracedFrom_ = time_.name();
-    for (const auto& [operation, power] : simulation_->powers()) work_[operation] += power*deltaT;
+    for (const auto& [operation, power] : simulation_->powers()) work_[operation] += power * deltaT;
     if (tracedSteps_ == tracedForEnergy) log_ << fmt::format("--> Warning: {}\n", sourceOfEnergy());
 }
 
@@ -236,7 +250,8 @@ std::string Run::sourceOfEnergy() const
     std::sort(all.rbegin(), all.rend());
     std::string others;
     for (std::size_t k = 1; k < all.size(); ++k) others += fmt::format("{}{} {:.3g} J", k > 1 ? ", " : "", all[k].second, all[k].first);
-    return fmt::format("what feeds it is {}, with {:.3g} J of work in {} steps since time {} ({})", all[0].second, all[0].first, tracedSteps_, tracedFrom_, others);
+    return fmt::format("what feeds it is {}, with {:.3g} J of work in {} steps since time {} ({})", all[0].second, all[0].first,
+                       tracedSteps_, tracedFrom_, others);
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const
@@ -245,14 +260,17 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     std::string phases;
     for (std::size_t k = 0; k < s.mass.size(); ++k)
         phases += (k ? "; " : "") + settings_.coefficients.phases[k] +
-                  (s.count[k] == 0 ? ": no particles" : fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", s.minDensity[k], s.maxDensity[k], s.mass[k]));
+                  (s.count[k] == 0 ? ": no particles"
+                                   : fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", s.minDensity[k], s.maxDensity[k], s.mass[k]));
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
-    const std::string expected = done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock*std::max(0.0, span/done - 1)) : "";
-    const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held/energy_.supplied) : "";
-    log_ << fmt::format("Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
-                        "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
-                        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-                        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), Clock::executionTime(), clock, expected);
+    const std::string expected =
+        done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock * std::max(0.0, span / done - 1)) : "";
+    const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held / energy_.supplied) : "";
+    log_ << fmt::format(
+        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
+        "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
+        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
+        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), Clock::executionTime(), clock, expected);
     log_.flush();
 }
 
@@ -303,7 +321,8 @@ void Run::reportLeaks() const
     const auto leaks = simulation_->leaks();
     log_ << fmt::format("Leaked: {} particles put back\n", leaks.putBack);
     if (leaks.putBack > 0)
-        log_ << fmt::format("Deepest: {:.3g} m in a wall, near ({:.6g} {:.6g} {:.6g}) at time {}\n", leaks.deepest, leaks.at.x, leaks.at.y, leaks.at.z, deepestLeakAt_);
+        log_ << fmt::format("Deepest: {:.3g} m in a wall, near ({:.6g} {:.6g} {:.6g}) at time {}\n", leaks.deepest, leaks.at.x, leaks.at.y,
+                            leaks.at.z, deepestLeakAt_);
 }
 
 void Run::solve()
@@ -314,8 +333,9 @@ void Run::solve()
     sample(true, false);
     noteLeaks();
     if (!time_.running())
-        log_ << fmt::format("--> Warning: nothing to do: the run starts at {} s and endTime is {} s. A larger endTime in system/controlDict goes on with it\n",
-                            time_.startTime(), time_.endTime());
+        log_ << fmt::format(
+            "--> Warning: nothing to do: the run starts at {} s and endTime is {} s. A larger endTime in system/controlDict goes on with it\n",
+            time_.startTime(), time_.endTime());
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
     StepLimit limit = simulation_->stepLimit();
@@ -341,7 +361,7 @@ void Run::solve()
             checkEnergy();
             for (const auto& warning : simulation_->warnings()) log_ << fmt::format("--> Warning: at time {} {}\n", time_.name(), warning);
         }
-        else if (end || time_.index()%energySteps == 0) checkEnergy();
+        else if (end || time_.index() % energySteps == 0) checkEnergy();
         sample(writeTime, end);
         if (writeTime) write();
         // Steps are many and cheap: one report a second, and one for each time folder.

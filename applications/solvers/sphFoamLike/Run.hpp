@@ -5,8 +5,8 @@
 #include "FunctionObject.hpp"
 #include "Geometry.hpp"
 #include "RunTime.hpp"
-#include "readSettings.hpp"
 #include "Simulation.hpp"
+#include "readSettings.hpp"
 #include <filesystem>
 #include <iosfwd>
 #include <map>

@@ -8,7 +8,8 @@
 int main(int argc, char** argv)
 {
     bool dryRun = false;
-    return sph::runApplication("sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
+    return sph::runApplication(
+        "sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
         [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop"); },
         [&](const std::filesystem::path& caseFolder)
         {

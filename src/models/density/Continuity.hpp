@@ -16,7 +16,7 @@ struct Continuity
     using Reads = Fields<Volume, Velocity>;
     using ReadsOwn = Fields<Density>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return i.rho*j.V*dot(i.v - j.v, ij.gradW); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return i.rho * j.V * dot(i.v - j.v, ij.gradW); }
 };
 
 /// V_i = m_i/rho_i [m^3], where the density is integrated. Inside a fluid the volume by number density is the better weight of sums: with it the
@@ -26,7 +26,7 @@ struct IntegratedVolume
     static constexpr auto name = "integratedVolume";
     using Provides = Volume;
     using ReadsOwn = Fields<Mass, Density>;
-    auto operator()(const auto& i) const { return i.m/i.rho; }
+    auto operator()(const auto& i) const { return i.m / i.rho; }
 };
 
 }

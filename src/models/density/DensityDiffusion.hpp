@@ -26,12 +26,12 @@ struct DensityDiffusion
     double coefficient, small;
 
     explicit DensityDiffusion(const Coefficients& c)
-        : coefficient(2*c.of<DiffusionNumber>().delta*0.5*c.support*(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()))),
-          small(0.01*sqr(0.5*c.support))
+        : coefficient(2 * c.of<DiffusionNumber>().delta * 0.5 * c.support * (*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()))),
+          small(0.01 * sqr(0.5 * c.support))
     {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return coefficient*(i.rho - j.rho)*dot(ij.x, ij.gradW)/(sqr(ij.r) + small)*j.V;
+        return coefficient * (i.rho - j.rho) * dot(ij.x, ij.gradW) / (sqr(ij.r) + small) * j.V;
     }
 };
 

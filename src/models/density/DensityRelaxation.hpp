@@ -41,18 +41,19 @@ struct DensityRelaxation
     double rate, steepest;
 
     explicit DensityRelaxation(const Coefficients& c)
-        : rate(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end())/(c.of<RelaxationTime>().soundTimes*0.5*c.support)), steepest(0.2/c.support)
+        : rate(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()) / (c.of<RelaxationTime>().soundTimes * 0.5 * c.support)),
+          steepest(0.2 / c.support)
     {}
     auto operator()(const auto& ij, const auto&, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        return SlopeAndNumber<dim>{j.V*ij.gradW, ij.W};
+        return SlopeAndNumber<dim>{j.V * ij.gradW, ij.W};
     }
     auto finish(const auto& i, const auto& sum) const
     {
-        const double ofPlaces = i.m*sum.number, excess = ofPlaces - i.rho, band = allowed*i.rho;
+        const double ofPlaces = i.m * sum.number, excess = ofPlaces - i.rho, band = allowed * i.rho;
         const double beyond = excess - std::fmax(-band, std::fmin(band, excess));
-        return mag(sum.slope) < steepest && ofPlaces > thinnest*i.rho ? rate*beyond : 0.0;
+        return mag(sum.slope) < steepest && ofPlaces > thinnest * i.rho ? rate * beyond : 0.0;
     }
 };
 

@@ -22,7 +22,7 @@ struct NumberDensity
 
     explicit NumberDensity(const Coefficients& c) : a(c.densityScale) {}
     auto operator()(const auto& ij, const auto&, const auto&) const { return ij.W; }
-    auto finish(const auto&, double sum) const { return 1/(a*sum); }
+    auto finish(const auto&, double sum) const { return 1 / (a * sum); }
 };
 
 /// rho_i = m_i/V_i [kg/m^3], eq. (7)
@@ -31,7 +31,7 @@ struct SummedDensity
     static constexpr auto name = "summedDensity";
     using Provides = Density;
     using ReadsOwn = Fields<Mass, Volume>;
-    auto operator()(const auto& i) const { return i.m/i.V; }
+    auto operator()(const auto& i) const { return i.m / i.V; }
 };
 
 }

@@ -34,12 +34,12 @@ struct RenormalisedDensityGradient
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double w = j.wall > 0 ? 0.0 : j.V;
-        return LinearFit<dimensions(decltype(ij.x){})>{-w*ij.dWdrOverR*outer(ij.x), w*(j.rho - i.rho)*ij.gradW};
+        return LinearFit<dimensions(decltype(ij.x){})>{-w * ij.dWdrOverR * outer(ij.x), w * (j.rho - i.rho) * ij.gradW};
     }
     auto finish(const auto&, const auto& fit) const
     {
         const double det = determinant(fit.B);
-        return (det > 0.05 ? 1/det : 0.0)*(adjugate(fit.B)*fit.gradient);
+        return (det > 0.05 ? 1 / det : 0.0) * (adjugate(fit.B) * fit.gradient);
     }
 };
 
@@ -52,8 +52,8 @@ struct RenormalisedDiffusion : DensityDiffusion
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double w = j.wall > 0 ? 0.0 : j.V;
-        const double difference = i.rho - j.rho - 0.5*dot(i.gradRho + j.gradRho, ij.x);
-        return coefficient*difference*dot(ij.x, ij.gradW)/(sqr(ij.r) + small)*w;
+        const double difference = i.rho - j.rho - 0.5 * dot(i.gradRho + j.gradRho, ij.x);
+        return coefficient * difference * dot(ij.x, ij.gradW) / (sqr(ij.r) + small) * w;
     }
 };
 

@@ -14,15 +14,15 @@ const Choice density{"density",
                      {{"numberDensity", "rho = m sigma"}, {"continuity", "integrated"}},
                      "numberDensity",
                      "where the density comes from"},
-    volume{"volume",
-           {{"numberDensity", "V = 1/sigma"}, {"continuity", "V = m/rho"}},
-           byScene("as density"),
-           "of the sums over neighbours"},
+    volume{"volume", {{"numberDensity", "V = 1/sigma"}, {"continuity", "V = m/rho"}}, byScene("as density"), "of the sums over neighbours"},
     normalisation{"normalisation",
                   {{"secondMoment", "gradients are exact for linear fields on the mean"}, "none"},
                   byScene("secondMoment; none with scheme paper or volume continuity"),
                   "of the kernel's gradient"},
-    densityDiffusionForm{"densityDiffusionForm", {"molteni", {"antuono", "with the renormalised gradient"}}, "molteni", "of the density diffusion"};
+    densityDiffusionForm{"densityDiffusionForm",
+                         {"molteni", {"antuono", "with the renormalised gradient"}},
+                         "molteni",
+                         "of the density diffusion"};
 const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "delta of the diffusion against pressure noise, about 0.1"},
     densityRelaxation{"densityRelaxation", Unit{units::none, "h/c"}, 0, nonNegative,
                       "time in which an integrated density follows the particles' places where they differ, about 100; 0: never"};
@@ -38,17 +38,17 @@ double compressionAtStart(std::size_t i, const Loading& loading)
     if (given == loading.cloud.fields.end()) return 1;
     const auto& c = loading.coefficients;
     const auto k = loading.phaseOf(i);
-    const double p = given->second.component[0][i], ratio = 1 + p/c.stiffness[k];
+    const double p = given->second.component[0][i], ratio = 1 + p / c.stiffness[k];
     if (ratio <= 0)
-        throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}", loading.cloud.particle(i), p,
-                                    c.phases[k]));
-    return std::pow(ratio, 1/c.exponent[k]);
+        throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}",
+                                    loading.cloud.particle(i), p, c.phases[k]));
+    return std::pow(ratio, 1 / c.exponent[k]);
 }
 
 void densityAtStart(const Loading& loading)
 {
     for (std::size_t i = 0; i < loading.size(); ++i)
-        loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)]*compressionAtStart(i, loading);
+        loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)] * compressionAtStart(i, loading);
 }
 
 /// Where the positions decide the density, masses make the pressure at the start: of a folder without rho, which packParticles writes.
@@ -100,7 +100,8 @@ void prepare(const Reading& reading)
     rho.missing = densityAtStart;
     rho.check = [](const Loading& loading)
     {
-        loading.checkScale("rho", "kg/m^3", leastCompression, mostCompression, [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
+        loading.checkScale("rho", "kg/m^3", leastCompression, mostCompression,
+                           [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
     };
     rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
     settings.state.push_back(rho);
@@ -111,11 +112,13 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     const bool integrated = settings.integratedDensity;
     const auto& volume = reading.choose(entry::volume, settings.chosen.at("density"));
-    if (!integrated && volume == "continuity") entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
+    if (!integrated && volume == "continuity")
+        entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
     reading.select(integrated ? "continuity" : "summedDensity");
     if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
-    const bool normalises = reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
+    const bool normalises =
+        reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
     settings.normaliseDensity = volume == "numberDensity" && normalises;
     readDiffusion(reading);
@@ -125,13 +128,19 @@ void read(const Reading& reading)
 
 const Model& densityModel()
 {
-    static const Model model{"density", "where volume and density come from: number density, or the continuity equation with diffusion", read,
-                             densityTerms<2>(), densityTerms<3>(), prepare,
+    static const Model model{"density",
+                             "where volume and density come from: number density, or the continuity equation with diffusion",
+                             read,
+                             densityTerms<2>(),
+                             densityTerms<3>(),
+                             prepare,
                              {{"density", [](const Settings& s) { return s.integratedDensity && !s.integration.predicts; },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
                                "predictorCorrector"}},
-                             {}, {{"system/sphSchemes", {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm,
-                                                        entry::densityRelaxation}}}};
+                             {},
+                             {{"system/sphSchemes",
+                               {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm,
+                                entry::densityRelaxation}}}};
     return model;
 }
 

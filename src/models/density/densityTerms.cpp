@@ -10,8 +10,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> densityTerms()
 {
-    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, DensityRelaxation, RenormalisedDensityGradient,
-                     RenormalisedDiffusion>();
+    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, DensityRelaxation,
+                     RenormalisedDensityGradient, RenormalisedDiffusion>();
 }
 
 template Catalogue<2> densityTerms<2>();

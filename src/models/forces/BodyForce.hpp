@@ -27,7 +27,7 @@ struct BodyForce
     Vector<3> f;
 
     explicit BodyForce(const Coefficients& c) : f(c.bodyForce) {}
-    auto operator()(const auto& i) const { return 1/i.rho*in<dimensions(decltype(i.v){})>(f); }
+    auto operator()(const auto& i) const { return 1 / i.rho * in<dimensions(decltype(i.v){})>(f); }
 };
 
 }

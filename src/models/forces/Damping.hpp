@@ -15,13 +15,14 @@ public:
     std::vector<Stage<dim>> stages(Place place) override
     {
         if (place != Place::afterKick) return {};
-        return {{"damp", "v *= exp(-rate dt)", [this](Particles<dim>& p, const Substep& substep)
-        {
-            if (substep.time >= until_) return;
-            const double factor = std::exp(-rate_*substep.deltaT);
-            for (double* v : p.store().pointers(Velocity{}))
-                for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
-        }}};
+        return {{"damp", "v *= exp(-rate dt)",
+                 [this](Particles<dim>& p, const Substep& substep)
+                 {
+                     if (substep.time >= until_) return;
+                     const double factor = std::exp(-rate_ * substep.deltaT);
+                     for (double* v : p.store().pointers(Velocity{}))
+                         for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+                 }}};
     }
 };
 

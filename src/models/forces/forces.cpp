@@ -8,7 +8,8 @@ namespace sph
 namespace entry
 {
 const SubDictionary damping{"damping", notGiven, "of all velocities, for a start far off equilibrium"};
-const Scalar rate{"rate", units::none/units::s, 0, nonNegative, "dv/dt = -rate v"}, until{"until", units::s, 0, nonNegative, "when damping ends"};
+const Scalar rate{"rate", units::none / units::s, 0, nonNegative, "dv/dt = -rate v"},
+    until{"until", units::s, 0, nonNegative, "when damping ends"};
 }
 
 namespace
@@ -26,8 +27,16 @@ void read(const Reading& reading)
 
 const Model& forcesModel()
 {
-    static const Model model{"forces", "gravity, a uniform force per volume, and damping from a start far off equilibrium", read, forceTerms<2>(), forceTerms<3>(),
-                             nullptr, {}, {}, {{"system/sphSchemes", {{SubDictionary{"integration", notGiven, ""}, {{entry::damping, {entry::rate, entry::until}}}}}}}};
+    static const Model model{"forces",
+                             "gravity, a uniform force per volume, and damping from a start far off equilibrium",
+                             read,
+                             forceTerms<2>(),
+                             forceTerms<3>(),
+                             nullptr,
+                             {},
+                             {},
+                             {{"system/sphSchemes",
+                               {{SubDictionary{"integration", notGiven, ""}, {{entry::damping, {entry::rate, entry::until}}}}}}}};
     return model;
 }
 

@@ -15,13 +15,13 @@ struct Opening
 {
     std::string name;
     bool inlet = true;
-    Vector<3> point, normal;                ///< of the plane [m]; unit, into the scene
-    Box extent;                             ///< the plane is open within it alone
-    std::optional<double> velocity;         ///< mean over the section, along the normal [m/s]
-    std::optional<double> flowRate;         ///< [m^3/s], per metre of depth [m^2/s] in 2-D
-    std::optional<double> pressure;         ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
-    bool developed = false;                 ///< the velocity has the profile of developed flow; else it is the same everywhere
-    std::map<std::string, double> values;   ///< of what comes in, by field
+    Vector<3> point, normal;              ///< of the plane [m]; unit, into the scene
+    Box extent;                           ///< the plane is open within it alone
+    std::optional<double> velocity;       ///< mean over the section, along the normal [m/s]
+    std::optional<double> flowRate;       ///< [m^3/s], per metre of depth [m^2/s] in 2-D
+    std::optional<double> pressure;       ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
+    bool developed = false;               ///< the velocity has the profile of developed flow; else it is the same everywhere
+    std::map<std::string, double> values; ///< of what comes in, by field
     Location where;
 
     /// Distance from the plane [m], > 0 in the scene.
@@ -34,7 +34,8 @@ struct Opening
 ///     vent { type outlet; point (1 0 0); normal (-1 0 0); pressure 0; }
 ///
 /// Mistakes go to the case's Diagnostics. `absent`: what would come in with a model that the scene does not have, and what to say to it.
-std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, std::string>& absent = {});
+std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
+                                  const std::map<std::string, std::string>& absent = {});
 EntryList openingEntries();
 
 }

@@ -32,9 +32,9 @@ template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vec
 }
 
 template<int dim>
-Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients, const State& state,
-                        const std::map<std::string, double>& restored)
-    : geometry_(geometry), coefficients_(coefficients), state_(state), depth_(2*coefficients.support + spareDepth*coefficients.spacing)
+Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients,
+                        const State& state, const std::map<std::string, double>& restored)
+    : geometry_(geometry), coefficients_(coefficients), state_(state), depth_(2 * coefficients.support + spareDepth * coefficients.spacing)
 {
     for (const auto& evolving : state)
         if (!evolving.amount.empty())
@@ -51,7 +51,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
         const Section section(opening, geometry, coefficients.spacing);
         check(opening, section);
         const double most = opening.velocity   ? *opening.velocity
-                            : opening.flowRate ? *opening.flowRate/section.area()
+                            : opening.flowRate ? *opening.flowRate / section.area()
                                                : std::numeric_limits<double>::infinity();
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
@@ -61,9 +61,11 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     for (const auto& a : gates_)
         for (const auto& b : gates_)
             if (&a != &b && meet(a, b))
-                throw CaseError(b.opening.where,
-                                fmt::format("opening \"{}\" overlaps \"{}\": the particles that one holds must be out of the other's sight, {:.4g} m "
-                                            "before its plane and {:.4g} m behind", b.opening.name, a.opening.name, coefficients.support, depth_));
+                throw CaseError(
+                    b.opening.where,
+                    fmt::format("opening \"{}\" overlaps \"{}\": the particles that one holds must be out of the other's sight, {:.4g} m "
+                                "before its plane and {:.4g} m behind",
+                                b.opening.name, a.opening.name, coefficients.support, depth_));
     for (const auto& gate : gates_) checkNormal(gate);
     const auto restore = [&](const std::string& name, double& value)
     {
@@ -122,13 +124,15 @@ template<int dim> std::map<std::string, double> Openings<dim>::state() const
 template<int dim> bool Openings<dim>::inDomain(const Vector<3>& x, double beyond) const
 {
     for (int k = 0; k < dim; ++k)
-        if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - beyond || x.*c > geometry_.high.*c + beyond)) return false;
+        if (const auto c = component(k); !geometry_.periodic[k] && (x.*c < geometry_.low.*c - beyond || x.*c > geometry_.high.*c + beyond))
+            return false;
     return true;
 }
 
 template<int dim> void Openings<dim>::check(const Opening& opening, const Section& section) const
 {
-    const auto fail = [&](const std::string& what) { throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what)); };
+    const auto fail = [&](const std::string& what)
+    { throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what)); };
     const auto& lines = section.lines();
     if (lines.empty()) fail("has no fluid in its plane: it lies inside a wall, or outside the domain");
     if (section.width() < coefficients_.support)
@@ -137,12 +141,13 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
     for (const auto& line : lines)
         for (double s = 0; s < depth_; s += coefficients_.spacing)
         {
-            const auto x = line.foot - s*opening.normal;
+            const auto x = line.foot - s * opening.normal;
             if (!inDomain(x, coefficients_.support))
-                fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there", depth_ - coefficients_.support));
-            if (geometry_.distance(x) < 0.2*coefficients_.spacing)
-                fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x, x.y, x.z,
-                                 depth_));
+                fail(fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there",
+                                 depth_ - coefficients_.support));
+            if (geometry_.distance(x) < 0.2 * coefficients_.spacing)
+                fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x,
+                                 x.y, x.z, depth_));
         }
 }
 
@@ -153,22 +158,25 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
     const auto fail = [&](const std::string& what)
     { throw CaseError(opening.where, fmt::format("opening \"{}\" has {}: its normal must point into the scene", opening.name, what)); };
     for (const auto& other : gates_)
-        if (std::ranges::any_of(other.section.lines(), [&](const auto& line) { return opening.distance(line.foot) <= -2*depth_ && inSight(gate, line.foot); }))
+        if (std::ranges::any_of(other.section.lines(),
+                                [&](const auto& line) { return opening.distance(line.foot) <= -2 * depth_ && inSight(gate, line.foot); }))
             fail(fmt::format("\"{}\" beyond its plane, and would take away the fluid between them", other.opening.name));
     double deepest = 0;
     for (const auto& line : gate.section.lines())
     {
-        const auto inScene = [&](double s) { return inDomain(line.foot + s*opening.normal, 0) && geometry_.inFluid(line.foot + s*opening.normal); };
+        const auto inScene = [&](double s)
+        { return inDomain(line.foot + s * opening.normal, 0) && geometry_.inFluid(line.foot + s * opening.normal); };
         double s = 0;
-        while (s < depth_ && inScene(s + 0.5*coefficients_.spacing)) s += coefficients_.spacing;
+        while (s < depth_ && inScene(s + 0.5 * coefficients_.spacing)) s += coefficients_.spacing;
         deepest = std::max(deepest, s);
     }
-    if (deepest < depth_) fail(fmt::format("{:.4g} m of scene before its plane, less than the {:.4g} m that it holds beyond", deepest, depth_));
+    if (deepest < depth_)
+        fail(fmt::format("{:.4g} m of scene before its plane, less than the {:.4g} m that it holds beyond", deepest, depth_));
 }
 
 template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
 {
-    return contains(gate.opening.extent, x - gate.opening.distance(x)*gate.opening.normal, dim);
+    return contains(gate.opening.extent, x - gate.opening.distance(x) * gate.opening.normal, dim);
 }
 
 /// Whether b holds what a sees.
@@ -177,7 +185,7 @@ template<int dim> bool Openings<dim>::meet(const Gate& a, const Gate& b) const
     for (const auto& line : a.section.lines())
         for (double s = coefficients_.support; s > -depth_; s -= coefficients_.spacing)
         {
-            const auto x = line.foot + s*a.opening.normal;
+            const auto x = line.foot + s * a.opening.normal;
             if (const double beyond = b.opening.distance(x); beyond < 0 && beyond > -depth_ && belongs(b, x)) return true;
         }
     return false;
@@ -189,7 +197,7 @@ template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
     for (std::size_t k = 0; k < gates_.size(); ++k)
     {
         const double s = gates_[k].opening.distance(x);
-        if (s < 0 && s > -2*depth_ && belongs(gates_[k], x)) return int(k) + 1;
+        if (s < 0 && s > -2 * depth_ && belongs(gates_[k], x)) return int(k) + 1;
     }
     return 0;
 }
@@ -200,14 +208,15 @@ template<int dim> bool Openings<dim>::inSight(const Gate& gate, const Vector<3>&
     const double s = gate.opening.distance(x);
     if (s > 0 || !belongs(gate, x)) return false;
     for (double by = 0; by < -s; by += coefficients_.spacing)
-        if (!geometry_.inFluid(x + by*gate.opening.normal)) return false;
+        if (!geometry_.inFluid(x + by * gate.opening.normal)) return false;
     return true;
 }
 
 /// 1 + the opening in whose duct a point lies, further beyond its plane than is held there; 0 where there is none.
 template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
 {
-    const auto gate = std::ranges::find_if(gates_, [&](const Gate& each) { return each.opening.distance(x) <= -2*depth_ && inSight(each, x); });
+    const auto gate =
+        std::ranges::find_if(gates_, [&](const Gate& each) { return each.opening.distance(x) <= -2 * depth_ && inSight(each, x); });
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
@@ -220,8 +229,8 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     {
         if (gate == 0) return;
         auto& to = gates_[std::size_t(gate) - 1];
-        to.mass += sign*m[i];
-        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign*amountOf(store, *counted_[q], i, predicted);
+        to.mass += sign * m[i];
+        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountOf(store, *counted_[q], i, predicted);
     };
     const bool starts = !restored_ && !counts_;
     std::vector<int> kept, takenBy(starts ? owned : 0, 0);
@@ -262,8 +271,9 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
     const double *holder = store.component(Holder::info.name, 0), *m = store.component(Mass::info.name, 0);
     const auto of = [&](const auto& amount)
     {
-        return groupSums(owned, gates_.size() + 1, [&](std::size_t i) { return std::size_t(takenBy[i]); },
-                         [&](std::size_t i) { return takenBy[i] == 0 && holder[i] > 0 ? 0.0 : amount(i); });
+        return groupSums(
+            owned, gates_.size() + 1, [&](std::size_t i) { return std::size_t(takenBy[i]); },
+            [&](std::size_t i) { return takenBy[i] == 0 && holder[i] > 0 ? 0.0 : amount(i); });
     };
     const auto mass = of([&](std::size_t i) { return m[i]; });
     startMass_ = std::accumulate(mass.begin(), mass.end(), 0.0);
@@ -283,21 +293,22 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     const auto& opening = gate.opening;
     const auto& lines = gate.section.lines();
     const double row = gate.section.rowSpacing();
-    std::vector<double> last(lines.size(), 0.5*row); // the first stands half a row behind the plane
+    std::vector<double> last(lines.size(), 0.5 * row); // the first stands half a row behind the plane
     auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (std::size_t i = 0; i < owned; ++i)
     {
         if (int(holder[i]) != k + 1) continue;
         const auto x_i = in3D(at<dim>(x, i));
-        if (const int line = gate.section.lineAt(x_i); line >= 0) last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
+        if (const int line = gate.section.lineAt(x_i); line >= 0)
+            last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
     }
     std::vector<Vector<3>> places;
     std::vector<double> profile;
     for (std::size_t l = 0; l < lines.size(); ++l)
         for (double s = last[l] - row; s > -depth_; s -= row)
         {
-            places.push_back(lines[l].foot + s*opening.normal);
+            places.push_back(lines[l].foot + s * opening.normal);
             profile.push_back(lines[l].profile);
         }
     if (places.empty()) return;
@@ -309,13 +320,14 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     {
         const std::size_t i = owned + q;
         put<dim>(x, i, in<dim>(places[q]));
-        put<dim>(v, i, in<dim>(gate.speed*profile[q]*opening.normal));
+        put<dim>(v, i, in<dim>(gate.speed * profile[q] * opening.normal));
         for (const auto& evolving : state_)
         {
             const auto value = opening.values.find(evolving.value.name);
             if (value != opening.values.end()) store.component(evolving.value.name, 0)[i] = value->second;
             if (!store.has(evolving.startName())) continue;
-            for (int c = 0; c < evolving.value.in(dim); ++c) store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
+            for (int c = 0; c < evolving.value.in(dim); ++c)
+                store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
         }
         store.component(Holder::info.name, 0)[i] = k + 1;
     }
@@ -356,7 +368,7 @@ template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
         if (!counted_[q]->rate || counted_[q]->advancedByModel) continue;
         const double* const rate = store.component(counted_[q]->rate->name, 0);
         intoHeld_[q] = 0;
-        for (const int i : held_) intoHeld_[q] += rate[i]*m[i]/coefficients_.restDensity[0];
+        for (const int i : held_) intoHeld_[q] += rate[i] * m[i] / coefficients_.restDensity[0];
     }
     const auto clear = [&](const std::string& field)
     {
@@ -381,21 +393,21 @@ template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate
     {
         const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i)))), w = weight(s);
         n += w;
-        v0 += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
-        s1 += w*s;
-        s2 += w*s*s;
-        p0 += w*p[i];
-        p1 += w*s*p[i];
+        v0 += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        s1 += w * s;
+        s2 += w * s * s;
+        p0 += w * p[i];
+        p1 += w * s * p[i];
     }
-    gate.inflow = n > 0 ? gate.section.area()*v0/n : 0;
-    const double spread = n*s2 - s1*s1;
-    const bool enough = gate.near.size() > 2 && spread > sqr(0.25*coefficients_.spacing*n); // more than a row
+    gate.inflow = n > 0 ? gate.section.area() * v0 / n : 0;
+    const double spread = n * s2 - s1 * s1;
+    const bool enough = gate.near.size() > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
     if (gate.opening.inlet)
     {
-        gate.slope = enough ? (n*p1 - s1*p0)/spread : 0;
-        gate.pressure = n > 0 ? (p0 - gate.slope*s1)/n : coefficients_.backgroundPressure;
+        gate.slope = enough ? (n * p1 - s1 * p0) / spread : 0;
+        gate.pressure = n > 0 ? (p0 - gate.slope * s1) / n : coefficients_.backgroundPressure;
     }
-    else gate.slope = enough ? (p1 - gate.pressure*s1)/s2 : 0;
+    else gate.slope = enough ? (p1 - gate.pressure * s1) / s2 : 0;
 }
 
 /// Along the normal, of each line [m/s]; infinite where an outlet's particles keep what they have, for none comes along behind them.
@@ -405,7 +417,7 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
     std::vector<double> sum(lines.size(), 0), count(lines.size(), 0);
     if (gate.opening.inlet)
     {
-        for (std::size_t l = 0; l < lines.size(); ++l) sum[l] = gate.speed*lines[l].profile;
+        for (std::size_t l = 0; l < lines.size(); ++l) sum[l] = gate.speed * lines[l].profile;
         return sum;
     }
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
@@ -415,11 +427,11 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
         const int line = gate.section.lineAt(x_i);
         if (line < 0) continue;
         const double w = weight(gate.opening.distance(x_i));
-        sum[std::size_t(line)] += w*dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        sum[std::size_t(line)] += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
         count[std::size_t(line)] += w;
     }
     for (std::size_t l = 0; l < sum.size(); ++l)
-        sum[l] = count[l] > 0 ? std::min(0.0, sum[l]/count[l]) : std::numeric_limits<double>::infinity();
+        sum[l] = count[l] > 0 ? std::min(0.0, sum[l] / count[l]) : std::numeric_limits<double>::infinity();
     return sum;
 }
 
@@ -427,16 +439,17 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
 template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
 {
     const auto& gate = gates_[std::size_t(store.component(Holder::info.name, 0)[i]) - 1];
-    const double p = gate.pressure + gate.slope*gate.opening.distance(x_i);
+    const double p = gate.pressure + gate.slope * gate.opening.distance(x_i);
     store.component(HeldPressure::info.name, 0)[i] = p;
     if (!integrates_) return;
-    const double ratio = 1 + (p - coefficients_.backgroundPressure)/coefficients_.stiffness[0];
-    store.component(Density::info.name, 0)[i] = coefficients_.restDensity[0]*std::pow(std::max(leastRatio, ratio), 1/coefficients_.exponent[0]);
+    const double ratio = 1 + (p - coefficients_.backgroundPressure) / coefficients_.stiffness[0];
+    store.component(Density::info.name, 0)[i] =
+        coefficients_.restDensity[0] * std::pow(std::max(leastRatio, ratio), 1 / coefficients_.exponent[0]);
 }
 
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
 {
-    for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT*intoHeld_[q];
+    for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT * intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (auto& gate : gates_)
@@ -444,7 +457,7 @@ template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double delta
         measure(store, gate);
         if (!gate.opening.inlet || !gate.opening.pressure) continue;
         const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
-        gate.speed = std::clamp(gate.speed + deltaT*(behind - gate.pressure)/(coefficients_.restDensity[0]*depth_), 0.0, gate.most);
+        gate.speed = std::clamp(gate.speed + deltaT * (behind - gate.pressure) / (coefficients_.restDensity[0] * depth_), 0.0, gate.most);
     }
     std::vector<std::vector<double>> velocity;
     for (const auto& gate : gates_) velocity.push_back(velocities(store, gate));
@@ -455,7 +468,7 @@ template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double delta
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
         impose(store, std::size_t(i), x_i);
         if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(velocity[k][std::size_t(line)]))
-            put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)]*gate.opening.normal));
+            put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)] * gate.opening.normal));
     }
 }
 
@@ -464,7 +477,8 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
     std::vector<Flow> flows;
     for (const auto& gate : gates_)
         flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts, gate.taken,
-                         gate.opening.inlet ? gate.speed*gate.section.area() : gate.inflow, gate.pressure - coefficients_.backgroundPressure});
+                         gate.opening.inlet ? gate.speed * gate.section.area() : gate.inflow,
+                         gate.pressure - coefficients_.backgroundPressure});
     return flows;
 }
 
@@ -478,17 +492,18 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
         double intoHeld = 0;
         for (const int i : held_)
         {
-            intoHeld += deltaT*rate[i]*m[i]/coefficients_.restDensity[0];
+            intoHeld += deltaT * rate[i] * m[i] / coefficients_.restDensity[0];
             rate[i] = 0;
         }
         heldAmounts_[q] += intoHeld;
     }
 }
 
-template<int dim> double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
+template<int dim>
+double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
 {
     const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
-    return store.component(name, 0)[i]*store.component(Mass::info.name, 0)[i]/coefficients_.restDensity[0];
+    return store.component(name, 0)[i] * store.component(Mass::info.name, 0)[i] / coefficients_.restDensity[0];
 }
 
 template<int dim> double Openings<dim>::freeMass(const FieldStore<dim>& store) const
@@ -513,7 +528,7 @@ template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& stor
             expected += passed(gate);
             largest = std::max(largest, std::abs(passed(gate)));
         }
-        return largest > 0 ? (now - expected)/largest : 0;
+        return largest > 0 ? (now - expected) / largest : 0;
     };
     Imbalance off;
     off.mass = relative(freeMass(store), startMass_, [](const Gate& gate) { return gate.mass - gate.taken; });
@@ -528,8 +543,8 @@ template<int dim> double Openings<dim>::power() const
     double sum = 0;
     for (const auto& gate : gates_)
         if (gate.opening.inlet)
-            sum += gate.speed*gate.section.area()*
-                   std::max(0.0, gate.pressure - coefficients_.backgroundPressure + 0.5*coefficients_.restDensity[0]*sqr(gate.speed));
+            sum += gate.speed * gate.section.area() *
+                   std::max(0.0, gate.pressure - coefficients_.backgroundPressure + 0.5 * coefficients_.restDensity[0] * sqr(gate.speed));
     return sum;
 }
 

@@ -19,8 +19,8 @@
 #pragma once
 #include "FieldStore.hpp"
 #include "Opening.hpp"
-#include "State.hpp"
 #include "Section.hpp"
+#include "State.hpp"
 #include <algorithm>
 #include <map>
 #include <span>
@@ -34,13 +34,13 @@ struct Flow
 {
     std::string name;
     bool inlet = true;
-    double area = 0;                       ///< [m^2], a length [m] in 2-D
-    std::size_t held = 0;                  ///< particles beyond the plane
-    double mass = 0;                       ///< since the first start [kg]; per metre of depth in 2-D
-    std::vector<double> amounts;           ///< of what is counted beside it (Evolving::amount) [m^3]
-    double taken = 0;                      ///< away at the start, from further beyond the plane than is held there [kg]
-    double flowRate = 0;                   ///< [m^3/s], into the scene > 0
-    double pressure = 0;                   ///< of the fluid at the plane [Pa], without the background pressure
+    double area = 0;             ///< [m^2], a length [m] in 2-D
+    std::size_t held = 0;        ///< particles beyond the plane
+    double mass = 0;             ///< since the first start [kg]; per metre of depth in 2-D
+    std::vector<double> amounts; ///< of what is counted beside it (Evolving::amount) [m^3]
+    double taken = 0;            ///< away at the start, from further beyond the plane than is held there [kg]
+    double flowRate = 0;         ///< [m^3/s], into the scene > 0
+    double pressure = 0;         ///< of the fluid at the plane [Pa], without the background pressure
 };
 
 /// By which the mass and the amounts of what is free miss what has passed and was taken away, relative to the largest of what is there, was there and
@@ -57,7 +57,8 @@ public:
     /// Throws CaseError where an opening does not fit the scene: inside a wall, narrower than the kernel's support, with a duct that is not
     /// straight, out of the domain as far as the held particles reach, where another one holds particles, or with its normal out of the scene.
     /// `restored` holds the numbers that `state` gave.
-    Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored);
+    Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&,
+             const std::map<std::string, double>& restored);
 
     /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now. `predicted`: between prediction
     /// and correction, where what passes is what a particle had at the start of the step.
@@ -87,31 +88,31 @@ private:
     {
         Opening opening;
         Section section;
-        double most, speed;                    ///< U of an inlet: its limit, and now
-        double pressure, slope;                ///< a and b
-        double mass = 0, taken = 0;            ///< passed, and taken away at the start
+        double most, speed;         ///< U of an inlet: its limit, and now
+        double pressure, slope;     ///< a and b
+        double mass = 0, taken = 0; ///< passed, and taken away at the start
         std::vector<double> amounts = {}, takenAmounts = {};
-        double inflow = 0;                     ///< of what is near, through all of the section [m^3/s]
+        double inflow = 0; ///< of what is near, through all of the section [m^3/s]
         std::size_t held = 0;
-        std::vector<int> near = {};            ///< free particles within H
+        std::vector<int> near = {}; ///< free particles within H
     };
     std::vector<Gate> gates_;
     const Geometry& geometry_;
     const Coefficients& coefficients_;
     const State& state_;
-    bool integrates_ = false;                  ///< density evolves
-    std::vector<const Evolving*> counted_;     ///< fractions whose amounts are counted
+    bool integrates_ = false;              ///< density evolves
+    std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
-    double depth_;                             ///< of the held particles beyond a plane [m]
+    double depth_; ///< of the held particles beyond a plane [m]
     std::vector<int> held_;
-    double startMass_ = 0;                     ///< of what is free and what is taken away, at the first start [kg]
+    double startMass_ = 0;                                      ///< of what is free and what is taken away, at the first start [kg]
     std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
-    bool restored_ = false, counts_ = false;   ///< counts_: who is held is known from before
+    bool restored_ = false, counts_ = false;                    ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
     void checkNormal(const Gate&) const;
     /// Of a free particle at a distance s from a plane: what comes into reach and leaves it does so gradually.
-    double weight(double s) const { return std::max(0.0, s*(coefficients_.support - s)); }
+    double weight(double s) const { return std::max(0.0, s * (coefficients_.support - s)); }
     bool inDomain(const Vector<3>& x, double beyond) const;
     bool belongs(const Gate&, const Vector<3>& x) const;
     bool meet(const Gate& a, const Gate& b) const;

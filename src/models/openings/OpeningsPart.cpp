@@ -16,7 +16,8 @@ template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
     if (place == Place::afterEvaluation)
         return {{"hold", "dq/dt = 0 of what openings hold", [this](Particles<dim>& p, const Substep&) { openings_.hold(p.store()); }}};
     if (place == Place::afterKick)
-        return {{"drive", "U and p of what openings hold", [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT); }}};
+        return {{"drive", "U and p of what openings hold",
+                 [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT); }}};
     return {};
 }
 
@@ -40,8 +41,9 @@ template<int dim> std::string OpeningsPart<dim>::introduction() const
 {
     std::string lines;
     for (const auto& flow : openings_.flows())
-        lines += fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane{}\n", flow.name, flow.inlet ? "inlet" : "outlet", flow.area,
-                             dim == 3 ? "m^2" : "m", flow.held, flow.taken > 0 ? fmt::format(", {:.6g} kg further beyond taken away at the start", flow.taken) : "");
+        lines += fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane{}\n", flow.name,
+                             flow.inlet ? "inlet" : "outlet", flow.area, dim == 3 ? "m^2" : "m", flow.held,
+                             flow.taken > 0 ? fmt::format(", {:.6g} kg further beyond taken away at the start", flow.taken) : "");
     return lines;
 }
 
@@ -55,8 +57,8 @@ template<int dim> std::string OpeningsPart<dim>::report(const Particles<dim>& pa
         std::string with;
         for (std::size_t q = 0; q < names.size(); ++q)
             with += fmt::format("{}{:.10g} m^3 of {}", q == 0 ? " with " : ", ", flow.amounts[q], names[q]);
-        lines += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass, with,
-                             flow.taken > 0 ? fmt::format(", took away {:.10g} kg at the start", flow.taken) : "");
+        lines += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
+                             with, flow.taken > 0 ? fmt::format(", took away {:.10g} kg at the start", flow.taken) : "");
     }
     const auto off = openings_.imbalance(particles.store());
     lines += fmt::format("balance: mass off by {:.2g}", off.mass);

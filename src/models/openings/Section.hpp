@@ -37,16 +37,16 @@ public:
     int lineAt(const Vector<3>& x) const;
 
 private:
-    Vector<3> point_, across_[2];   ///< unit vectors along the plane
+    Vector<3> point_, across_[2]; ///< unit vectors along the plane
     int dimension_;
-    double low_[2] = {0, 0}, step_[2] = {1, 1}, extent_[2] = {0, 0};   ///< of the lattice along them [m]
+    double low_[2] = {0, 0}, step_[2] = {1, 1}, extent_[2] = {0, 0}; ///< of the lattice along them [m]
     int n_[2] = {0, 1};
     bool repeats_[2] = {false, false};
-    std::vector<int> index_;        ///< of the lattice's sites into lines_; -1: solid
+    std::vector<int> index_; ///< of the lattice's sites into lines_; -1: solid
     std::vector<Line> lines_;
     double rowSpacing_ = 0, area_ = 0;
 
-    Vector<3> at(double a, double b) const { return point_ + a*across_[0] + b*across_[1]; }
+    Vector<3> at(double a, double b) const { return point_ + a * across_[0] + b * across_[1]; }
     int site(int i, int k) const;
     void findExtents(const Opening&, const Geometry&, double spacing);
     void developProfile(const Location& where);

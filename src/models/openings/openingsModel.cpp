@@ -27,20 +27,32 @@ void read(const Reading& reading)
         // Of the speed that an opening gives no particle tells before the first step, and steps that the flow alone limits left 40 % of error in
         // tutorials/verification/openChannel.
         if (settings.integration.solvesPressure)
-            reading.theCase.diagnostics().error(opening.where, fmt::format("opening \"{}\" needs steps that sound limits: integration scheme implicit takes longer "
-                                                                           "ones; take semiImplicit", opening.name));
+            reading.theCase.diagnostics().error(
+                opening.where, fmt::format("opening \"{}\" needs steps that sound limits: integration scheme implicit takes longer "
+                                           "ones; take semiImplicit",
+                                           opening.name));
         else if (settings.multiphase() || !settings.integration.moves)
-            reading.theCase.diagnostics().error(opening.where, fmt::format("opening \"{}\" needs {}", opening.name, settings.multiphase()
-                                                ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
-                                                : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
+            reading.theCase.diagnostics().error(
+                opening.where,
+                fmt::format("opening \"{}\" needs {}", opening.name,
+                            settings.multiphase()
+                                ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
+                                : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
     if (!openings.empty()) settings.parts.push_back(partOf<OpeningsPart>(openings));
 }
 }
 
 const Model& openingsModel()
 {
-    static const Model model{"openings", "inlets and outlets: planes across ducts", read, {}, {}, prepare,
-                             {}, {}, {{"constant/openings", openingEntries(), "inlets and outlets; without the file there are none"}}};
+    static const Model model{"openings",
+                             "inlets and outlets: planes across ducts",
+                             read,
+                             {},
+                             {},
+                             prepare,
+                             {},
+                             {},
+                             {{"constant/openings", openingEntries(), "inlets and outlets; without the file there are none"}}};
     return model;
 }
 

@@ -31,7 +31,7 @@ void readInlet(const Dictionary& d, const Coefficients& c, const State& state, O
 {
     const auto area = c.dimension == 3 ? units::m2 : units::m;
     opening.velocity = entry::velocity.ifGiven(d);
-    opening.flowRate = entry::flowRate.in(units::mPerS*area).ifGiven(d);
+    opening.flowRate = entry::flowRate.in(units::mPerS * area).ifGiven(d);
     opening.pressure = entry::pressure.ifGiven(d);
     if (opening.velocity && opening.flowRate) entry::flowRate.error(d, "flowRate is given, and velocity too: keep one of them");
     if (!opening.velocity && !opening.flowRate && !opening.pressure)
@@ -40,9 +40,10 @@ void readInlet(const Dictionary& d, const Coefficients& c, const State& state, O
     static const std::vector<std::string> own{"type", "point", "normal", "min", "max", "velocity", "flowRate", "pressure", "profile"};
     for (const auto& evolving : state)
         if (std::ranges::find(own, evolving.value.name) != own.end())
-            d.error(evolving.value.name,
-                    fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another name than {}",
-                                list(own)));
+            d.error(
+                evolving.value.name,
+                fmt::format("is an entry of every opening, and the name of a field that comes in, too: give the field another name than {}",
+                            list(own)));
         else if (evolving.inlet) opening.values[evolving.value.name] = evolving.inlet(d);
 }
 
@@ -57,16 +58,17 @@ Opening readOpening(const Dictionary& d, const Geometry& g, const Coefficients& 
     entry::normal.checkPlane(d, opening.normal, g.dimension);
     for (int k = 0; k < g.dimension; ++k)
         if (g.periodic[k] && opening.normal.*component(k) != 0)
-            entry::normal.error(d, fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
-                                               coordinateNames[k]));
+            entry::normal.error(
+                d, fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
+                               coordinateNames[k]));
     opening.extent.low = entry::min(d, opening.extent.low);
     opening.extent.high = entry::max(d, opening.extent.high);
     for (int k = 0; k < g.dimension; ++k)
         if (const auto a = component(k); opening.extent.high.*a < opening.extent.low.*a)
-            entry::max.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k], opening.extent.high.*a,
-                                            opening.extent.low.*a));
-    opening.extent.low -= c.spacing*Vector<3>{1, 1, 1};
-    opening.extent.high += c.spacing*Vector<3>{1, 1, 1};
+            entry::max.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k],
+                                            opening.extent.high.*a, opening.extent.low.*a));
+    opening.extent.low -= c.spacing * Vector<3>{1, 1, 1};
+    opening.extent.high += c.spacing * Vector<3>{1, 1, 1};
     if (opening.inlet) readInlet(d, c, state, opening);
     else opening.pressure = entry::pressureOutside(d);
     return opening;

@@ -18,10 +18,7 @@ struct HuAdamsPressure
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const
-    {
-        return -1/i.m*(i.p*sqr(i.V) + j.p*sqr(j.V))*ij.gradW;
-    }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * (i.p * sqr(i.V) + j.p * sqr(j.V)) * ij.gradW; }
 };
 
 /// The pair's pressure weighed by the densities, Hu & Adams (2007): across an interface p/rho, not p, is what both sides share.
@@ -40,7 +37,7 @@ struct DensityWeightedPressure
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return -1/i.m*(sqr(i.V) + sqr(j.V))*(j.rho*i.p + i.rho*j.p)/(i.rho + j.rho)*ij.gradW;
+        return -1 / i.m * (sqr(i.V) + sqr(j.V)) * (j.rho * i.p + i.rho * j.p) / (i.rho + j.rho) * ij.gradW;
     }
 };
 
@@ -52,7 +49,7 @@ struct MonaghanPressure
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1/i.m*i.V*j.V*(i.p + j.p)*ij.gradW; }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (i.p + j.p) * ij.gradW; }
 };
 
 /// Of differences, dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij: no force where the pressure is uniform, however the particles
@@ -66,7 +63,7 @@ struct DifferencePressure
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1/i.m*i.V*j.V*(j.p - i.p)*ij.gradW; }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (j.p - i.p) * ij.gradW; }
 };
 
 /// The same with the gradient corrected (GradientCorrection.hpp): exact for a pressure that is linear, however the particles lie.
@@ -78,8 +75,8 @@ struct CorrectedDifferencePressure
     using ReadsOwn = Fields<Mass, CorrectionTensor>;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*(j.p - i.p)*ij.gradW; }
-    auto finish(const auto& i, const auto& sum) const { return -(i.V/i.m)*(i.L*sum); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * (j.p - i.p) * ij.gradW; }
+    auto finish(const auto& i, const auto& sum) const { return -(i.V / i.m) * (i.L * sum); }
 };
 
 /// Monaghan's form with the tensile instability control of Sun et al. (2018), eq. (9): under tension inside the fluid the sum changes sign,
@@ -100,7 +97,7 @@ struct TensileControlledPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double sign = i.p < 0 && i.lambda > inside ? -1.0 : 1.0;
-        return -1/i.m*i.V*j.V*(j.p + sign*i.p)*ij.gradW;
+        return -1 / i.m * i.V * j.V * (j.p + sign * i.p) * ij.gradW;
     }
 };
 

@@ -30,7 +30,7 @@ struct StiffnessOfPhase
     auto operator()(const auto& i) const
     {
         const int k = int(i.phase);
-        return sqr(i.V)*i.m*B[k]*n[k]/restDensity[k]*std::pow(i.rho/restDensity[k], n[k] - 1);
+        return sqr(i.V) * i.m * B[k] * n[k] / restDensity[k] * std::pow(i.rho / restDensity[k], n[k] - 1);
     }
 };
 struct UniformStiffness
@@ -41,7 +41,7 @@ struct UniformStiffness
     double restDensity, B, n;
 
     explicit UniformStiffness(const Coefficients& c) : restDensity(c.restDensity[0]), B(c.stiffness[0]), n(c.exponent[0]) {}
-    auto operator()(const auto& i) const { return sqr(i.V)*i.m*B*n/restDensity*std::pow(i.rho/restDensity, n - 1); }
+    auto operator()(const auto& i) const { return sqr(i.V) * i.m * B * n / restDensity * std::pow(i.rho / restDensity, n - 1); }
 };
 
 struct ChangeAsDisplacement
@@ -60,11 +60,11 @@ struct CompressionOfChange
     using Reads = Fields<Displacement>;
     using ReadsOwn = Fields<VolumeStiffness>;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return dot(ij.gradW, i.u - j.u); }
-    auto finish(const auto& i, double sum) const { return i.a*sum; }
+    auto finish(const auto& i, double sum) const { return i.a * sum; }
 };
 
 /// Of pairs that repel: their force over their distance, per dW/dr/r.
-inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.p*sqr(i.V) + j.p*sqr(j.V)); }
+inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.p * sqr(i.V) + j.p * sqr(j.V)); }
 
 /// dF_i/(m_i dt)
 struct PressureResponse
@@ -75,7 +75,7 @@ struct PressureResponse
     using ReadsOwn = Fields<Mass>;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return -1/i.m*((i.q + j.q)*ij.gradW - repulsion(i, j)*ij.dWdrOverR*(i.u - j.u));
+        return -1 / i.m * ((i.q + j.q) * ij.gradW - repulsion(i, j) * ij.dWdrOverR * (i.u - j.u));
     }
 };
 
@@ -95,11 +95,11 @@ struct PressureRate
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        return DiagonalSums<dim>{ij.gradW, j.a*dot(ij.gradW, ij.gradW) - dim*repulsion(i, j)*ij.dWdrOverR*(ij.r > 0)};
+        return DiagonalSums<dim>{ij.gradW, j.a * dot(ij.gradW, ij.gradW) - dim * repulsion(i, j) * ij.dWdrOverR * (ij.r > 0)};
     }
     auto finish(const auto& i, const auto& sum) const
     {
-        return (i.a*dot(sum.slope, sum.slope) + sum.ofOthers)/(dimensions(decltype(sum.slope){})*i.m);
+        return (i.a * dot(sum.slope, sum.slope) + sum.ofOthers) / (dimensions(decltype(sum.slope){}) * i.m);
     }
 };
 

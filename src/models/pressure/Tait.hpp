@@ -17,7 +17,7 @@ namespace sph
 {
 
 /// Of the pressure q that the density gives.
-inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2*p_min - q)); }
+inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2 * p_min - q)); }
 
 struct Tait
 {
@@ -29,7 +29,7 @@ struct Tait
     explicit Tait(const Coefficients& c)
         : restDensity(c.restDensity[0]), B(c.stiffness[0]), n(c.exponent[0]), p_b(c.backgroundPressure), p_min(c.leastPressure)
     {}
-    auto operator()(const auto& i) const { return unlessParted(B*(std::pow(i.rho/restDensity, n) - 1) + p_b, p_min); }
+    auto operator()(const auto& i) const { return unlessParted(B * (std::pow(i.rho / restDensity, n) - 1) + p_b, p_min); }
 };
 
 /// The same, but for particles that an opening holds, whose pressure it gives.
@@ -51,13 +51,12 @@ struct TaitOfPhase
     double p_b, p_min;
 
     explicit TaitOfPhase(const Coefficients& c)
-        : restDensity(c.restDensity.data()), B(c.stiffness.data()), n(c.exponent.data()), p_b(c.backgroundPressure),
-          p_min(c.leastPressure)
+        : restDensity(c.restDensity.data()), B(c.stiffness.data()), n(c.exponent.data()), p_b(c.backgroundPressure), p_min(c.leastPressure)
     {}
     auto operator()(const auto& i) const
     {
         const int k = int(i.phase);
-        return unlessParted(B[k]*(std::pow(i.rho/restDensity[k], n[k]) - 1) + p_b, p_min);
+        return unlessParted(B[k] * (std::pow(i.rho / restDensity[k], n[k]) - 1) + p_b, p_min);
     }
 };
 

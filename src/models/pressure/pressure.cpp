@@ -20,7 +20,8 @@ const Choice pressureGradient{"pressureGradient",
                               "huAdams",
                               "form of the acceleration by pressure"};
 const Scalar pMin{"pMin", units::pressure, notGiven, "tension at which a fluid without a gas parts, 0 or less"};
-const AutomaticScalar backgroundPressure{"backgroundPressure", units::pressure, byScene("automatic: 0.8 sigma/spacing with surface tension, else 0"), anyNumber,
+const AutomaticScalar backgroundPressure{"backgroundPressure", units::pressure,
+                                         byScene("automatic: 0.8 sigma/spacing with surface tension, else 0"), anyNumber,
                                          "the same in all phases: keeps the particles of an interface together"};
 }
 
@@ -31,7 +32,8 @@ void prepare(const Reading& reading)
     auto& c = reading.settings.coefficients;
     const auto& dict = reading.schemes;
     if (const auto least = entry::pMin.ifGiven(dict)) c.leastPressure = *least;
-    if (c.leastPressure > 0) entry::pMin.error(dict, fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
+    if (c.leastPressure > 0)
+        entry::pMin.error(dict, fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
     if (c.leastPressure > -1e299) reading.settings.endsInside = true;
 
     const auto& gradient = reading.choose(entry::pressureGradient);
@@ -46,9 +48,11 @@ void readBackground(const Reading& reading)
     if (const auto given = entry::backgroundPressure(reading.schemes)) c.backgroundPressure = *given;
     else if (settings.surfaceTension)
     {
-        c.backgroundPressure = 0.8*(*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()))/c.spacing;
-        settings.reasons.push_back(fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "
-                                               "tear the particles apart", c.backgroundPressure));
+        c.backgroundPressure = 0.8 * (*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end())) / c.spacing;
+        settings.reasons.push_back(
+            fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "
+                        "tear the particles apart",
+                        c.backgroundPressure));
     }
 }
 
@@ -60,9 +64,11 @@ void warnOfWeighing(const Reading& reading)
     settings.energyAdvice = "`pressureGradient huAdams`";
     const auto [least, most] = std::minmax_element(settings.coefficients.restDensity.begin(), settings.coefficients.restDensity.end());
     if (*most == *least) return;
-    reading.schemes.diagnostics().warning(entry::pressureGradient.where(reading.schemes),
-                                          fmt::format("densityWeighted has no energy between phases of densities 1 : {:.4g}: what is at rest sets itself in motion "
-                                                      "where viscosity does not prevent it. huAdams, the default, has one", *most/(*least)));
+    reading.schemes.diagnostics().warning(
+        entry::pressureGradient.where(reading.schemes),
+        fmt::format("densityWeighted has no energy between phases of densities 1 : {:.4g}: what is at rest sets itself in motion "
+                    "where viscosity does not prevent it. huAdams, the default, has one",
+                    *most / (*least)));
 }
 
 void read(const Reading& reading)
@@ -92,15 +98,16 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
     const auto& c = settings.coefficients;
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
-    if (integration.solvesPressure) return StepLimit{s.flow*0.5*c.support/measured.maxSpeed, "flow"};
-    const double h = 0.5*c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
-    const double soundStep = s.sound*h/(sound + measured.maxSpeed);
+    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow"};
+    const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
+    const double soundStep = s.sound * h / (sound + measured.maxSpeed);
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < c.phases.size(); ++k) least = std::min(least, c.viscosity[k]/c.restDensity[k]);
-    if (measured.leastViscosity) least = *measured.leastViscosity/c.restDensity[0];
-    const double damped = std::min(s.dampedSound*least/sqr(sound), 0.5*s.sound*h/measured.maxSpeed);
-    if (integration.solves && integration.theta == 1 && damped > soundStep) return StepLimit{integration.maxSubSteps*damped, "damped sound", true};
-    return StepLimit{integration.maxSubSteps*soundStep, "sound", true};
+    for (std::size_t k = 0; k < c.phases.size(); ++k) least = std::min(least, c.viscosity[k] / c.restDensity[k]);
+    if (measured.leastViscosity) least = *measured.leastViscosity / c.restDensity[0];
+    const double damped = std::min(s.dampedSound * least / sqr(sound), 0.5 * s.sound * h / measured.maxSpeed);
+    if (integration.solves && integration.theta == 1 && damped > soundStep)
+        return StepLimit{integration.maxSubSteps * damped, "damped sound", true};
+    return StepLimit{integration.maxSubSteps * soundStep, "sound", true};
 }
 
 /// s h/c_eff, c_eff = sqrt(max(rho c^2)/min(rho)), s = 1.2, for the Hu-Adams pressure between phases: it pushes the light particle with the heavy
@@ -110,21 +117,27 @@ std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured
     if (!settings.stiffnessLimit || settings.integration.solvesPressure) return {};
     const auto& c = settings.coefficients;
     double stiffest = 0;
-    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k]*sqr(c.soundSpeed[k]));
-    const double step = settings.integration.factors.stiffness*0.5*c.support/
-                        std::sqrt(stiffest/(*std::min_element(c.restDensity.begin(), c.restDensity.end())));
-    return StepLimit{settings.integration.maxSubSteps*step, "stiffness", true};
+    for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k] * sqr(c.soundSpeed[k]));
+    const double step = settings.integration.factors.stiffness * 0.5 * c.support /
+                        std::sqrt(stiffest / (*std::min_element(c.restDensity.begin(), c.restDensity.end())));
+    return StepLimit{settings.integration.maxSubSteps * step, "stiffness", true};
 }
 }
 
 const Model& pressureModel()
 {
-    static const Model model{"pressureGradient", "state equation, and the acceleration by pressure", read, pressureTerms<2>(), pressureTerms<3>(), prepare,
-                             {{"integration",
-                               [](const Settings& s) { return s.integration.solvesPressure && (s.integratedDensity || !s.has("pressureGradient", "huAdams")); },
-                               "implicit solves for the pressure of an energy: it needs `density numberDensity` and `pressureGradient huAdams`"}},
-                             {soundLimit, stiffnessLimit},
-                             {{"system/sphSchemes", {entry::pressureGradient, entry::backgroundPressure, entry::pMin}}}};
+    static const Model model{
+        "pressureGradient",
+        "state equation, and the acceleration by pressure",
+        read,
+        pressureTerms<2>(),
+        pressureTerms<3>(),
+        prepare,
+        {{"integration",
+          [](const Settings& s) { return s.integration.solvesPressure && (s.integratedDensity || !s.has("pressureGradient", "huAdams")); },
+          "implicit solves for the pressure of an energy: it needs `density numberDensity` and `pressureGradient huAdams`"}},
+        {soundLimit, stiffnessLimit},
+        {{"system/sphSchemes", {entry::pressureGradient, entry::backgroundPressure, entry::pMin}}}};
     return model;
 }
 

@@ -18,7 +18,8 @@ double largestDiffusivity(const TransportedScalar& scalar, const Coefficients& c
     const std::size_t phases = c.phases.size();
     double largest = 0;
     for (std::size_t a = 0; a < phases; ++a)
-        for (std::size_t b = 0; b < phases; ++b) largest = std::max(largest, k[a*phases + b]/std::min(c.restDensity[a], c.restDensity[b]));
+        for (std::size_t b = 0; b < phases; ++b)
+            largest = std::max(largest, k[a * phases + b] / std::min(c.restDensity[a], c.restDensity[b]));
     return largest;
 }
 }
@@ -33,7 +34,8 @@ ScalarBalance<dim>::ScalarBalance(Particles<dim>& particles, const Numbers& rest
         names_.push_back(scalar.name);
         if (const auto found = restored.find(startOf(scalar.name)); found != restored.end()) start_[scalar.name] = found->second;
         if (const double D = largestDiffusivity(scalar, c); D > 0)
-            limits_.push_back({integration.maxSubSteps*(integration.factors.diffusive*sqr(0.5*c.support)/D), "diffusion of " + scalar.name, true});
+            limits_.push_back({integration.maxSubSteps * (integration.factors.diffusive * sqr(0.5 * c.support) / D),
+                               "diffusion of " + scalar.name, true});
     }
 }
 
@@ -43,15 +45,15 @@ template<int dim> typename ScalarBalance<dim>::Held ScalarBalance<dim>::held(con
     if (n == 0) return {};
     const double *c = particles.store().component(name, 0), *m = particles.store().component(Mass::info.name, 0);
     const auto value = [c](std::size_t i) { return c[i]; };
-    return {least(n, value), most(n, value), sum(n, [&](std::size_t i) { return m[i]*c[i]; }),
-            sum(n, [&](std::size_t i) { return m[i]*std::abs(c[i]); })};
+    return {least(n, value), most(n, value), sum(n, [&](std::size_t i) { return m[i] * c[i]; }),
+            sum(n, [&](std::size_t i) { return m[i] * std::abs(c[i]); })};
 }
 
 /// Since the first start, relative to sum m |c|: there are scalars whose sum is 0.
 template<int dim> double ScalarBalance<dim>::change(const std::string& name, const Held& now) const
 {
     const auto start = start_.find(name);
-    return start != start_.end() && now.size > 0 ? (now.amount - start->second)/now.size : 0;
+    return start != start_.end() && now.size > 0 ? (now.amount - start->second) / now.size : 0;
 }
 
 template<int dim> void ScalarBalance<dim>::complete(Particles<dim>& particles)
@@ -66,7 +68,9 @@ template<int dim> Numbers ScalarBalance<dim>::columns(const Particles<dim>& part
     for (const auto& name : names_)
     {
         const auto now = held(particles, name);
-        columns.merge(Numbers{{"min(" + name + ")", now.least}, {"max(" + name + ")", now.most}, {"amount(" + name + ")", now.amount},
+        columns.merge(Numbers{{"min(" + name + ")", now.least},
+                              {"max(" + name + ")", now.most},
+                              {"amount(" + name + ")", now.amount},
                               {"change(" + name + ")", change(name, now)}});
     }
     return columns;

@@ -23,11 +23,11 @@ public:
 private:
     struct Held
     {
-        double least = 0, most = 0, amount = 0, size = 0;   ///< amount sum m c, size sum m |c| [kg]
+        double least = 0, most = 0, amount = 0, size = 0; ///< amount sum m c, size sum m |c| [kg]
     };
     std::vector<std::string> names_;
     std::vector<StepLimit> limits_;
-    Numbers start_;                                          ///< amounts at the first start [kg], by name
+    Numbers start_; ///< amounts at the first start [kg], by name
 
     Held held(const Particles<dim>&, const std::string& name) const;
     double change(const std::string& name, const Held&) const;

@@ -35,7 +35,7 @@ struct DiffusivityOfPhases
     template<class... Other> using Reads = Fields<Volume, Other..., Phase>;
     const double* k; ///< phases x phases
     int phases;
-    double mean(const auto& i, const auto& j) const { return k[int(i.phase)*phases + int(j.phase)]; }
+    double mean(const auto& i, const auto& j) const { return k[int(i.phase) * phases + int(j.phase)]; }
 };
 
 struct NoWalls
@@ -52,7 +52,7 @@ struct ScalarAtWalls
     double difference(const auto& i, const auto& j) const
     {
         const int w = int(j.wall);
-        return share[w]*(i.c - (offset[w] + sign[w]*j.c));
+        return share[w] * (i.c - (offset[w] + sign[w] * j.c));
     }
 };
 
@@ -66,9 +66,9 @@ template<class Diffusivity, class Walls> struct ScalarFlux
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return diffusivity.mean(i, j)*(sqr(i.V) + sqr(j.V))*ij.dWdrOverR*walls.difference(i, j);
+        return diffusivity.mean(i, j) * (sqr(i.V) + sqr(j.V)) * ij.dWdrOverR * walls.difference(i, j);
     }
-    double finish(const auto& i, double sum) const { return sum/i.m; }
+    double finish(const auto& i, double sum) const { return sum / i.m; }
 };
 
 }

@@ -16,9 +16,9 @@ struct ScalarRate  { static constexpr FieldInfo info{"dscalardt", "1/s"}; templa
 struct TransportedScalar
 {
     std::string name;
-    std::vector<double> diffusivity;                 ///< D of each phase [m^2/s]
-    std::vector<std::string> initial;                ///< of each phase, an expression of the position
-    std::vector<std::optional<double>> wallValue;    ///< at each wall; nothing passes those without
+    std::vector<double> diffusivity;              ///< D of each phase [m^2/s]
+    std::vector<std::string> initial;             ///< of each phase, an expression of the position
+    std::vector<std::optional<double>> wallValue; ///< at each wall; nothing passes those without
 
     std::string rateName() const { return "d" + name + "dt"; }
 };

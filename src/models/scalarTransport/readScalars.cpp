@@ -14,7 +14,8 @@ namespace entry
 {
 const FreeName scalar{"<scalar>", "dictionary", "a scalar of the case's own name, which is that of its field"};
 const FreeName D{"D", "number [m^2/s], or a dictionary of one for each phase", "diffusivity, 0 or more"},
-    initial{"initial", "number or expression of $x $y $z, or a dictionary of one for each phase", "value where the time folder has none; default 0"},
+    initial{"initial", "number or expression of $x $y $z, or a dictionary of one for each phase",
+            "value where the time folder has none; default 0"},
     walls{"walls", "dictionary of numbers, by wall", "value at a wall; no flux at all others"};
 }
 
@@ -71,8 +72,9 @@ std::vector<std::optional<double>> readWallValues(const Dictionary& d, const Geo
         else if (names.empty()) walls.error(key, "there are no walls in constant/geometry");
         else walls.error(key, fmt::format("wall \"{}\" is unknown. {}", key, suggestion(key, "walls", names)));
         if (!geometry.layers.empty())
-            walls.error(key, "a value at a wall needs ghosts that mirror the fluid: take `walls reflected` in system/sphSchemes, or leave this "
-                             "wall out");
+            walls.error(key,
+                        "a value at a wall needs ghosts that mirror the fluid: take `walls reflected` in system/sphSchemes, or leave this "
+                        "wall out");
     }
     return values;
 }
@@ -84,7 +86,8 @@ void checkName(const Dictionary& d, const Settings& settings, const std::vector<
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
     if (!std::isalpha(static_cast<unsigned char>(name[0])) || !std::all_of(name.begin(), name.end(), plain))
         d.diagnostics().error(d.location(),
-                              fmt::format("\"{}\" is no name of a scalar: it begins with a letter, and has letters, digits and _ alone", name));
+                              fmt::format("\"{}\" is no name of a scalar: it begins with a letter, and has letters, digits and _ alone",
+                                          name));
     const TransportedScalar scalar{name, {}, {}, {}};
     bool taken = false;
     for (const auto& own : {name, scalar.rateName(), name + "_0"})
@@ -97,10 +100,11 @@ void checkName(const Dictionary& d, const Settings& settings, const std::vector<
     }
     const auto names = std::views::keys(settings.fieldClasses);
     if (taken)
-        d.diagnostics().error(d.location(),
-                              fmt::format("\"{}\" is the name of a field already, or that of its rate is: give the scalar another one. Names of "
-                                          "fields: {}",
-                                          name, list(Words(names.begin(), names.end()))));
+        d.diagnostics().error(
+            d.location(),
+            fmt::format("\"{}\" is the name of a field already, or that of its rate is: give the scalar another one. Names of "
+                        "fields: {}",
+                        name, list(Words(names.begin(), names.end()))));
 }
 }
 
@@ -119,8 +123,8 @@ std::vector<TransportedScalar> readScalars(const Reading& reading)
         }
         const auto d = dict.subDict(name);
         checkName(d, reading.settings, scalars);
-        scalars.push_back({name, ofPhases<double>(d, "D", phases, readDiffusivity), ofPhases<std::string>(d, "initial", phases, readInitial),
-                           readWallValues(d, reading.geometry)});
+        scalars.push_back({name, ofPhases<double>(d, "D", phases, readDiffusivity),
+                           ofPhases<std::string>(d, "initial", phases, readInitial), readWallValues(d, reading.geometry)});
     }
     dict.reportUnused();
     return scalars;

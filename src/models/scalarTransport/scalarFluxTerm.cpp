@@ -10,8 +10,8 @@ std::vector<double> pairDiffusivities(const TransportedScalar& scalar, const Coe
     for (std::size_t a = 0; a < c.phases.size(); ++a)
         for (std::size_t b = 0; b < c.phases.size(); ++b)
         {
-            const double k_a = c.restDensity[a]*scalar.diffusivity[a], k_b = c.restDensity[b]*scalar.diffusivity[b];
-            k.push_back(k_a > 0 && k_b > 0 ? 2*k_a*k_b/(k_a + k_b) : 0);
+            const double k_a = c.restDensity[a] * scalar.diffusivity[a], k_b = c.restDensity[b] * scalar.diffusivity[b];
+            k.push_back(k_a > 0 && k_b > 0 ? 2 * k_a * k_b / (k_a + k_b) : 0);
         }
     return k;
 }
@@ -33,7 +33,7 @@ std::string defineScalarFlux(Settings& settings, const TransportedScalar& scalar
     {
         made->share.push_back(value || evenAtWalls);
         made->sign.push_back(value ? -1 : 1);
-        made->offset.push_back(2*value.value_or(0));
+        made->offset.push_back(2 * value.value_or(0));
     }
     const std::shared_ptr<const Tables> tables = made;
     const int phases = int(settings.coefficients.phases.size());

@@ -1,7 +1,7 @@
 /// The term of a scalar.
 #pragma once
-#include "TransportedScalar.hpp"
 #include "Settings.hpp"
+#include "TransportedScalar.hpp"
 
 namespace sph
 {

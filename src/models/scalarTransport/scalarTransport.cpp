@@ -36,21 +36,22 @@ Evolving evolving(const TransportedScalar& scalar)
     c.amount = scalar.name;
     c.missing = [initial = scalar.initial, name = scalar.name](const Loading& loading)
     {
-        for (std::size_t i = 0; i < loading.size(); ++i)
-            try
+        for (std::size_t i = 0; i < loading.size(); ++i) try
             {
                 const Vector<3> x{loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]};
                 loading.values[0][i] = evaluateAt(initial[loading.phaseOf(i)], x).scalar;
             }
             catch (const ExpressionError& e)
             {
-                throw CaseError({"constant/scalarTransport", 0}, fmt::format("`initial` of {}, {}: {}", name, loading.cloud.particle(i), e.what()));
+                throw CaseError({"constant/scalarTransport", 0},
+                                fmt::format("`initial` of {}, {}: {}", name, loading.cloud.particle(i), e.what()));
             }
     };
     c.check = [name = scalar.name](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
-            if (!std::isfinite(loading.values[0][i])) throw CaseError(fmt::format("{} has {} {}", loading.cloud.particle(i), name, loading.values[0][i]));
+            if (!std::isfinite(loading.values[0][i]))
+                throw CaseError(fmt::format("{} has {} {}", loading.cloud.particle(i), name, loading.values[0][i]));
     };
     c.inlet = [name = scalar.name](const Dictionary& d) { return d.get(name, units::none); };
     return c;
@@ -78,8 +79,15 @@ void read(const Reading& reading)
 
 const Model& scalarTransportModel()
 {
-    static const Model model{"scalarTransport", "dilute scalars that ride on the particles and diffuse between them", read, {}, {}, prepare,
-                             {}, {}, {{"constant/scalarTransport", scalarEntries(), "dilute scalars; without the file there are none"}}};
+    static const Model model{"scalarTransport",
+                             "dilute scalars that ride on the particles and diffuse between them",
+                             read,
+                             {},
+                             {},
+                             prepare,
+                             {},
+                             {},
+                             {{"constant/scalarTransport", scalarEntries(), "dilute scalars; without the file there are none"}}};
     return model;
 }
 

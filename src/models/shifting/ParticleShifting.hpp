@@ -17,7 +17,7 @@ namespace sph
 struct ConcentrationSum
 {
     using ReadsOwn = Fields<Volume>;
-    auto operator()(const auto& ij, const auto& i, const auto&) const { return -2*i.V*ij.gradW; }
+    auto operator()(const auto& ij, const auto& i, const auto&) const { return -2 * i.V * ij.gradW; }
 };
 struct ConcentrationGradient : ConcentrationSum
 {
@@ -58,13 +58,13 @@ struct WithinPhase
     explicit WithinPhase(const Coefficients& c) : H(c.support) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return ConcentrationAndOthers<dimensions(decltype(ij.x){})>{ij.gradW, (j.phase == i.phase ? 0.0 : 1.0)*j.V*ij.gradW};
+        return ConcentrationAndOthers<dimensions(decltype(ij.x){})>{ij.gradW, (j.phase == i.phase ? 0.0 : 1.0) * j.V * ij.gradW};
     }
     auto finish(const auto& i, const auto& sum) const
     {
-        const auto s = -2*i.V*sum.gradC;
+        const auto s = -2 * i.V * sum.gradC;
         const auto& n = sum.others;
-        return std::fmax(0.0, 1 - H*mag(n))*(s - std::fmax(0.0, dot(s, n))/(dot(n, n) + 1e-300)*n);
+        return std::fmax(0.0, 1 - H * mag(n)) * (s - std::fmax(0.0, dot(s, n)) / (dot(n, n) + 1e-300) * n);
     }
 };
 struct InterfaceShifting : WithinPhase
@@ -99,10 +99,10 @@ struct SurfaceShifting
 
     auto operator()(const auto& i) const
     {
-        const double outwards = std::fmax(0.0, dot(i.gradN, i.n))/(dot(i.n, i.n) + 1e-300);
+        const double outwards = std::fmax(0.0, dot(i.gradN, i.n)) / (dot(i.n, i.n) + 1e-300);
         const double across = i.lambda > inside ? 0.0 : outwards;
         const double moves = i.lambda > isolated ? 1.0 : 0.0;
-        return moves*(i.gradN - across*i.n);
+        return moves * (i.gradN - across * i.n);
     }
 };
 

@@ -9,46 +9,50 @@ namespace sph
 template<int dim> std::vector<Stage<dim>> Shifter<dim>::stages(Place place)
 {
     if (place != Place::afterDrift) return {};
-    return {{"shift", byImplicitSteps_ ? "x += min(C |v| dt Delta_x, H^2/50) shift" : "x += C |v| dt Delta_x shift", [this](Particles<dim>& p, const Substep& s) { shift(p, s.deltaT); }}};
+    return {{"shift", byImplicitSteps_ ? "x += min(C |v| dt Delta_x, H^2/50) shift" : "x += C |v| dt Delta_x shift",
+             [this](Particles<dim>& p, const Substep& s) { shift(p, s.deltaT); }}};
 }
 
 template<int dim> void Shifter<dim>::shift(Particles<dim>& p, double deltaT) const
 {
     auto& store = p.store();
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{}), s = store.pointers(ShiftDirection{});
-    const double spacing = p.coefficients().spacing, by = C_*deltaT*spacing, furthest = 0.1*spacing;
-    const double largest = byImplicitSteps_ ? sqr(p.coefficients().support)/50 : std::numeric_limits<double>::infinity();
-    p.moved(most(p.size(), [&](std::size_t i)
-    {
-        Vector<dim> v_i, s_i, x_i;
-        fetch(v_i, [&](int c) { return v[c][i]; });
-        fetch(s_i, [&](int c) { return s[c][i]; });
-        fetch(x_i, [&](int c) { return x[c][i]; });
-        auto dx = std::fmin(largest, by*(byLargestSpeed_ ? p.maxSpeed() : mag(v_i)))*s_i;
-        if (const double d = mag(dx); d > furthest) dx = furthest/d*dx;
-        sph::store(x_i + dx, [&](int c, double q) { x[c][i] = q; });
-        return mag(dx);
-    }));
+    const double spacing = p.coefficients().spacing, by = C_ * deltaT * spacing, furthest = 0.1 * spacing;
+    const double largest = byImplicitSteps_ ? sqr(p.coefficients().support) / 50 : std::numeric_limits<double>::infinity();
+    p.moved(most(p.size(),
+                 [&](std::size_t i)
+                 {
+                     Vector<dim> v_i, s_i, x_i;
+                     fetch(v_i, [&](int c) { return v[c][i]; });
+                     fetch(s_i, [&](int c) { return s[c][i]; });
+                     fetch(x_i, [&](int c) { return x[c][i]; });
+                     auto dx = std::fmin(largest, by * (byLargestSpeed_ ? p.maxSpeed() : mag(v_i))) * s_i;
+                     if (const double d = mag(dx); d > furthest) dx = furthest / d * dx;
+                     sph::store(x_i + dx, [&](int c, double q) { x[c][i] = q; });
+                     return mag(dx);
+                 }));
 }
 
 template<int dim> std::vector<Stage<dim>> Transporter<dim>::stages(Place place)
 {
     if (place != Place::beforeDrift) return {};
-    return {{"transport velocity", "w = dt/2 a", [](Particles<dim>& p, const Substep& substep)
-    {
-        auto& store = p.store();
-        const auto w = store.pointers(TransportVelocity{}), a = store.pointers(TransportAcceleration{});
-        const double furthest = 0.1*p.coefficients().spacing/substep.deltaT;
-        p.moved(substep.deltaT*most(p.size(), [&](std::size_t i)
-        {
-            Vector<dim> a_i;
-            fetch(a_i, [&](int c) { return a[c][i]; });
-            auto w_i = 0.5*substep.deltaT*a_i;
-            if (const double speed = mag(w_i); speed > furthest) w_i = furthest/speed*w_i;
-            sph::store(w_i, [&](int c, double q) { w[c][i] = q; });
-            return mag(w_i);
-        }));
-    }}};
+    return {{"transport velocity", "w = dt/2 a",
+             [](Particles<dim>& p, const Substep& substep)
+             {
+                 auto& store = p.store();
+                 const auto w = store.pointers(TransportVelocity{}), a = store.pointers(TransportAcceleration{});
+                 const double furthest = 0.1 * p.coefficients().spacing / substep.deltaT;
+                 p.moved(substep.deltaT * most(p.size(),
+                                               [&](std::size_t i)
+                                               {
+                                                   Vector<dim> a_i;
+                                                   fetch(a_i, [&](int c) { return a[c][i]; });
+                                                   auto w_i = 0.5 * substep.deltaT * a_i;
+                                                   if (const double speed = mag(w_i); speed > furthest) w_i = furthest / speed * w_i;
+                                                   sph::store(w_i, [&](int c, double q) { w[c][i] = q; });
+                                                   return mag(w_i);
+                                               }));
+             }}};
 }
 
 template class Shifter<2>;

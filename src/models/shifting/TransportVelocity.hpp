@@ -35,11 +35,11 @@ struct UniformTransport
     double pressureOverDensity; ///< p_b/rho [m^2/s^2]
 
     explicit UniformTransport(const Coefficients& c)
-        : pressureOverDensity(c.of<TransportNumber>().C*sqr(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end())))
+        : pressureOverDensity(c.of<TransportNumber>().C * sqr(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end())))
     {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return -pressureOverDensity/i.V*(sqr(i.V) + sqr(j.V))*ij.gradW;
+        return -pressureOverDensity / i.V * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
 
@@ -52,7 +52,7 @@ struct LocalTransport : UniformTransport
     using ReadsOwn = Fields<Pressure, Density>;
 
     using UniformTransport::UniformTransport;
-    auto finish(const auto& i, const auto& sum) const { return std::fmin(1.0, 10*std::fabs(i.p)/(pressureOverDensity*i.rho))*sum; }
+    auto finish(const auto& i, const auto& sum) const { return std::fmin(1.0, 10 * std::fabs(i.p) / (pressureOverDensity * i.rho)) * sum; }
 };
 
 struct TransportStress
@@ -64,7 +64,7 @@ struct TransportStress
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return 0.5/i.m*(sqr(i.V) + sqr(j.V))*(i.rho*dot(i.w, ij.gradW)*i.v + j.rho*dot(j.w, ij.gradW)*j.v);
+        return 0.5 / i.m * (sqr(i.V) + sqr(j.V)) * (i.rho * dot(i.w, ij.gradW) * i.v + j.rho * dot(j.w, ij.gradW) * j.v);
     }
 };
 

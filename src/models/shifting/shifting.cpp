@@ -9,12 +9,18 @@ namespace sph
 namespace entry
 {
 const Scalar shifting{"shifting", units::none, 0, nonNegative, "C of particle shifting, 2 to 8; 0: none"},
-    transportVelocity{"transportVelocity", units::none, 0, nonNegative, "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
+    transportVelocity{"transportVelocity", units::none, 0, nonNegative,
+                      "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
 const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"largest", "of all"}}, "own", "speed that shifting goes with"},
     shiftingAtSurface{"shiftingAtSurface", {"any", {"tangential", "never out of a free surface"}}, "any", "direction of shifting"},
-    shiftingAtInterface{"shiftingAtInterface", {"any", {"none", "fades out towards other phases, and never points to them"}},
-                        byScene("none where there are several phases"), "shifting near other phases"},
-    transportPressure{"transportPressure", {"uniform", {"local", "at most 10 |p| of the particle"}}, "uniform", "of the transport velocity"};
+    shiftingAtInterface{"shiftingAtInterface",
+                        {"any", {"none", "fades out towards other phases, and never points to them"}},
+                        byScene("none where there are several phases"),
+                        "shifting near other phases"},
+    transportPressure{"transportPressure",
+                      {"uniform", {"local", "at most 10 |p| of the particle"}},
+                      "uniform",
+                      "of the transport velocity"};
 }
 
 namespace
@@ -33,11 +39,13 @@ void read(const Reading& reading)
     reading.belongs(entry::shiftingAtInterface, entry::shifting);
     reading.belongs(entry::shiftingSpeed, entry::shifting);
     reading.belongs(entry::transportPressure, entry::transportVelocity);
-    if (transport > 0 && C > 0) entry::transportVelocity.error(dict, "keeps particles evenly spaced, and so does shifting: take one of them");
+    if (transport > 0 && C > 0)
+        entry::transportVelocity.error(dict, "keeps particles evenly spaced, and so does shifting: take one of them");
     if (C > 0 && !settings.integration.moves)
         entry::shifting.error(dict, "moves particles, which quasiSteady leaves where they are: take 0, or integration scheme semiImplicit");
     if (transport > 0 && settings.integration.solves)
-        entry::transportVelocity.error(dict, "goes with steps that sound limits; semiImplicit and implicit take longer ones, in which particles are thrown apart");
+        entry::transportVelocity.error(
+            dict, "goes with steps that sound limits; semiImplicit and implicit take longer ones, in which particles are thrown apart");
     if (entry::shiftingAtInterface.given(dict) && !settings.multiphase())
         entry::shiftingAtInterface.error(dict, "is between phases, and constant/phaseProperties lists one: leave this out");
     if (C > 0)
@@ -65,9 +73,17 @@ void read(const Reading& reading)
 
 const Model& shiftingModel()
 {
-    static const Model model{"shifting", "particle shifting and transport velocity: what keeps particles evenly spaced", read, shiftingTerms<2>(),
-                             shiftingTerms<3>(), nullptr, {}, {},
-                             {{"system/sphSchemes", {entry::shifting, entry::shiftingSpeed, entry::shiftingAtSurface, entry::shiftingAtInterface, entry::transportVelocity, entry::transportPressure}}}};
+    static const Model model{"shifting",
+                             "particle shifting and transport velocity: what keeps particles evenly spaced",
+                             read,
+                             shiftingTerms<2>(),
+                             shiftingTerms<3>(),
+                             nullptr,
+                             {},
+                             {},
+                             {{"system/sphSchemes",
+                               {entry::shifting, entry::shiftingSpeed, entry::shiftingAtSurface, entry::shiftingAtInterface,
+                                entry::transportVelocity, entry::transportPressure}}}};
     return model;
 }
 

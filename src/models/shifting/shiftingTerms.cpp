@@ -7,8 +7,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> shiftingTerms()
 {
-    return catalogue<dim, ConcentrationGradient, InterfaceShifting, SeparateConcentrationGradient, ConcentrationWithinPhase, SurfaceShifting, UniformTransport,
-                     LocalTransport, TransportStress>();
+    return catalogue<dim, ConcentrationGradient, InterfaceShifting, SeparateConcentrationGradient, ConcentrationWithinPhase,
+                     SurfaceShifting, UniformTransport, LocalTransport, TransportStress>();
 }
 
 template Catalogue<2> shiftingTerms<2>();

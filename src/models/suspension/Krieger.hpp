@@ -29,7 +29,7 @@ struct Krieger
     auto operator()(const auto& i) const
     {
         const double below = std::fmin(i.phi, phi_c), beyond = std::fmax(0.0, i.phi - phi_c);
-        return mu_0*std::pow(1 - below/phi_m, -c)*std::exp(c*beyond/(phi_m - phi_c));
+        return mu_0 * std::pow(1 - below / phi_m, -c) * std::exp(c * beyond / (phi_m - phi_c));
     }
 };
 
@@ -43,7 +43,7 @@ struct KriegerSlope
     explicit KriegerSlope(const Coefficients& k)
         : phi_m(k.of<Suspension>().phiMax), c(k.of<Suspension>().exponent), phi_c(k.of<Suspension>().phiCritical)
     {}
-    auto operator()(const auto& i) const { return c/(phi_m - std::fmin(i.phi, phi_c)); }
+    auto operator()(const auto& i) const { return c / (phi_m - std::fmin(i.phi, phi_c)); }
 };
 
 }

@@ -12,13 +12,15 @@ namespace sph
 
 namespace
 {
-constexpr double hopeless = 1e12;  ///< steps that are left: no limit grows as much
-constexpr int mostSteps = 1000000; ///< of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand
+constexpr double hopeless = 1e12; ///< steps that are left: no limit grows as much
+constexpr int mostSteps =
+    1000000; ///< of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand
 
 /// Of phi towards a place without shear stress, within a spacing, and of phi beyond phi_m; farther the cusp is not resolved.
 constexpr double mostRise = 0.3, beyondDensest = 0.01;
-constexpr double shareOfStress = 0.4;   ///< of the next particle's, below which the stress vanishes beside it: a third where the middle lies between two rows
-constexpr double nextParticle = 1.5;    ///< how far it is, at the most [spacings]
+constexpr double shareOfStress =
+    0.4; ///< of the next particle's, below which the stress vanishes beside it: a third where the middle lies between two rows
+constexpr double nextParticle = 1.5; ///< how far it is, at the most [spacings]
 }
 
 template<int dim>
@@ -32,7 +34,8 @@ Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const Migrat
 template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
 {
     if (place != Place::afterKick) return {};
-    return {{"migrate", "phi += dt dphi/dt, in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, completes()}};
+    return {{"migrate", "phi += dt dphi/dt, in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
+             completes()}};
 }
 
 template<int dim> std::vector<std::string> Migration<dim>::completes() const
@@ -48,9 +51,9 @@ template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
     const auto& store = particles.store();
     const double *phi = store.component(PowderFraction::info.name, 0), *gammaDot = store.component(ShearRate::info.name, 0),
                  *slope = store.component(RelativeViscositySlope::info.name, 0);
-    const double fastest = reduce(particles.size(), 0.0, [&](std::size_t i)
-                                  { return gammaDot[i]*phi[i]*(s.Dc_a2 + s.Deta_a2*phi[i]*slope[i]); }, Larger{});
-    limit_ = steps_.factor*sqr(0.5*particles.coefficients().support)/fastest;
+    const double fastest = reduce(
+        particles.size(), 0.0, [&](std::size_t i) { return gammaDot[i] * phi[i] * (s.Dc_a2 + s.Deta_a2 * phi[i] * slope[i]); }, Larger{});
+    limit_ = steps_.factor * sqr(0.5 * particles.coefficients().support) / fastest;
 }
 
 template<int dim> void Migration<dim>::complete(Particles<dim>& particles)
@@ -70,14 +73,16 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
     for (taken_ = 1;; ++taken_)
     {
         // What is left is cut into equal parts, so that no last one is a sliver.
-        const double parts = std::max(1.0, std::ceil(deltaT/limit_ - 1e-9)), part = deltaT/parts;
+        const double parts = std::max(1.0, std::ceil(deltaT / limit_ - 1e-9)), part = deltaT / parts;
         particles.holdRate(PowderFraction::info.name, part);
-        #pragma omp parallel for simd schedule(static)
-        for (std::size_t i = 0; i < n; ++i) phi[i] += part*rate[i];
+#pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) phi[i] += part * rate[i];
         if (parts == 1) return;
         if (taken_ == mostSteps || parts > hopeless)
-            throw DivergedError(fmt::format("{} steps of the powder's migration, at most {:.3g} s each, have not made up one of the flow: phi is no longer "
-                                            "physical. Choose a smaller `migrationFactor` in `integration`", taken_, limit_));
+            throw DivergedError(
+                fmt::format("{} steps of the powder's migration, at most {:.3g} s each, have not made up one of the flow: phi is no longer "
+                            "physical. Choose a smaller `migrationFactor` in `integration`",
+                            taken_, limit_));
         deltaT -= part;
         evaluateRates(particles);
     }
@@ -87,31 +92,37 @@ template<int dim> double Migration<dim>::volume(const Particles<dim>& particles)
 {
     const double *phi = particles.store().component(PowderFraction::info.name, 0), *m = particles.store().component(Mass::info.name, 0);
     const double rho_0 = particles.coefficients().restDensity[0];
-    return reduceBlocks(particles.size(), 0.0, [&](std::size_t begin, std::size_t end)
-    {
-        double ofBlock = 0;
-        for (std::size_t i = begin; i < end; ++i) ofBlock += phi[i]*m[i];
-        return ofBlock/rho_0;
-    }, Add{});
+    return reduceBlocks(
+        particles.size(), 0.0,
+        [&](std::size_t begin, std::size_t end)
+        {
+            double ofBlock = 0;
+            for (std::size_t i = begin; i < end; ++i) ofBlock += phi[i] * m[i];
+            return ofBlock / rho_0;
+        },
+        Add{});
 }
 
-template<int dim> std::vector<StepLimit> Migration<dim>::limits() const { return {{steps_.most*limit_, "migration"}}; }
+template<int dim> std::vector<StepLimit> Migration<dim>::limits() const { return {{steps_.most * limit_, "migration"}}; }
 
 template<int dim> Numbers Migration<dim>::columns(const Particles<dim>& particles) const
 {
     const auto n = particles.size();
-    const double *phi = particles.store().component(PowderFraction::info.name, 0), *mu = particles.store().component(DynamicViscosity::info.name, 0);
+    const double *phi = particles.store().component(PowderFraction::info.name, 0),
+                 *mu = particles.store().component(DynamicViscosity::info.name, 0);
     const auto of = [](const double* q) { return [q](std::size_t i) { return q[i]; }; };
     const double powder = volume(particles);
-    return {{"minPhi", least(n, of(phi))}, {"maxPhi", most(n, of(phi))}, {"minViscosity", least(n, of(mu))}, {"maxViscosity", most(n, of(mu))},
-            {"powderVolume", powder}, {"powderDrift", startVolume_ && *startVolume_ > 0 ? powder/(*startVolume_) - 1 : 0}, {"migrationSteps", taken_}};
+    return {{"minPhi", least(n, of(phi))},      {"maxPhi", most(n, of(phi))},
+            {"minViscosity", least(n, of(mu))}, {"maxViscosity", most(n, of(mu))},
+            {"powderVolume", powder},           {"powderDrift", startVolume_ && *startVolume_ > 0 ? powder / (*startVolume_) - 1 : 0},
+            {"migrationSteps", taken_}};
 }
 
 template<int dim> std::string Migration<dim>::report(const Particles<dim>& particles) const
 {
     const auto c = columns(particles);
-    return fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n", c.at("minPhi"), c.at("maxPhi"),
-                       c.at("minViscosity"), c.at("maxViscosity"), c.at("powderVolume"),
+    return fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n",
+                       c.at("minPhi"), c.at("maxPhi"), c.at("minViscosity"), c.at("maxViscosity"), c.at("powderVolume"),
                        particles.held().empty() ? fmt::format(", changed by {:.2g}", c.at("powderDrift")) : "", taken_);
 }
 
@@ -129,33 +140,45 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
     const auto x = store.pointers(Position{});
     const double *phi = store.component(PowderFraction::info.name, 0), *gammaDot = store.component(ShearRate::info.name, 0),
                  *mu = store.component(DynamicViscosity::info.name, 0);
-    const auto larger = [](Rise& total, const Rise& other) { if (other.most > total.most) total = other; };
-    const auto rise = reduce(particles.size(), Rise{}, [&](std::size_t i)
+    const auto larger = [](Rise& total, const Rise& other)
     {
-        Rise of{0, i};
-        for (const int j : particles.lists().of(i))
+        if (other.most > total.most) total = other;
+    };
+    const auto rise = reduce(
+        particles.size(), Rise{},
+        [&](std::size_t i)
         {
-            if (std::size_t(j) >= particles.size() || !(phi[i] > phi[j] && phi[j] > 0 && mu[i]*gammaDot[i] < shareOfStress*mu[j]*gammaDot[j])) continue;
-            double r2 = 0;
-            for (int k = 0; k < dim; ++k) r2 += sqr(x[k][i] - x[k][j]);
-            const double r = std::sqrt(r2)/c.spacing;
-            if (r < nextParticle) of.most = std::max(of.most, (phi[i]/phi[j] - 1)/std::max(1.0, r));
-        }
-        return of;
-    }, larger);
+            Rise of{0, i};
+            for (const int j : particles.lists().of(i))
+            {
+                if (std::size_t(j) >= particles.size() ||
+                    !(phi[i] > phi[j] && phi[j] > 0 && mu[i] * gammaDot[i] < shareOfStress * mu[j] * gammaDot[j]))
+                    continue;
+                double r2 = 0;
+                for (int k = 0; k < dim; ++k) r2 += sqr(x[k][i] - x[k][j]);
+                const double r = std::sqrt(r2) / c.spacing;
+                if (r < nextParticle) of.most = std::max(of.most, (phi[i] / phi[j] - 1) / std::max(1.0, r));
+            }
+            return of;
+        },
+        larger);
     const double densest = most(particles.size(), [&](std::size_t i) { return phi[i]; });
-    const bool passesDensest = s.Dc_a2 < s.Deta_a2 && densest > (1 + beyondDensest)*s.phiMax;
+    const bool passesDensest = s.Dc_a2 < s.Deta_a2 && densest > (1 + beyondDensest) * s.phiMax;
     if (!(rise.most > mostRise || passesDensest)) return "";
     warned_ = true;
     if (!(rise.most > mostRise))
-        return fmt::format("the powder's volume fraction has passed phiMax, {:.4g}: it is {:.4g}. Where powder gathers the particles are too coarse: take a smaller "
-                           "spacing than {:.3g} m", s.phiMax, densest, c.spacing);
-    const double n = s.exponent*(s.Deta_a2/s.Dc_a2 - 1), spacing = c.spacing*std::pow(mostRise/rise.most, std::max(1.0, 0.5*(1 + n)));
+        return fmt::format(
+            "the powder's volume fraction has passed phiMax, {:.4g}: it is {:.4g}. Where powder gathers the particles are too coarse: take a smaller "
+            "spacing than {:.3g} m",
+            s.phiMax, densest, c.spacing);
+    const double n = s.exponent * (s.Deta_a2 / s.Dc_a2 - 1),
+                 spacing = c.spacing * std::pow(mostRise / rise.most, std::max(1.0, 0.5 * (1 + n)));
     Vector<dim> at;
     fetch(at, [&](int k) { return x[k][rise.at]; });
-    return fmt::format("the cusp of the powder is not resolved: where the shear vanishes, near ({:.6g} {:.6g} {:.6g}), phi is {:.3g} and rises by {:.2g} % within a "
-                       "spacing. From a spacing of about {:.2g} m on it rises by less than {:.2g} %, with which steady channels are right within 2 %", in3D(at).x,
-                       in3D(at).y, in3D(at).z, phi[rise.at], 100*rise.most, spacing, 100*mostRise);
+    return fmt::format(
+        "the cusp of the powder is not resolved: where the shear vanishes, near ({:.6g} {:.6g} {:.6g}), phi is {:.3g} and rises by {:.2g} % within a "
+        "spacing. From a spacing of about {:.2g} m on it rises by less than {:.2g} %, with which steady channels are right within 2 %",
+        in3D(at).x, in3D(at).y, in3D(at).z, phi[rise.at], 100 * rise.most, spacing, 100 * mostRise);
 }
 
 template<int dim> void Migration<dim>::save(Numbers& numbers) const

@@ -16,8 +16,8 @@ inline constexpr const char *ofCorrection = "correct the gradient", *ofMigration
 
 struct MigrationSteps
 {
-    double factor = 0.25;        ///< f
-    int most = 4;                ///< to a step of the flow
+    double factor = 0.25; ///< f
+    int most = 4;         ///< to a step of the flow
 };
 
 template<int dim> class Migration final : public Part<dim>
@@ -48,11 +48,11 @@ public:
 private:
     MigrationSteps steps_;
     bool corrects_;
-    double limit_;                       ///< of one step, at the last evaluation [s]
-    int taken_ = 0;                      ///< in the last step of the flow
+    double limit_;  ///< of one step, at the last evaluation [s]
+    int taken_ = 0; ///< in the last step of the flow
     bool warned_ = false;
     double leastViscosity_ = 0, largestViscosity_ = 0;
-    std::optional<double> startVolume_;  ///< of powder at the first start [m^3]
+    std::optional<double> startVolume_; ///< of powder at the first start [m^3]
 
     void evaluateRates(Particles<dim>&);
     void advance(Particles<dim>&, double deltaT);

@@ -24,14 +24,17 @@ struct PhillipsFlux
     using ReadsOwn = Fields<Mass>;
     double Dc_a2, Deta_a2, rho_0;
 
-    explicit PhillipsFlux(const Coefficients& c) : Dc_a2(c.of<Suspension>().Dc_a2), Deta_a2(c.of<Suspension>().Deta_a2), rho_0(c.restDensity[0]) {}
+    explicit PhillipsFlux(const Coefficients& c)
+        : Dc_a2(c.of<Suspension>().Dc_a2), Deta_a2(c.of<Suspension>().Deta_a2), rho_0(c.restDensity[0])
+    {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double V = j.wall > 0 ? 0.0 : j.V;
-        const double B = i.gammaDot*sqr(i.phi)*i.slope + j.gammaDot*sqr(j.phi)*j.slope;
-        return i.V*V*ij.dWdrOverR*(Dc_a2*(i.phi + j.phi)*(i.phi*i.gammaDot - j.phi*j.gammaDot) + Deta_a2*B*(i.phi - j.phi));
+        const double B = i.gammaDot * sqr(i.phi) * i.slope + j.gammaDot * sqr(j.phi) * j.slope;
+        return i.V * V * ij.dWdrOverR *
+               (Dc_a2 * (i.phi + j.phi) * (i.phi * i.gammaDot - j.phi * j.gammaDot) + Deta_a2 * B * (i.phi - j.phi));
     }
-    double finish(const auto& i, double sum) const { return rho_0/i.m*sum; }
+    double finish(const auto& i, double sum) const { return rho_0 / i.m * sum; }
 };
 
 }

@@ -12,7 +12,7 @@ namespace sph
 /// sqrt(S:S/2) of a sum S = grad v + (grad v)^T, or of that times mu.
 struct OfTensor
 {
-    static double finish(const auto&, const auto& S) { return std::sqrt(0.5*doubleDot(S, S)); }
+    static double finish(const auto&, const auto& S) { return std::sqrt(0.5 * doubleDot(S, S)); }
 };
 
 /// From the stress, with the pair viscosity and the corrected gradient:
@@ -33,7 +33,7 @@ struct ViscousShearStress : OfTensor
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return j.V*2*i.mu*j.mu/(i.mu + j.mu)*twiceSymm(j.v - i.v, i.L*ij.gradW);
+        return j.V * 2 * i.mu * j.mu / (i.mu + j.mu) * twiceSymm(j.v - i.v, i.L * ij.gradW);
     }
 };
 
@@ -42,7 +42,7 @@ struct ResolvedShear
     static constexpr auto name = "resolvedShear";
     using Provides = ShearRate;
     using ReadsOwn = Fields<ShearStress, DynamicViscosity>;
-    auto operator()(const auto& i) const { return i.tau/i.mu; }
+    auto operator()(const auto& i) const { return i.tau / i.mu; }
 };
 
 /// What the particle's own extent adds to the shear:
@@ -64,9 +64,9 @@ struct SubParticleShear
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double V = j.wall > 0 ? 0.0 : j.V;
-        return -2*V*ij.dWdrOverR*(sqr(j.tau) - sqr(i.tau));
+        return -2 * V * ij.dWdrOverR * (sqr(j.tau) - sqr(i.tau));
     }
-    double finish(const auto& i, double laplacian) const { return std::sqrt(sqr(i.tau) + std::fmax(0.0, share*laplacian))/i.mu; }
+    double finish(const auto& i, double laplacian) const { return std::sqrt(sqr(i.tau) + std::fmax(0.0, share * laplacian)) / i.mu; }
 };
 
 /// Kauzlaric et al. (2011), eq. (3.5): D_i of grad v_i = sum_j V_j (v_j - v_i) gradW_ij; the print has the other sign.
@@ -77,7 +77,7 @@ struct VelocityGradientShear : OfTensor
     using Reads = Fields<Volume, Velocity>;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*twiceSymm(j.v - i.v, ij.gradW); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * twiceSymm(j.v - i.v, ij.gradW); }
 };
 
 /// The same with the gradient corrected.
@@ -89,7 +89,7 @@ struct CorrectedGradientShear : OfTensor
     using ReadsOwn = Fields<CorrectionTensor>;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*twiceSymm(j.v - i.v, i.L*ij.gradW); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * twiceSymm(j.v - i.v, i.L * ij.gradW); }
 };
 
 }

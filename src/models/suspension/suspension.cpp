@@ -12,21 +12,27 @@ namespace sph
 namespace entry
 {
 const SubDictionary suspension{"suspension", required, "powder in the liquid"};
-const Scalar phi{"phi", units::none, byScene("the field phi of the time folder"), nonNegative, "volume fraction of the powder at the start"},
-    phiMax{"phiMax", units::none, required, positiveUpTo(1).saying("{:.6g} is no volume fraction: powder takes up at most the whole volume"),
-           "of the densest packing"},
-    exponent{"exponent", units::none, required, positive, "exponent of Krieger's viscosity; mu of constant/phaseProperties is that of the binder"},
+const Scalar phi{"phi", units::none, byScene("the field phi of the time folder"), nonNegative,
+                 "volume fraction of the powder at the start"},
+    phiMax{"phiMax", units::none, required,
+           positiveUpTo(1).saying("{:.6g} is no volume fraction: powder takes up at most the whole volume"), "of the densest packing"},
+    exponent{"exponent", units::none, required, positive,
+             "exponent of Krieger's viscosity; mu of constant/phaseProperties is that of the binder"},
     phiCritical{"phiCritical", units::none, byScene("0.99 phiMax"), positive, "from where on the viscosity is capped"},
-    Dc{"Dc", units::none, required, positive, "D_c of Phillips' fluxes"}, Deta{"Deta", units::none, required, positive, "D_eta of Phillips' fluxes"},
+    Dc{"Dc", units::none, required, positive, "D_c of Phillips' fluxes"},
+    Deta{"Deta", units::none, required, positive, "D_eta of Phillips' fluxes"},
     diameter{"diameter", units::m, byScene("needed without radius"), positive, "of the powder's particles"},
     radius{"radius", units::m, byScene("needed without diameter"), positive, "of the powder's particles"};
 const Choice a{"a", {"diameter", "radius"}, required, "what D_c and D_eta multiply the square of: a factor 4 in time"},
     noSteadyState{"noSteadyState", {"refuse", "warn"}, "refuse", "where D_c/D_eta >= 1, and powder migrates until it is packed"},
     shearRate{"shearRate",
-              {{"stress", "|tau|/mu, smooth where the shear rate is not"}, {"correctedGradient", "of a gradient exact for linear flow"}, {"gradient", "as in the paper"}},
+              {{"stress", "|tau|/mu, smooth where the shear rate is not"},
+               {"correctedGradient", "of a gradient exact for linear flow"},
+               {"gradient", "as in the paper"}},
               byScene("stress; gradient with scheme paper"),
               "what powder migrates by"};
-const Scalar subParticleShear{"subParticleShear", units::none, 0.025, nonNegative, "alpha of the shear that a particle's own extent adds, with shearRate stress"},
+const Scalar subParticleShear{"subParticleShear", units::none, 0.025, nonNegative,
+                              "alpha of the shear that a particle's own extent adds, with shearRate stress"},
     migrationFactor{"migrationFactor", units::none, 0.25, positive, "of the limit by migration, h^2/D"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
 const Count migrationSteps{"migrationSteps", 4, atLeast(1).saying("migrationSteps is a number of steps, at least 1, not {}"),
@@ -44,11 +50,11 @@ double readLength(const Dictionary& d)
     const bool byDiameter = entry::diameter.given(d), byRadius = entry::radius.given(d);
     if (byDiameter == byRadius)
         entry::radius.error(d, byRadius ? "the powder's size is given twice: keep `diameter` or `radius`"
-                                   : "the powder's size is missing: give its `diameter` or `radius`");
+                                        : "the powder's size is missing: give its `diameter` or `radius`");
     double diameter = 1;
     if (byDiameter) diameter = entry::diameter.needed(d);
-    if (byRadius) diameter = 2*entry::radius.needed(d);
-    return entry::a(d) == "radius" ? 0.5*diameter : diameter;
+    if (byRadius) diameter = 2 * entry::radius.needed(d);
+    return entry::a(d) == "radius" ? 0.5 * diameter : diameter;
 }
 
 Suspension readSuspension(const Dictionary& d)
@@ -56,20 +62,22 @@ Suspension readSuspension(const Dictionary& d)
     Suspension s;
     s.phiMax = entry::phiMax(d);
     s.exponent = entry::exponent(d);
-    s.phiCritical = entry::phiCritical(d, 0.99*s.phiMax);
+    s.phiCritical = entry::phiCritical(d, 0.99 * s.phiMax);
     if (s.phiCritical >= s.phiMax)
-        entry::phiCritical.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}: there the viscosity is infinite", s.phiCritical, s.phiMax));
+        entry::phiCritical.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}: there the viscosity is infinite", s.phiCritical,
+                                                s.phiMax));
     s.phi = entry::phi.ifGiven(d);
     if (s.phi && *s.phi >= s.phiMax)
-        entry::phi.error(d,
-                         fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", *s.phi, s.phiMax));
+        entry::phi.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", *s.phi,
+                                        s.phiMax));
     const double a = readLength(d), Dc = entry::Dc(d), Deta = entry::Deta(d);
-    s.Dc_a2 = Dc*sqr(a);
-    s.Deta_a2 = Deta*sqr(a);
+    s.Dc_a2 = Dc * sqr(a);
+    s.Deta_a2 = Deta * sqr(a);
     const bool refuses = entry::noSteadyState(d) == "refuse";
     if (Dc >= Deta)
     {
-        const auto what = fmt::format("Dc/Deta is {:.4g}: from 1 on there is no steady state, powder gathers until it is packed", Dc/Deta);
+        const auto what =
+            fmt::format("Dc/Deta is {:.4g}: from 1 on there is no steady state, powder gathers until it is packed", Dc / Deta);
         if (refuses) entry::Deta.error(d, what + ". Give a larger Deta, or say `noSteadyState warn;`");
         else d.diagnostics().warning(entry::Deta.where(d), what);
     }
@@ -86,11 +94,14 @@ bool readPowder(const Reading& reading)
     const auto s = readSuspension(d);
     auto& c = reading.settings.coefficients;
     if (reading.settings.multiphase()) entry::suspension.error(dict, "goes with one phase alone; constant/phaseProperties lists several");
-    if (c.viscosity.empty() || !(c.viscosity[0] > 0)) entry::suspension.error(dict, "needs the viscosity `mu` of its binder in constant/phaseProperties");
-    else if (const double packed = c.viscosity[0]*std::pow(1 - s.phiCritical/s.phiMax, -s.exponent)*std::exp(s.exponent);
+    if (c.viscosity.empty() || !(c.viscosity[0] > 0))
+        entry::suspension.error(dict, "needs the viscosity `mu` of its binder in constant/phaseProperties");
+    else if (const double packed = c.viscosity[0] * std::pow(1 - s.phiCritical / s.phiMax, -s.exponent) * std::exp(s.exponent);
              s.phiCritical < s.phiMax && !(packed < largestViscosity))
-        entry::exponent.error(d, fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
-                                        "smaller exponent, or a smaller phiCritical", s.exponent, packed, largestViscosity));
+        entry::exponent.error(
+            d, fmt::format("{:.4g} makes the viscosity of packed powder {:.3g} Pa s: more than {:.0g} cannot be computed with. Give a "
+                           "smaller exponent, or a smaller phiCritical",
+                           s.exponent, packed, largestViscosity));
     c.set(s);
     dict.reportUnused();
     return true;
@@ -104,22 +115,24 @@ Evolving powderFraction(const Suspension& s)
     powder.missing = [s](const Loading& loading)
     {
         if (loading.restarted) throw CaseError("the time folder that the run goes on from has no field phi: where the powder is, is lost");
-        if (!s.phi) throw CaseError({"constant/transportProperties", 0}, "has no `phi`, the powder's volume fraction, and nor has the time folder");
+        if (!s.phi)
+            throw CaseError({"constant/transportProperties", 0}, "has no `phi`, the powder's volume fraction, and nor has the time folder");
         std::fill_n(loading.values[0], loading.size(), *s.phi);
     };
     powder.check = [s](const Loading& loading)
     {
         for (std::size_t i = 0; i < loading.size(); ++i)
             if (const double phi = loading.values[0][i]; !(phi >= 0 && (phi < s.phiMax || loading.restarted)))
-                throw CaseError(fmt::format("{} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}", loading.cloud.particle(i),
-                                            phi, s.phiMax));
+                throw CaseError(fmt::format("{} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}",
+                                            loading.cloud.particle(i), phi, s.phiMax));
     };
     powder.inlet = [s](const Dictionary& d)
     {
         const double phi = entry::phi(d, s.phi.value_or(0));
         if (!entry::phi.given(d) && !s.phi) entry::phi.error(d, "the volume fraction of the powder that comes in is missing");
         if (phi >= s.phiMax)
-            entry::phi.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", phi, s.phiMax));
+            entry::phi.error(d, fmt::format("{:.6g} must be less than phiMax, {:.6g}, at which the powder is packed and does not flow", phi,
+                                            s.phiMax));
         return phi;
     };
     return powder;
@@ -149,7 +162,7 @@ void read(const Reading& reading)
     if (rate == "stress")
     {
         const double alpha = entry::subParticleShear(dict);
-        numbers.shearShare = 0.5*alpha*c.spacing*c.spacing;
+        numbers.shearShare = 0.5 * alpha * c.spacing * c.spacing;
         terms.push_back(alpha > 0 ? "subParticleShear" : "resolvedShear");
     }
     else terms.push_back(rate == "gradient" ? "velocityGradientShear" : "correctedGradientShear");
@@ -163,7 +176,7 @@ void read(const Reading& reading)
 
     const auto integration = dict.subDictOrEmpty("integration");
     MigrationSteps steps;
-    steps.factor = entry::migrationFactor(integration)*entry::stepFactor(integration);
+    steps.factor = entry::migrationFactor(integration) * entry::stepFactor(integration);
     steps.most = entry::migrationSteps(integration);
     settings.shown.insert(settings.shown.end(), {{ShearRate::info.name, ShearRate::info.name}, {DynamicViscosity::info.name, "eta"}});
     settings.parts.push_back(partOf<Migration>(steps, corrects));
@@ -174,19 +187,24 @@ bool suspends(const Settings& s) { return s.coefficients.has<Suspension>(); }
 
 const Model& suspensionModel()
 {
-    static const Model model{"suspension", "powder in a binder: its viscosity, and its migration under shear", read, suspensionTerms<2>(), suspensionTerms<3>(),
+    static const Model model{"suspension",
+                             "powder in a binder: its viscosity, and its migration under shear",
+                             read,
+                             suspensionTerms<2>(),
+                             suspensionTerms<3>(),
                              prepare,
                              {{"viscosity", [](const Settings& s) { return suspends(s) && s.has("viscosity", "none"); },
                                "none leaves out the viscosity that powder migrates by; take harmonic or cleary"}},
                              {},
                              {{"constant/transportProperties",
                                {{entry::suspension,
-                                 {entry::phi, entry::phiMax, entry::exponent, entry::phiCritical, entry::Dc, entry::Deta, entry::diameter, entry::radius, entry::a,
-                                  entry::noSteadyState}}},
+                                 {entry::phi, entry::phiMax, entry::exponent, entry::phiCritical, entry::Dc, entry::Deta, entry::diameter,
+                                  entry::radius, entry::a, entry::noSteadyState}}},
                                "what moves relative to the flow; without the file there is nothing of it"},
                               {"constant/openings", {{FreeName{"<opening>", "dictionary", ""}, {entry::phi}}}},
                               {"system/sphSchemes", {entry::shearRate, entry::subParticleShear}},
-                              {"system/sphSchemes", {{SubDictionary{"integration", notGiven, ""}, {entry::migrationFactor, entry::migrationSteps}}}}}};
+                              {"system/sphSchemes",
+                               {{SubDictionary{"integration", notGiven, ""}, {entry::migrationFactor, entry::migrationSteps}}}}}};
     return model;
 }
 

@@ -8,8 +8,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> suspensionTerms()
 {
-    return catalogue<dim, Krieger, KriegerSlope, ViscousShearStress, ResolvedShear, SubParticleShear, VelocityGradientShear, CorrectedGradientShear,
-                     PhillipsFlux>();
+    return catalogue<dim, Krieger, KriegerSlope, ViscousShearStress, ResolvedShear, SubParticleShear, VelocityGradientShear,
+                     CorrectedGradientShear, PhillipsFlux>();
 }
 
 template Catalogue<2> suspensionTerms<2>();

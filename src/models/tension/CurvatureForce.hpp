@@ -17,7 +17,7 @@ struct ColourSmoothing
     using Reads = Fields<Volume, Phase>;
     static constexpr bool readsKernel = true;
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V*(1 - j.phase)*ij.W; }
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * (1 - j.phase) * ij.W; }
 };
 
 /// gradC_i = sum_j V_j (c_j - c_i) gradW_ij   [1/m], into the first phase
@@ -27,7 +27,7 @@ struct SmoothedColourGradient
     using Provides = ColourGradient;
     using Reads = Fields<Volume, SmoothedColour>;
 
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V*(j.colour - i.colour)*ij.gradW; }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * (j.colour - i.colour) * ij.gradW; }
 };
 
 /// The same, turned to the contact angle theta next to a wall (Brackbill et al. 1992: wall adhesion; Breinlinger et al. 2013 in SPH):
@@ -44,9 +44,9 @@ struct AdheringColourGradient : SmoothedColourGradient
     auto finish(const auto& i, const auto& gradC) const
     {
         const double atWall = dot(i.n_w, i.n_w), tiny = 1e-300;
-        const auto along = gradC - dot(gradC, i.n_w)*i.n_w;
+        const auto along = gradC - dot(gradC, i.n_w) * i.n_w;
         const double sine = std::sqrt(1 - sqr(i.cosTheta));
-        return (1 - atWall)*gradC + atWall*mag(gradC)*(sine/(mag(along) + tiny)*along - i.cosTheta*i.n_w);
+        return (1 - atWall) * gradC + atWall * mag(gradC) * (sine / (mag(along) + tiny) * along - i.cosTheta * i.n_w);
     }
 };
 
@@ -70,20 +70,20 @@ struct InterfaceCurvature
     using Reads = Fields<Volume, ColourGradient>;
     double least, most;
 
-    explicit InterfaceCurvature(const Coefficients& c) : least(0.01/c.support), most(1/c.spacing) {}
+    explicit InterfaceCurvature(const Coefficients& c) : least(0.01 / c.support), most(1 / c.spacing) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
         const double g_i = mag(i.gradC), g_j = mag(j.gradC);
         const double present = g_i > least && g_j > least ? 1.0 : 0.0;
-        const auto n_j = 1/(g_j + 1e-300)*j.gradC, n_i = 1/(g_i + 1e-300)*i.gradC;
-        const double w = present*j.V;
-        return TensorPair<dim>{w*symm(n_j - n_i, ij.gradW), -w*ij.dWdrOverR*outer(ij.x)};
+        const auto n_j = 1 / (g_j + 1e-300) * j.gradC, n_i = 1 / (g_i + 1e-300) * i.gradC;
+        const double w = present * j.V;
+        return TensorPair<dim>{w * symm(n_j - n_i, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
     }
     auto finish(const auto&, const auto& sum) const
     {
         const double det = determinant(sum.b);
-        const double kappa = det > 0.05 ? doubleDot(sum.a, adjugate(sum.b))/det : 0.0;
+        const double kappa = det > 0.05 ? doubleDot(sum.a, adjugate(sum.b)) / det : 0.0;
         return std::fmax(-most, std::fmin(most, kappa));
     }
 };
@@ -96,11 +96,8 @@ struct CurvatureSmoothing
     using Reads = Fields<Volume, ColourGradient, RawCurvature>;
     static constexpr bool readsKernel = true;
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const
-    {
-        return j.V*mag(j.gradC)*ij.W*Vector<2>{j.rawKappa, 1.0};
-    }
-    auto finish(const auto&, Vector<2> sum) const { return sum.y > 0 ? sum.x/sum.y : 0.0; }
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * mag(j.gradC) * ij.W * Vector<2>{j.rawKappa, 1.0}; }
+    auto finish(const auto&, Vector<2> sum) const { return sum.y > 0 ? sum.x / sum.y : 0.0; }
 };
 
 /// The capillary pressure jump as each side of a pair across the interface sees it:
@@ -123,7 +120,7 @@ struct CurvatureForce
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
-        return 0.5*gamma*across/i.m*(i.kappa + j.kappa)*i.rho/(i.rho + j.rho)*(sqr(i.V) + sqr(j.V))*ij.gradW;
+        return 0.5 * gamma * across / i.m * (i.kappa + j.kappa) * i.rho / (i.rho + j.rho) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
 
@@ -146,7 +143,7 @@ struct EvenCurvatureForce
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
-        return 0.25*gamma*across/i.m*(i.kappa + j.kappa)*(sqr(i.V) + sqr(j.V))*ij.gradW;
+        return 0.25 * gamma * across / i.m * (i.kappa + j.kappa) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
 

@@ -16,7 +16,7 @@ namespace sph
 inline auto tensionAcross(const auto& g, double gamma, double least)
 {
     const double size = mag(g);
-    return size > least ? gamma*(size/dimensions(g)*identity(g) - 1/size*outer(g)) : 0.0*identity(g);
+    return size > least ? gamma * (size / dimensions(g) * identity(g) - 1 / size * outer(g)) : 0.0 * identity(g);
 }
 
 struct InterfaceStress
@@ -26,9 +26,10 @@ struct InterfaceStress
     using Reads = Fields<Volume, Phase>;
     const double* gamma; ///< [N/m], phases x phases
     int phases;
-    double least;        ///< |gradC| below which there is no interface [1/m]
+    double least; ///< |gradC| below which there is no interface [1/m]
 
-    explicit InterfaceStress(const Coefficients& c) : gamma(c.surfaceTension.data()), phases(int(c.phases.size())), least(0.01/c.support) {}
+    explicit InterfaceStress(const Coefficients& c) : gamma(c.surfaceTension.data()), phases(int(c.phases.size())), least(0.01 / c.support)
+    {}
 
     /// The other phase of a sweep, counted from the particle's own so that nobody sweeps over itself.
     double other(double phase, Sweep s) const
@@ -40,11 +41,11 @@ struct InterfaceStress
 
     auto operator()(const auto& ij, const auto& i, const auto& j, Sweep s) const
     {
-        return (j.phase == other(i.phase, s) ? 1.0 : 0.0)*sqr(j.V)*ij.gradW;
+        return (j.phase == other(i.phase, s) ? 1.0 : 0.0) * sqr(j.V) * ij.gradW;
     }
     auto finish(const auto& i, const auto& sum, Sweep s) const
     {
-        return tensionAcross(1/i.V*sum, gamma[int(i.phase)*phases + int(other(i.phase, s))], least);
+        return tensionAcross(1 / i.V * sum, gamma[int(i.phase) * phases + int(other(i.phase, s))], least);
     }
 };
 

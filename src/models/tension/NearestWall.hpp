@@ -8,8 +8,22 @@
 namespace sph
 {
 
-struct NearestWall { static constexpr FieldInfo info{"nearestWall", "1"}; template<int dim> struct At { double nearestWall; }; };
-struct NearestWallNormal { static constexpr FieldInfo info{"nearestWallNormal", "1", Image::mirrored}; template<int dim> struct At { Vector<dim> n_w; }; };
+struct NearestWall
+{
+    static constexpr FieldInfo info{"nearestWall", "1"};
+    template<int dim> struct At
+    {
+        double nearestWall;
+    };
+};
+struct NearestWallNormal
+{
+    static constexpr FieldInfo info{"nearestWallNormal", "1", Image::mirrored};
+    template<int dim> struct At
+    {
+        Vector<dim> n_w;
+    };
+};
 
 /// What wall laws carry from place to place to find it; they say what it means.
 struct NextToWall
@@ -18,13 +32,13 @@ struct NextToWall
     template<int dim> struct SoFar
     {
         bool found = false;
-        double nearest = 0;   ///< [m]
+        double nearest = 0; ///< [m]
         Vector<dim> n_w{};
         int wall = 0;
     };
-    double reach;             ///< [m]
+    double reach; ///< [m]
 
-    explicit NextToWall(const Coefficients& c) : reach(5.0/6*c.support) {}
+    explicit NextToWall(const Coefficients& c) : reach(5.0 / 6 * c.support) {}
     template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const
     {
         if (foot.distance >= (soFar.found ? soFar.nearest : reach)) return soFar;

@@ -26,7 +26,7 @@ struct PhaseColourSmoothing
     static constexpr bool readsKernel = true;
     double phase; ///< k
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return (j.phase == phase ? 1.0 : 0.0)*j.V*ij.W; }
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return (j.phase == phase ? 1.0 : 0.0) * j.V * ij.W; }
 };
 
 /// A gradient of colour, and the mean of the cosine over the particles of other phases: sums of one loop.
@@ -48,13 +48,13 @@ struct AdheringPhaseGradient
     static constexpr bool readsKernel = true;
     const double* cosine; ///< walls x phases: of the angle between k and each other phase, through k
     int phases;
-    double phase;         ///< k
+    double phase; ///< k
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        const double w = (j.phase == phase ? 0.0 : 1.0)*j.V*ij.W;
-        return GradientAndCosine<dim>{j.V*(j.colour - i.colour)*ij.gradW, w*cosine[int(i.nearestWall)*phases + int(j.phase)], w};
+        const double w = (j.phase == phase ? 0.0 : 1.0) * j.V * ij.W;
+        return GradientAndCosine<dim>{j.V * (j.colour - i.colour) * ij.gradW, w * cosine[int(i.nearestWall) * phases + int(j.phase)], w};
     }
     auto finish(const auto& i, const auto& sum) const
     {
@@ -62,7 +62,7 @@ struct AdheringPhaseGradient
         {
             decltype(i.n_w) n_w;
             double cosTheta;
-        } const atWall{i.n_w, sum.weight > 0 ? sum.cosine/sum.weight : 0.0};
+        } const atWall{i.n_w, sum.weight > 0 ? sum.cosine / sum.weight : 0.0};
         return AdheringColourGradient{}.finish(atWall, sum.gradC);
     }
 };
@@ -84,7 +84,7 @@ struct PhaseCurvatureForce
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double gamma = share[int(i.phase == phase ? j.phase : i.phase)];
-        return 0.5*gamma*across(phase, i, j)/i.m*(i.kappa + j.kappa)*i.rho/(i.rho + j.rho)*(sqr(i.V) + sqr(j.V))*ij.gradW;
+        return 0.5 * gamma * across(phase, i, j) / i.m * (i.kappa + j.kappa) * i.rho / (i.rho + j.rho) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
 
@@ -102,7 +102,7 @@ struct EvenPhaseCurvatureForce
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double gamma = share[int(i.phase == phase ? j.phase : i.phase)];
-        return 0.25*gamma*across(phase, i, j)/i.m*(i.kappa + j.kappa)*(sqr(i.V) + sqr(j.V))*ij.gradW;
+        return 0.25 * gamma * across(phase, i, j) / i.m * (i.kappa + j.kappa) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
 

@@ -32,11 +32,14 @@ struct SolidPhaseStress
     using Reads = Fields<Volume, Phase, GhostWall>;
     const double *gamma, *wallGamma; ///< [N/m], phases x phases; walls x phases
     int phases, walls;
-    double least;                    ///< |gradC| below which there is no interface [1/m]
+    double least; ///< |gradC| below which there is no interface [1/m]
 
     explicit SolidPhaseStress(const Coefficients& c)
-        : gamma(c.surfaceTension.data()), wallGamma(c.wallTension.data()), phases(int(c.phases.size())),
-          walls(int(c.wallTension.size())/phases), least(0.01/c.support)
+        : gamma(c.surfaceTension.data()),
+          wallGamma(c.wallTension.data()),
+          phases(int(c.phases.size())),
+          walls(int(c.wallTension.size()) / phases),
+          least(0.01 / c.support)
     {}
 
     int sweeps() const { return phases - 1 + walls; }
@@ -50,12 +53,12 @@ struct SolidPhaseStress
     auto operator()(const auto& ij, const auto& i, const auto& j, Sweep s) const
     {
         const double phase_j = j.wall > 0 ? phases + j.wall - 1 : double(j.phase);
-        return (phase_j == other(i.phase, s) ? 1.0 : 0.0)*sqr(j.V)*ij.gradW;
+        return (phase_j == other(i.phase, s) ? 1.0 : 0.0) * sqr(j.V) * ij.gradW;
     }
     auto finish(const auto& i, const auto& sum, Sweep s) const
     {
         const int k = int(i.phase), l = int(other(i.phase, s));
-        return tensionAcross(1/i.V*sum, l < phases ? gamma[k*phases + l] : wallGamma[(l - phases)*phases + k], least);
+        return tensionAcross(1 / i.V * sum, l < phases ? gamma[k * phases + l] : wallGamma[(l - phases) * phases + k], least);
     }
 };
 
@@ -75,19 +78,19 @@ struct StressOfSolid
     using Reads = Fields<Volume, Phase, GhostWall>;
     const double* wallGamma; ///< [N/m], walls x phases
     int phases, walls;
-    double least;            ///< [1/m]
+    double least; ///< [1/m]
 
     explicit StressOfSolid(const Coefficients& c)
-        : wallGamma(c.wallTension.data()), phases(int(c.phases.size())), walls(int(c.wallTension.size())/phases), least(0.01/c.support)
+        : wallGamma(c.wallTension.data()), phases(int(c.phases.size())), walls(int(c.wallTension.size()) / phases), least(0.01 / c.support)
     {}
 
-    int sweeps() const { return walls*phases; }
+    int sweeps() const { return walls * phases; }
     auto operator()(const auto& ij, const auto&, const auto& j, Sweep s) const
     {
-        const bool counts = (j.wall - 1)*phases + j.phase == s.number && j.wall > 0;
-        return (counts ? 1.0 : 0.0)*sqr(j.V)*ij.gradW;
+        const bool counts = (j.wall - 1) * phases + j.phase == s.number && j.wall > 0;
+        return (counts ? 1.0 : 0.0) * sqr(j.V) * ij.gradW;
     }
-    auto finish(const auto& i, const auto& sum, Sweep s) const { return tensionAcross(1/i.V*sum, wallGamma[s.number], least); }
+    auto finish(const auto& i, const auto& sum, Sweep s) const { return tensionAcross(1 / i.V * sum, wallGamma[s.number], least); }
 };
 
 }

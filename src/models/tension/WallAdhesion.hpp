@@ -22,7 +22,7 @@ struct WallAdhesion : NextToWall
 {
     static constexpr auto name = "wallAdhesion";
     using Provides = Fields<WallNormal, WallCosine>;
-    const double* cosTheta;   ///< of each wall
+    const double* cosTheta; ///< of each wall
 
     explicit WallAdhesion(const Coefficients& c) : NextToWall(c), cosTheta(c.of<WettingAngles>().cosine.data()) {}
     template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {q.found ? cosTheta[q.wall] : 0.0}}; }

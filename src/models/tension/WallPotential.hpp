@@ -28,7 +28,7 @@ struct WallPotential
     static constexpr auto name = "wallPotential";
     using Adds = Acceleration;
     using ReadsOwn = Fields<Phase>;
-    const double *tension, *restDensity;   ///< [N/m], walls x phases; [kg/m^3]
+    const double *tension, *restDensity; ///< [N/m], walls x phases; [kg/m^3]
     std::size_t phases;
     double H;
 
@@ -38,17 +38,17 @@ struct WallPotential
     /// dPhi/dd/N [1/m^2] at the distance d [m] from a surface of the given principal curvatures [1/m]
     double slope(double d, double k1, double k2) const
     {
-        const double s = d/H, left = 1 - sqr(s), least = 0.1; // nearer to a centre of curvature there is no image either
-        if (left <= 0 || 1 - k1*d < least || 1 - k2*d < least) return 0;
-        const double N = 1 - 35.0/128*H*(k1 + k2) + sqr(H)/9*k1*k2;
-        return -105.0/8/sqr(H)*s*sqr(left)/std::fmax(N, least);
+        const double s = d / H, left = 1 - sqr(s), least = 0.1; // nearer to a centre of curvature there is no image either
+        if (left <= 0 || 1 - k1 * d < least || 1 - k2 * d < least) return 0;
+        const double N = 1 - 35.0 / 128 * H * (k1 + k2) + sqr(H) / 9 * k1 * k2;
+        return -105.0 / 8 / sqr(H) * s * sqr(left) / std::fmax(N, least);
     }
     auto operator()(auto dvdt, const auto& i, const auto& foot) const
     {
         const auto k = std::size_t(i.phase);
         const double curved = foot.uniformlyCurved ? 1 : 0;
-        const double gamma = tension[std::size_t(foot.wall)*phases + k];
-        return dvdt += -gamma/restDensity[k]*slope(foot.distance, curved*foot.k1, curved*foot.k2)*foot.normal;
+        const double gamma = tension[std::size_t(foot.wall) * phases + k];
+        return dvdt += -gamma / restDensity[k] * slope(foot.distance, curved * foot.k1, curved * foot.k2) * foot.normal;
     }
 };
 

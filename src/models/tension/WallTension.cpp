@@ -14,11 +14,11 @@ template<int dim> std::vector<double> marginalIn(const Kernel<dim>& kernel, doub
     const int panels = 400;
     for (std::size_t k = 0; k < w.size(); ++k)
     {
-        const double d = H*double(k)/double(w.size() - 1), reach = std::sqrt(std::max(0.0, H*H - d*d)), step = reach/panels;
+        const double d = H * double(k) / double(w.size() - 1), reach = std::sqrt(std::max(0.0, H * H - d * d)), step = reach / panels;
         for (int q = 0; q < panels; ++q)
         {
-            const double t = (q + 0.5)*step, element = dim == 2 ? 2 : 2*std::numbers::pi*t;
-            w[k] += kernel.W(std::hypot(d, t))*element*step;
+            const double t = (q + 0.5) * step, element = dim == 2 ? 2 : 2 * std::numbers::pi * t;
+            w[k] += kernel.W(std::hypot(d, t)) * element * step;
         }
     }
     return w;

@@ -37,7 +37,7 @@ struct WallTension
     static constexpr auto name = "wallTension";
     using Adds = Stress;
     using ReadsOwn = Fields<Phase>;
-    const double* tension;               ///< [N/m], walls x phases
+    const double* tension; ///< [N/m], walls x phases
     std::size_t phases;
     double H;
     const std::vector<double>* w_1;
@@ -48,16 +48,16 @@ struct WallTension
     double marginal(double d) const
     {
         const auto& w = *w_1;
-        const double place = std::clamp(d/H, 0.0, 1.0)*double(w.size() - 1);
+        const double place = std::clamp(d / H, 0.0, 1.0) * double(w.size() - 1);
         const auto k = std::min(std::size_t(place), w.size() - 2);
-        return w[k] + (place - double(k))*(w[k + 1] - w[k]);
+        return w[k] + (place - double(k)) * (w[k + 1] - w[k]);
     }
     /// Only where there is a mirror image, which the tension has to balance.
     auto operator()(auto S, const auto& i, const auto& foot) const
     {
         if (foot.distance >= H || !foot.smooth) return S;
-        const double gamma = tension[std::size_t(foot.wall)*phases + std::size_t(i.phase)];
-        return S += 2*gamma*marginal(foot.distance)*(identity(foot.normal) - outer(foot.normal));
+        const double gamma = tension[std::size_t(foot.wall) * phases + std::size_t(i.phase)];
+        return S += 2 * gamma * marginal(foot.distance) * (identity(foot.normal) - outer(foot.normal));
     }
 };
 

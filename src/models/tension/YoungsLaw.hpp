@@ -17,7 +17,7 @@ namespace sph
 struct PhaseAngle
 {
     std::size_t a, b;
-    double angle;      ///< [degrees], through a
+    double angle; ///< [degrees], through a
 };
 double cosineThroughFirst(const PhaseAngle&);
 

@@ -12,10 +12,10 @@ std::vector<double> tensionShares(const Coefficients& c)
     const std::size_t n = c.phases.size();
     std::vector<double> sum(n, 0.0);
     for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t l = 0; l < n; ++l) sum[k] += c.surfaceTension[k*n + l];
-    const double all = std::accumulate(sum.begin(), sum.end(), 0.0)/double(2*n - 2);
+        for (std::size_t l = 0; l < n; ++l) sum[k] += c.surfaceTension[k * n + l];
+    const double all = std::accumulate(sum.begin(), sum.end(), 0.0) / double(2 * n - 2);
     std::vector<double> gamma;
-    for (double s : sum) gamma.push_back((s - all)/double(n - 2));
+    for (double s : sum) gamma.push_back((s - all) / double(n - 2));
     return gamma;
 }
 
@@ -26,20 +26,20 @@ double missedByShares(const Coefficients& c)
     double most = 0;
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = 0; l < n; ++l)
-            if (k != l) most = std::max(most, std::abs(gamma[k] + gamma[l] - c.surfaceTension[k*n + l]));
-    return most/(*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()));
+            if (k != l) most = std::max(most, std::abs(gamma[k] + gamma[l] - c.surfaceTension[k * n + l]));
+    return most / (*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()));
 }
 
 std::vector<double> wallCosines(const Coefficients& c)
 {
-    const std::size_t n = c.phases.size(), walls = c.wallTension.size()/n;
+    const std::size_t n = c.phases.size(), walls = c.wallTension.size() / n;
     std::vector<double> cosines;
     for (std::size_t w = 0; w < walls; ++w)
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t l = 0; l < n; ++l)
             {
-                const double gamma = c.surfaceTension[k*n + l], difference = c.wallTension[w*n + l] - c.wallTension[w*n + k];
-                cosines.push_back(gamma > 0 ? std::clamp(difference/gamma, -1.0, 1.0) : 0);
+                const double gamma = c.surfaceTension[k * n + l], difference = c.wallTension[w * n + l] - c.wallTension[w * n + k];
+                cosines.push_back(gamma > 0 ? std::clamp(difference / gamma, -1.0, 1.0) : 0);
             }
     return cosines;
 }
@@ -55,12 +55,12 @@ struct Tables
 
 std::shared_ptr<const Tables> tablesOf(const Coefficients& c, std::size_t k)
 {
-    const std::size_t n = c.phases.size(), walls = c.wallTension.size()/n;
+    const std::size_t n = c.phases.size(), walls = c.wallTension.size() / n;
     const auto gamma = tensionShares(c), cosine = wallCosines(c);
     Tables t;
-    for (std::size_t l = 0; l < n; ++l) t.share.push_back(l == k ? 0 : 0.5*(c.surfaceTension[k*n + l] + gamma[k] - gamma[l]));
+    for (std::size_t l = 0; l < n; ++l) t.share.push_back(l == k ? 0 : 0.5 * (c.surfaceTension[k * n + l] + gamma[k] - gamma[l]));
     for (std::size_t w = 0; w < walls; ++w)
-        for (std::size_t l = 0; l < n; ++l) t.cosine.push_back(cosine[(w*n + k)*n + l]);
+        for (std::size_t l = 0; l < n; ++l) t.cosine.push_back(cosine[(w * n + k) * n + l]);
     return std::make_shared<const Tables>(std::move(t));
 }
 }
@@ -81,17 +81,36 @@ std::vector<std::string> definePhaseCurvature(Settings& settings, PhaseCurvature
         const auto tables = tablesOf(c, std::size_t(k));
         const double phase = k;
         const std::string gradient = "colourGradient" + of, force = "curvatureForce" + of;
-        settings.define<PhaseColourSmoothing>("colourSmoothing" + of, [=](const Coefficients&) { return PhaseColourSmoothing{phase}; }, names);
+        settings.define<PhaseColourSmoothing>(
+            "colourSmoothing" + of, [=](const Coefficients&) { return PhaseColourSmoothing{phase}; }, names);
         if (forms.adhering)
-            settings.define<AdheringPhaseGradient>(gradient, [=](const Coefficients&) { return AdheringPhaseGradient{tables->cosine.data(), n, phase}; }, names);
+            settings.define<AdheringPhaseGradient>(
+                gradient,
+                [=](const Coefficients&) {
+                    return AdheringPhaseGradient{tables->cosine.data(), n, phase};
+                },
+                names);
         else
-            settings.define<SmoothedColourGradient>(gradient, [](const Coefficients&) { return SmoothedColourGradient{}; }, names);
-        settings.define<InterfaceCurvature>("interfaceCurvature" + of, [](const Coefficients& q) { return InterfaceCurvature(q); }, names);
-        settings.define<CurvatureSmoothing>("curvatureSmoothing" + of, [](const Coefficients&) { return CurvatureSmoothing{}; }, names);
+            settings.define<SmoothedColourGradient>(
+                gradient, [](const Coefficients&) { return SmoothedColourGradient{}; }, names);
+        settings.define<InterfaceCurvature>(
+            "interfaceCurvature" + of, [](const Coefficients& q) { return InterfaceCurvature(q); }, names);
+        settings.define<CurvatureSmoothing>(
+            "curvatureSmoothing" + of, [](const Coefficients&) { return CurvatureSmoothing{}; }, names);
         if (forms.even)
-            settings.define<EvenPhaseCurvatureForce>(force, [=](const Coefficients&) { return EvenPhaseCurvatureForce{tables->share.data(), phase}; }, ofForce);
+            settings.define<EvenPhaseCurvatureForce>(
+                force,
+                [=](const Coefficients&) {
+                    return EvenPhaseCurvatureForce{tables->share.data(), phase};
+                },
+                ofForce);
         else
-            settings.define<PhaseCurvatureForce>(force, [=](const Coefficients&) { return PhaseCurvatureForce{tables->share.data(), phase}; }, ofForce);
+            settings.define<PhaseCurvatureForce>(
+                force,
+                [=](const Coefficients&) {
+                    return PhaseCurvatureForce{tables->share.data(), phase};
+                },
+                ofForce);
         selected.push_back(force);
     }
     return selected;

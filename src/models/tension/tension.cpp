@@ -17,11 +17,13 @@ namespace sph
 
 namespace entry
 {
-const Choice surfaceTension{"surfaceTension",
-                            {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of each interface"}, "none"},
-                            byScene("curvature; interfaceStress with scheme paper, contactAngle wallStress, or more than three phases whose sigmas are no sums of a share of each; none "
-                                    "without sigma"),
-                            "form of the surface tension"},
+const Choice surfaceTension{
+    "surfaceTension",
+    {{"interfaceStress", "divergence of Hu and Adams' stress, any number of phases"}, {"curvature", "of each interface"}, "none"},
+    byScene(
+        "curvature; interfaceStress with scheme paper, contactAngle wallStress, or more than three phases whose sigmas are no sums of a share of each; none "
+        "without sigma"),
+    "form of the surface tension"},
     contactAngle{"contactAngle",
                  {{"wallStress", "tension of the wall, with interfaceStress"},
                   {"wallPotential", "energy of the wall, with curvature"},
@@ -48,7 +50,8 @@ void setContactAngles(const Reading& reading, Coefficients& c)
     bool neutral = true;
     for (const auto& wall : reading.geometry.walls)
     {
-        const auto complain = [&](const std::string& what) { reading.theCase.diagnostics().error(wall.anglesAt, fmt::format("wall \"{}\": {}", wall.name, what)); };
+        const auto complain = [&](const std::string& what)
+        { reading.theCase.diagnostics().error(wall.anglesAt, fmt::format("wall \"{}\": {}", wall.name, what)); };
         const auto known = phaseAngles(wall, c, complain);
         for (const auto& pair : known) neutral = neutral && pair.angle == 90;
         for (double tension : wallTensions(known, c, complain)) tensions.push_back(tension);
@@ -75,14 +78,18 @@ void prepare(const Reading& reading)
     const auto& dict = reading.schemes;
     setContactAngles(reading, c);
     const bool tension = hasTension(c);
-    const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") || entry::contactAngle.is(dict, "wallStress");
+    const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") ||
+                        entry::contactAngle.is(dict, "wallStress");
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
     settings.surfaceTension = form != "none";
     if (!settings.surfaceTension) c.wallTension.clear();
-    if (settings.surfaceTension && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
+    if (settings.surfaceTension && !tension)
+        entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
     else if (form == "curvature" && !haveShares(c))
-        settings.reasons.push_back(fmt::format("surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
-                                               "has them exactly", c.phases.size(), missedByShares(c)));
+        settings.reasons.push_back(fmt::format(
+            "surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
+            "has them exactly",
+            c.phases.size(), missedByShares(c)));
 }
 
 void readAngles(const Reading& reading)
@@ -90,23 +97,31 @@ void readAngles(const Reading& reading)
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
     const bool byCurvature = settings.has("surfaceTension", "curvature"), byStress = settings.has("surfaceTension", "interfaceStress");
-    const auto& form = reading.choose(entry::contactAngle, byCurvature ? "wallPotential" : reading.paper() && byStress ? "paper" : "wallStress");
+    const auto& form = reading.choose(entry::contactAngle, byCurvature                   ? "wallPotential"
+                                                           : reading.paper() && byStress ? "paper"
+                                                                                         : "wallStress");
     if (form == "paper" && !byStress)
-        entry::contactAngle.error(dict, fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
-                                               "{}; take wallStress or wallPotential", settings.chosen.at("surfaceTension")));
+        entry::contactAngle.error(
+            dict, fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
+                              "{}; take wallStress or wallPotential",
+                              settings.chosen.at("surfaceTension")));
     if (form == "wallPotential" && byStress && reading.geometry.wets())
-        dict.diagnostics().warning(entry::contactAngle.where(dict), "wallPotential asks the interface to bend beside the wall, which interfaceStress does not: contact angles are 7 to 9 "
-                                                                    "degrees off (tutorials/verification/contactAngle). Take surfaceTension curvature, or contactAngle wallStress");
+        dict.diagnostics().warning(
+            entry::contactAngle.where(dict),
+            "wallPotential asks the interface to bend beside the wall, which interfaceStress does not: contact angles are 7 to 9 "
+            "degrees off (tutorials/verification/contactAngle). Take surfaceTension curvature, or contactAngle wallStress");
     if (form == "wallAdhesion" && byStress)
-        entry::contactAngle.error(dict, "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
+        entry::contactAngle.error(
+            dict,
+            "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
     if (entry::contactAngle.given(dict) && (!settings.surfaceTension || !reading.geometry.wets()))
         entry::contactAngle.error(dict, fmt::format("does nothing without {}; give that, or leave this out",
-                                               reading.geometry.wets() ? "surface tension between two phases"
-                                                                       : "a wall that has a contactAngle in constant/geometry"));
+                                                    reading.geometry.wets() ? "surface tension between two phases"
+                                                                            : "a wall that has a contactAngle in constant/geometry"));
     // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
     auto& c = settings.coefficients;
     if (form != "paper" || !byStress || !reading.geometry.wets()) return;
-    c.wallTension.resize(reading.geometry.walls.size()*c.phases.size());
+    c.wallTension.resize(reading.geometry.walls.size() * c.phases.size());
     settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
 }
 
@@ -142,12 +157,11 @@ void read(const Reading& reading)
     }
     else if (settings.has("surfaceTension", "curvature"))
     {
-        select(settings.force(!seldom && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce", tensionTerms<2>(),
-                              tensionTerms<3>()));
+        select(settings.force(!seldom && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce",
+                              tensionTerms<2>(), tensionTerms<3>()));
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
-    if (by("wallAdhesion"))
-        settings.continuesInterfaces = true;
+    if (by("wallAdhesion")) settings.continuesInterfaces = true;
     if (by("wallPotential")) select("wallPotential");
     if (!seldom) return;
     if (settings.slowTerms.empty())
@@ -161,22 +175,23 @@ void read(const Reading& reading)
 std::optional<StepLimit> capillaryLimit(const Settings& settings, const Measured&)
 {
     const auto& c = settings.coefficients;
-    const double h = 0.5*c.support, s = settings.integration.factors.capillary;
+    const double h = 0.5 * c.support, s = settings.integration.factors.capillary;
     const std::size_t n = c.phases.size();
     double step = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = 0; l < n; ++l)
-            if (const double gamma = c.surfaceTension[k*n + l]; gamma > 0)
-                step = std::min(step, std::sqrt((c.restDensity[k] + c.restDensity[l])*h*h*h/(4*std::numbers::pi*gamma)));
+            if (const double gamma = c.surfaceTension[k * n + l]; gamma > 0)
+                step = std::min(step, std::sqrt((c.restDensity[k] + c.restDensity[l]) * h * h * h / (4 * std::numbers::pi * gamma)));
     if (!(step < std::numeric_limits<double>::infinity())) return {};
-    return StepLimit{s*step, "capillary"};
+    return StepLimit{s * step, "capillary"};
 }
 
 /// s sqrt(h/|dv/dt|), s = 0.25, of what acts once in a step.
 std::optional<StepLimit> slowForceLimit(const Settings& settings, const Measured& measured)
 {
     if (!(measured.maxSlowAcceleration > 0)) return {};
-    return StepLimit{settings.integration.factors.force*std::sqrt(0.5*settings.coefficients.support/measured.maxSlowAcceleration), "slow force"};
+    return StepLimit{settings.integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxSlowAcceleration),
+                     "slow force"};
 }
 
 template<int dim> Catalogue<dim> allTerms()
@@ -189,8 +204,15 @@ template<int dim> Catalogue<dim> allTerms()
 
 const Model& tensionModel()
 {
-    static const Model model{"surfaceTension", "surface tension between phases, and the contact angles of walls", read, allTerms<2>(), allTerms<3>(), prepare,
-                             {}, {capillaryLimit, slowForceLimit}, {{"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}}};
+    static const Model model{"surfaceTension",
+                             "surface tension between phases, and the contact angles of walls",
+                             read,
+                             allTerms<2>(),
+                             allTerms<3>(),
+                             prepare,
+                             {},
+                             {capillaryLimit, slowForceLimit},
+                             {{"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}}};
     return model;
 }
 

@@ -7,10 +7,7 @@
 namespace sph
 {
 
-template<int dim> Catalogue<dim> wettingLaws()
-{
-    return catalogue<dim, WallTension, WallPotential, WallAdhesion, WallNextTo>();
-}
+template<int dim> Catalogue<dim> wettingLaws() { return catalogue<dim, WallTension, WallPotential, WallAdhesion, WallNextTo>(); }
 
 template Catalogue<2> wettingLaws<2>();
 template Catalogue<3> wettingLaws<3>();

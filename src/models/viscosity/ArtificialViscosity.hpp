@@ -28,13 +28,10 @@ struct ArtificialViscosity
     using ReadsOwn = Fields<Mass>;
     double coefficient, small;
 
-    explicit ArtificialViscosity(const Coefficients& c)
-        : coefficient(c.of<ArtificialNumber>().mu),
-          small(0.01*sqr(0.5*c.support))
-    {}
+    explicit ArtificialViscosity(const Coefficients& c) : coefficient(c.of<ArtificialNumber>().mu), small(0.01 * sqr(0.5 * c.support)) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return coefficient/i.m*i.V*j.V*dot(i.v - j.v, ij.x)/(sqr(ij.r) + small)*ij.gradW;
+        return coefficient / i.m * i.V * j.V * dot(i.v - j.v, ij.x) / (sqr(ij.r) + small) * ij.gradW;
     }
 };
 

@@ -36,13 +36,13 @@ template<class MeanViscosity> struct GradientOfStress
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        const double w = j.V*mean(i, j);
-        return GradientAndMoment<dim>{w*outer(j.v - i.v, ij.gradW), -w*ij.dWdrOverR*outer(ij.x)};
+        const double w = j.V * mean(i, j);
+        return GradientAndMoment<dim>{w * outer(j.v - i.v, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
     }
     auto finish(const auto&, const auto& sum) const
     {
-        const double b = -leastEigenvalue(-1.0*sum.moment);
-        return (b > 0 ? 1/b : 0.0)*sum.A;
+        const double b = -leastEigenvalue(-1.0 * sum.moment);
+        return (b > 0 ? 1 / b : 0.0) * sum.A;
     }
 };
 
@@ -56,7 +56,7 @@ template<class MeanViscosity> struct TransposedSum
     explicit TransposedSum(const Coefficients& c) : mean(c) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return i.V/i.m*j.V*mean(i, j)*(transpose(i.G + j.G)*ij.gradW);
+        return i.V / i.m * j.V * mean(i, j) * (transpose(i.G + j.G) * ij.gradW);
     }
 };
 

@@ -34,7 +34,7 @@ struct HarmonicMean
 {
     template<class... Other> using Reads = Fields<Volume, Other..., DynamicViscosity>;
     explicit HarmonicMean(const Coefficients&) {}
-    double operator()(const auto& i, const auto& j) const { return 2*i.mu*j.mu/(i.mu + j.mu + 1e-300); }
+    double operator()(const auto& i, const auto& j) const { return 2 * i.mu * j.mu / (i.mu + j.mu + 1e-300); }
 };
 
 /// mu_i of the particle's phase [Pa s].
@@ -63,10 +63,7 @@ template<class MeanViscosity> struct MorrisSum
 
     explicit MorrisSum(const Coefficients& c) : mean(c) {}
     /// What a pair's velocity difference is multiplied by [1/s]: negative.
-    auto rate(const auto& ij, const auto& i, const auto& j) const
-    {
-        return 1/i.m*mean(i, j)*(sqr(i.V) + sqr(j.V))*ij.dWdrOverR;
-    }
+    auto rate(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * mean(i, j) * (sqr(i.V) + sqr(j.V)) * ij.dWdrOverR; }
 };
 
 template<class MeanViscosity> struct MorrisViscosity : MorrisSum<MeanViscosity>
@@ -74,7 +71,7 @@ template<class MeanViscosity> struct MorrisViscosity : MorrisSum<MeanViscosity>
     using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
     using MorrisSum<MeanViscosity>::MorrisSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.v - j.v); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.v - j.v); }
 };
 
 /// Monaghan & Gingold's (1983) form along the line of centres, with the viscosities of two phases as Cleary (1998) and Hu & Adams have them:
@@ -92,7 +89,7 @@ template<class MeanViscosity> struct CentralSum : MorrisSum<MeanViscosity>
     auto along(const auto& ij, const auto& i, const auto& j, auto v_ij) const
     {
         constexpr double small = 1e-300; // keeps 0/0 of a particle with itself away
-        return (dimensions(ij.x) + 2)*this->rate(ij, i, j)*dot(v_ij, ij.x)/(sqr(ij.r) + small)*ij.x;
+        return (dimensions(ij.x) + 2) * this->rate(ij, i, j) * dot(v_ij, ij.x) / (sqr(ij.r) + small) * ij.x;
     }
 };
 
@@ -115,7 +112,7 @@ template<class MeanViscosity> struct MorrisResponse : MorrisSum<MeanViscosity>
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
     using MorrisSum<MeanViscosity>::MorrisSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j)*(i.dv - j.dv); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.dv - j.dv); }
 };
 using SinglePhaseResponse = Named<"singlePhaseViscousResponse", MorrisResponse<UniformViscosity>>;
 using HarmonicResponse = Named<"harmonicViscousResponse", MorrisResponse<HarmonicMean>>;
@@ -136,7 +133,7 @@ template<class MeanViscosity> struct MorrisRate : MorrisSum<MeanViscosity>
     using Reads = typename MeanViscosity::template Reads<>;
     using Provides = ViscousRate;
     using MorrisSum<MeanViscosity>::MorrisSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j)*(ij.r > 0); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j) * (ij.r > 0); }
 };
 using SinglePhaseRate = Named<"singlePhaseViscousRate", MorrisRate<UniformViscosity>>;
 using HarmonicRate = Named<"harmonicViscousRate", MorrisRate<HarmonicMean>>;
@@ -146,7 +143,7 @@ template<class MeanViscosity> struct CentralRate : MorrisRate<MeanViscosity>
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr double d = dimensions(decltype(ij.x){});
-        return (d + 2)/d*MorrisRate<MeanViscosity>::operator()(ij, i, j);
+        return (d + 2) / d * MorrisRate<MeanViscosity>::operator()(ij, i, j);
     }
 };
 using SinglePhaseClearyRate = Named<"singlePhaseClearyRate", CentralRate<UniformViscosity>>;

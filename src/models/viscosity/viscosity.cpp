@@ -9,10 +9,14 @@ namespace sph
 namespace entry
 {
 const Choice viscosity{"viscosity",
-                       {{"newtonian", "the whole stress, mu (grad v + (grad v)^T)"}, {"harmonic", "div(mu grad v), harmonic mean of a pair"}, {"cleary", "the whole stress, along the line of centres"}, "none"},
+                       {{"newtonian", "the whole stress, mu (grad v + (grad v)^T)"},
+                        {"harmonic", "div(mu grad v), harmonic mean of a pair"},
+                        {"cleary", "the whole stress, along the line of centres"},
+                        "none"},
                        byScene("newtonian between phases of unequal mu, else harmonic where a phase has mu"),
                        "form of the viscous acceleration"};
-const Scalar artificialViscosity{"artificialViscosity", units::none, 0, nonNegative, "alpha of Monaghan and Gingold, about 0.02 for free surfaces"};
+const Scalar artificialViscosity{"artificialViscosity", units::none, 0, nonNegative,
+                                 "alpha of Monaghan and Gingold, about 0.02 for free surfaces"};
 }
 
 namespace
@@ -48,7 +52,7 @@ void read(const Reading& reading)
 
     const double alpha = entry::artificialViscosity(reading.schemes);
     if (!(alpha > 0)) return;
-    c.set(ArtificialNumber{alpha*(0.5*c.support)*(*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end()))*c.restDensity[0]});
+    c.set(ArtificialNumber{alpha * (0.5 * c.support) * (*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end())) * c.restDensity[0]});
     reading.select("artificialViscosity");
 }
 
@@ -57,24 +61,32 @@ std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& 
 {
     const auto& c = settings.coefficients;
     if (settings.has("viscosity", "none")) return {};
-    const double h = 0.5*c.support;
+    const double h = 0.5 * c.support;
     double nu = 0;
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         for (std::size_t l = 0; l < c.phases.size(); ++l)
             if (const double sum = c.viscosity[k] + c.viscosity[l]; sum > 0)
-                nu = std::max(nu, 2*c.viscosity[k]*c.viscosity[l]/sum/std::min(c.restDensity[k], c.restDensity[l]));
-    if (measured.largestViscosity) nu = *measured.largestViscosity/c.restDensity[0];
+                nu = std::max(nu, 2 * c.viscosity[k] * c.viscosity[l] / sum / std::min(c.restDensity[k], c.restDensity[l]));
+    if (measured.largestViscosity) nu = *measured.largestViscosity / c.restDensity[0];
     if (!(nu > 0) || settings.integration.solves) return {};
-    return StepLimit{settings.integration.maxSubSteps*(settings.integration.factors.viscous*h*h/nu), "viscosity", true};
+    return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true};
 }
 }
 
 const Model& viscosityModel()
 {
-    static const Model model{"viscosity", "acceleration by viscosity, physical and artificial", read, viscosityTerms<2>(), viscosityTerms<3>(), prepare,
-                             {{"integration", [](const Settings& s) { return s.has("viscosity", "none") && s.integration.solves && !s.integration.solvesPressure; },
+    static const Model model{"viscosity",
+                             "acceleration by viscosity, physical and artificial",
+                             read,
+                             viscosityTerms<2>(),
+                             viscosityTerms<3>(),
+                             prepare,
+                             {{"integration",
+                               [](const Settings& s)
+                               { return s.has("viscosity", "none") && s.integration.solves && !s.integration.solvesPressure; },
                                "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
-                             {viscousLimit}, {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};
+                             {viscousLimit},
+                             {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};
     return model;
 }
 

@@ -8,8 +8,9 @@ namespace sph
 template<int dim> Catalogue<dim> viscosityTerms()
 {
     return catalogue<dim, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse, SinglePhaseRate, HarmonicRate,
-                     SinglePhaseClearyViscosity, ClearyViscosity, SinglePhaseClearyResponse, ClearyResponse, SinglePhaseClearyRate, ClearyRate,
-                     ViscousGradientOfPhases, TransposedViscosity, SinglePhaseViscousGradient, SinglePhaseTransposedViscosity, ViscosityOfPhase, ArtificialViscosity>();
+                     SinglePhaseClearyViscosity, ClearyViscosity, SinglePhaseClearyResponse, ClearyResponse, SinglePhaseClearyRate,
+                     ClearyRate, ViscousGradientOfPhases, TransposedViscosity, SinglePhaseViscousGradient, SinglePhaseTransposedViscosity,
+                     ViscosityOfPhase, ArtificialViscosity>();
 }
 
 template Catalogue<2> viscosityTerms<2>();

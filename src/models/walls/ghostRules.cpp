@@ -3,18 +3,23 @@
 namespace sph
 {
 
-template<int dim>
-Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
+template<int dim> Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     return v_w + change(v - v_w, r);
 }
 
-template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return -r.ratio*dv; }
+template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return -r.ratio * dv; }
 
 template<int dim>
 SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c, bool varies)
-    : geometry_(geometry), store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)), rho_(c.restDensity[0]), mu_(c.viscosity[0]), varies_(varies)
+    : geometry_(geometry),
+      store_(store),
+      g_(in<dim>(c.g)),
+      f_(in<dim>(c.bodyForce)),
+      rho_(c.restDensity[0]),
+      mu_(c.viscosity[0]),
+      varies_(varies)
 {}
 
 template<int dim> void SecondOrderVelocity<dim>::bind()
@@ -30,9 +35,9 @@ template<int dim> void SecondOrderVelocity<dim>::filter()
     const double share = 0.1; // 0.1, 0.3 and 1 were stable; 0.1 keeps sound waves out of the wall
     const auto a_p = store_.pointers(PressureAcceleration{});
     const std::size_t n = store_.owned();
-    #pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < dim; ++c) a_[c][i] += share*(a_p[c][i] - a_[c][i]);
+        for (int c = 0; c < dim; ++c) a_[c][i] += share * (a_p[c][i] - a_[c][i]);
 }
 
 template<int dim>
@@ -44,31 +49,35 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     Vector<dim> a;
     fetch(a, [&](int c) { return a_[c][source]; });
     const WallProperties& wall = geometry_.walls[r.wall];
-    const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_)/rho;
-    a += g_ + f_/rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
-    return continued - 0.5*r.ratio*(1 + r.ratio)*sqr(r.distance)/nu*(a - dot(a, r.normal)*r.normal);
+    const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_) / rho;
+    a += g_ + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
+    return continued - 0.5 * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu * (a - dot(a, r.normal) * r.normal);
 }
 
 template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return -r.ratio/std::sqrt(r.weight)*dv;
+    return -r.ratio / std::sqrt(r.weight) * dv;
 }
 
-template<int dim>
-Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
+template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     return v_w + change(v - v_w, r);
 }
 
-template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return mirrored(dv, r.normal); }
-
-template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
+template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return p - (1 + r.ratio)*r.distance*dot(r.normal, rho_[source]*g_ + f_);
+    return mirrored(dv, r.normal);
 }
 
-template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
+template<int dim>
+double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
+{
+    return p - (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * g_ + f_);
+}
+
+template<int dim>
+double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
 {
     return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r, once), std::fmin(p, 0.0));
 }

@@ -10,12 +10,15 @@ namespace sph
 
 namespace entry
 {
-const Choice wallVelocity{"wallVelocity",
-                          {{"secondOrder", "no slip, from the momentum balance at the wall"}, {"reflected", "no slip, first order in the distance"}, "freeSlip"},
-                          byScene("secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; else reflected"),
-                          "of what lies behind a wall"},
+const Choice wallVelocity{
+    "wallVelocity",
+    {{"secondOrder", "no slip, from the momentum balance at the wall"}, {"reflected", "no slip, first order in the distance"}, "freeSlip"},
+    byScene("secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; else reflected"),
+    "of what lies behind a wall"},
     wallPressure{"wallPressure",
-                 {{"hydrostatic", "continues that of a fluid at rest"}, {"detaching", "the same without suction"}, {"mirrored", "that of the source"}},
+                 {{"hydrostatic", "continues that of a fluid at rest"},
+                  {"detaching", "the same without suction"},
+                  {"mirrored", "that of the source"}},
                  byScene("hydrostatic; mirrored with scheme paper"),
                  "of what lies behind a wall"};
 }
@@ -37,8 +40,9 @@ void prepare(const Reading& reading)
     settings.chosen["walls"] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
     if (!geometry.layers.empty())
-        settings.reasons.push_back(fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
-                                               geometry.layers.size()));
+        settings.reasons.push_back(
+            fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
+                        geometry.layers.size()));
     // Measured: two layers of water and air have 0.06 % of error by it in place of 0.16 (tutorials/verification/twoLayerPoiseuille). A bed of grains with
     // surface tension has three times the kinetic energy at 4 ms, and a channel of powder, whose gradient of mu the rule leaves out, 5.0 % of error in U
     // in place of 3.0.
@@ -65,16 +69,23 @@ void read(const Reading& reading)
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Pressure::info.name] = {stateField(Density{})};
     settings.leaked = readLeakGuard(reading.schemes);
-    settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(), [](const Patch& p)
+    settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(),
+                                    [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
-    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
+    settings.parts.push_back(
+        partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
 }
 }
 
 const Model& wallsModel()
 {
     static const Model model{
-        "walls", "how the fluid continues into its walls: velocity and pressure of ghosts, or of particles in layers", read, {}, {}, prepare,
+        "walls",
+        "how the fluid continues into its walls: velocity and pressure of ghosts, or of particles in layers",
+        read,
+        {},
+        {},
+        prepare,
         {{"wallVelocity", [](const Settings& s) { return s.has("walls", "layers") && s.has("wallVelocity", "freeSlip"); },
           "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected"},
          {"wallVelocity",
@@ -85,7 +96,10 @@ const Model& wallsModel()
           "secondOrder sees surface tension where it acts in every part of a step: take maxSubSteps 1, or reflected"},
          {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
           "layers have no interface to continue: with surface tension take walls reflected"}},
-        {}, {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure}}, {"system/sphSchemes", wallLayersEntries()}, {"system/sphSchemes", leakGuardEntries()}}};
+        {},
+        {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure}},
+         {"system/sphSchemes", wallLayersEntries()},
+         {"system/sphSchemes", leakGuardEntries()}}};
     return model;
 }
 

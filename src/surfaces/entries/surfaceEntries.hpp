@@ -23,7 +23,9 @@ const AutomaticScalar iso{"iso", units::none, byScene("0.5"), positiveBelow(1).s
                           "value of the colour function on the surface; automatic: the one whose surface encloses the particles' volume"};
 const Choice kernel{"kernel", kernelNames(), "wendlandC2", "of the colour function"},
     normalise{"normalise",
-              {"none", {"walls", "by the part of the kernel that lies in the fluid"}, {"particles", "by the sum over the particles of all phases"}},
+              {"none",
+               {"walls", "by the part of the kernel that lies in the fluid"},
+               {"particles", "by the sum over the particles of all phases"}},
               byScene("particles where there are several phases, else walls"),
               "how the kernel sum is normalised"};
 const Switch closed{"closed", false, "cap the surface along walls and domain faces"};

@@ -53,12 +53,12 @@ removed 1;
 )";
 
 /// Every value that the sample gives, and keywords that a pattern answers.
-const std::vector<std::string> entries{
-    "L",           "word",        "text",       "number",   "dotted",   "switch",     "g",          "list",       "uniformList",
-    "typed",       "words",       "nu",         "named",    "field",    "nested",     "none",       "div(phi,U)", "long",
-    "sub.b",       "sub.c",       "sub.d",      "sub.e",    "sub.in.z", "sub.in.top", "sub.in.alt", "sub.in.up",  "copy.type",
-    "copy.v",      "copyAfter.v", "expression", "braces",   "degrees",  "chosen",     "branch",     "pX.type",    "inletA.type",
-    "inletB.type", "twice",       "blocks.x",   "blocks.y", "fresh",    "fromInclude"};
+const std::vector<std::string> entries{"L",           "word",        "text",       "number",     "dotted",    "switch",    "g",
+                                       "list",        "uniformList", "typed",      "words",      "nu",        "named",     "field",
+                                       "nested",      "none",        "div(phi,U)", "long",       "sub.b",     "sub.c",     "sub.d",
+                                       "sub.e",       "sub.in.z",    "sub.in.top", "sub.in.alt", "sub.in.up", "copy.type", "copy.v",
+                                       "copyAfter.v", "expression",  "braces",     "degrees",    "chosen",    "branch",    "pX.type",
+                                       "inletA.type", "inletB.type", "twice",      "blocks.x",   "blocks.y",  "fresh",     "fromInclude"};
 
 std::string outputOf(const std::string& command)
 {
@@ -92,8 +92,7 @@ std::string normal(const std::string& text)
             word = c;
             finish();
         }
-        else if (!std::isspace(static_cast<unsigned char>(c)))
-            word += c;
+        else if (!std::isspace(static_cast<unsigned char>(c))) word += c;
     }
     return result;
 }

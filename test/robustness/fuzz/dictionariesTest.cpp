@@ -73,7 +73,8 @@ void lookUpAll(const Dictionary& d)
 TEST(Fuzz, Dictionaries)
 {
     const auto texts = seeds();
-    fuzz(4000, [&](Mutator& mutator)
+    fuzz(4000,
+         [&](Mutator& mutator)
          {
              const auto text = mutator.of(mutator.oneOf(texts), texts);
              const auto diagnostics = std::make_shared<Diagnostics>();
@@ -93,7 +94,8 @@ TEST(Fuzz, Edits)
 {
     const auto texts = seeds();
     const TestCase c(Files{});
-    fuzz(500, [&](Mutator& mutator)
+    fuzz(500,
+         [&](Mutator& mutator)
          {
              const auto& text = mutator.oneOf(texts);
              std::filesystem::remove(c.folder() / "d"); // emptied in its place it would wait for the disk on some systems

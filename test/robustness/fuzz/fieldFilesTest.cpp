@@ -65,7 +65,7 @@ std::vector<double> numbersIn(const std::string& list)
         all.erase(all.begin());
         if (n != double(particles)) return {};
         if (compact != text.npos)
-            for (std::size_t k = all.size(), one = all.size(); k < particles*one; ++k) all.push_back(all[k - one]);
+            for (std::size_t k = all.size(), one = all.size(); k < particles * one; ++k) all.push_back(all[k - one]);
     }
     return all;
 }
@@ -84,7 +84,7 @@ std::vector<double> inOrder(const std::vector<const std::vector<double>*>& compo
 
 bool sameBits(const std::vector<double>& a, const std::vector<double>& b)
 {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size()*sizeof(double)) == 0;
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// Each may be the brace that ends the header, where a damaged one has several.
@@ -108,7 +108,8 @@ bool areBytes(const std::string& file, const std::vector<double>& values, bool i
     for (const double value : values)
     {
         const auto label = std::int32_t(isLabel ? value : 0);
-        bytes.append(isLabel ? reinterpret_cast<const char*>(&label) : reinterpret_cast<const char*>(&value), isLabel ? sizeof label : sizeof value);
+        bytes.append(isLabel ? reinterpret_cast<const char*>(&label) : reinterpret_cast<const char*>(&value),
+                     isLabel ? sizeof label : sizeof value);
         if (isPositions && file.find(bytes.substr(bytes.size() - sizeof value)) == file.npos) return false;
     }
     return isPositions || file.find(bytes) != file.npos;
@@ -155,7 +156,8 @@ TEST(Fuzz, FieldFiles)
     }
     const auto good = c.files("0");
     const std::vector<std::string> names{"positions", "U", "p", "m", "phase", "sigma"};
-    fuzz(4000, [&](Mutator& mutator)
+    fuzz(4000,
+         [&](Mutator& mutator)
          {
              const auto format = mutator.below(2);
              const auto name = mutator.oneOf(names);
@@ -163,7 +165,7 @@ TEST(Fuzz, FieldFiles)
              // The files are sorted by name, those in ascii first.
              auto sorted = names;
              std::ranges::sort(sorted);
-             const auto& text = texts[format*names.size() + std::size_t(std::ranges::find(sorted, name) - sorted.begin())];
+             const auto& text = texts[format * names.size() + std::size_t(std::ranges::find(sorted, name) - sorted.begin())];
              replace(c, file, mutator.of(text, texts));
              Diagnostics diagnostics;
              const auto cloud = readCloud(c.folder(), "0", "sph", diagnostics);
@@ -186,7 +188,8 @@ TEST(Fuzz, TimeFolders)
         for (const auto format : {WriteFormat::binary, WriteFormat::ascii})
         {
             time.advance(0.02);
-            time.write([&](const std::filesystem::path& folder) { writeTime(folder, format); }, {{"work", 0.1}, {"energyGiven", 1e-300}}, {{"probes.sum", {1, 2.5}}});
+            time.write([&](const std::filesystem::path& folder) { writeTime(folder, format); }, {{"work", 0.1}, {"energyGiven", 1e-300}},
+                       {{"probes.sum", {1, 2.5}}});
         }
         theCase.diagnostics().throwIfAny();
         good = c.files("0.04");
@@ -194,7 +197,8 @@ TEST(Fuzz, TimeFolders)
     }
     std::vector<std::string> names;
     for (const auto& [name, text] : good) names.push_back(name);
-    fuzz(1000, [&](Mutator& mutator)
+    fuzz(1000,
+         [&](Mutator& mutator)
          {
              const auto name = mutator.oneOf(names);
              const auto file = "0.04/" + name;

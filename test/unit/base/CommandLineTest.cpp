@@ -91,8 +91,7 @@ TEST(CommandLine, explainsMistakes)
                             "Known options: -help, -case, -entry, -value, -keywords.\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"-entry"}).err, "--> FATAL ERROR\n-entry: 1 required TEXT missing\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"a", "b"}).err, "--> FATAL ERROR\nUnexpected argument \"b\"\nSee 'demo -help' for usage\n");
-    EXPECT_EQ(Demo({"-case", "nowhere"}).err,
-              "--> FATAL ERROR\nThere is no case folder \"nowhere\"\nSee 'demo -help' for usage\n");
+    EXPECT_EQ(Demo({"-case", "nowhere"}).err, "--> FATAL ERROR\nThere is no case folder \"nowhere\"\nSee 'demo -help' for usage\n");
 }
 
 // Exceptions of the work itself end in exit code 1 and one message; a mistake of the user is told apart from one of the program.

@@ -44,7 +44,7 @@ template<class T> void roundTrip()
     for (std::size_t c = 0; c < all.size(); ++c) EXPECT_EQ(all[c], double(c + 1));
     fetch(again, [&](int c) { return all[std::size_t(c)]; });
     EXPECT_EQ(numbers(again), all);
-    EXPECT_EQ(std::size_t(components<T>)*sizeof(double), sizeof(T));
+    EXPECT_EQ(std::size_t(components<T>) * sizeof(double), sizeof(T));
 }
 
 // Every value has as many numbers as doubles, in the order in which its parts are declared.
@@ -89,8 +89,8 @@ TEST(Tensor, HasTheAlgebraOfAVelocityGradient)
     EXPECT_EQ(skew(L), (Tensor<2>{0, -0.5, 0.5, 0}));
     EXPECT_EQ(full(symm(L)) + skew(L), L);
     EXPECT_EQ(transpose(L), (Tensor<2>{1, 3, 2, 4}));
-    EXPECT_EQ(L*(Vector<2>{5, 6}), (Vector<2>{17, 39}));
-    EXPECT_EQ(L*L, (Tensor<2>{7, 10, 15, 22}));
+    EXPECT_EQ(L * (Vector<2>{5, 6}), (Vector<2>{17, 39}));
+    EXPECT_EQ(L * L, (Tensor<2>{7, 10, 15, 22}));
     EXPECT_EQ(outer(Vector<2>{1, 2}, Vector<2>{3, 4}), (Tensor<2>{3, 4, 6, 8}));
     EXPECT_EQ(trace(L), 5);
     EXPECT_EQ(doubleDot(L, L), 30);
@@ -103,11 +103,11 @@ TEST(Tensor, HasTheSameAlgebraInSpace)
 {
     constexpr Tensor<3> L{2, 1, 0, 0, 3, 1, 3, 0, 3}, unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
     EXPECT_EQ(determinant(L), 21);
-    expectNear(L*inverse(L), unit);
-    expectNear(inverse(L)*L, unit);
-    EXPECT_EQ(L*(Vector<3>{1, 2, 3}), (Vector<3>{4, 9, 12}));
+    expectNear(L * inverse(L), unit);
+    expectNear(inverse(L) * L, unit);
+    EXPECT_EQ(L * (Vector<3>{1, 2, 3}), (Vector<3>{4, 9, 12}));
     EXPECT_EQ(transpose(transpose(L)), L);
-    EXPECT_EQ(transpose(L)*transpose(L), transpose(L*L));
+    EXPECT_EQ(transpose(L) * transpose(L), transpose(L * L));
     EXPECT_EQ(full(symm(L)) + skew(L), L);
     EXPECT_EQ(trace(outer(Vector<3>{1, 2, 3}, Vector<3>{4, 5, 6})), 32);
     EXPECT_EQ(doubleDot(L, unit), trace(L));
@@ -117,7 +117,7 @@ TEST(Tensor, HasTheSameAlgebraInSpace)
 // The image of a b is that of a times that of b, and the image of an image is the tensor itself. R S R for the symmetric part is the same.
 TEST(Tensor, IsMirroredLikeTheVectorsThatItIsMadeOf)
 {
-    const Vector<3> a{1, 2, 3}, b{-2, 0.5, 1}, n{2.0/3, -1.0/3, 2.0/3};
+    const Vector<3> a{1, 2, 3}, b{-2, 0.5, 1}, n{2.0 / 3, -1.0 / 3, 2.0 / 3};
     expectNear(mirrored(outer(a, b), n), outer(mirrored(a, n), mirrored(b, n)));
     expectNear(mirrored(mirrored(outer(a, b), n), n), outer(a, b));
     expectNear(symm(mirrored(outer(a, b), n)), mirrored(symm(outer(a, b)), n));
@@ -133,11 +133,11 @@ TEST(PlaneStrainStress, HasAComponentOutOfThePlane)
     EXPECT_EQ(trace(S), 9);
     expectNear(deviator(S), {-2, 0.5, -1, 3});
     EXPECT_EQ(trace(deviator(S)), 0);
-    EXPECT_EQ(S*(Vector<2>{2, 4}), (Vector<2>{4, 9}));
-    EXPECT_EQ(doubleDot(S, SymmTensor<2>{1, 2, 3}), 1 + 2*0.5*2 + 6);
-    EXPECT_EQ(doubleDot(S, S), 1 + 2*0.25 + 4 + 36);
+    EXPECT_EQ(S * (Vector<2>{2, 4}), (Vector<2>{4, 9}));
+    EXPECT_EQ(doubleDot(S, SymmTensor<2>{1, 2, 3}), 1 + 2 * 0.5 * 2 + 6);
+    EXPECT_EQ(doubleDot(S, S), 1 + 2 * 0.25 + 4 + 36);
     expectNear(inPlane(S), {1, 0.5, 2});
-    expectNear(S + 2*S - S, {2, 1, 4, 12});
+    expectNear(S + 2 * S - S, {2, 1, 4, 12});
 }
 
 // Whatever it does is what the stress in space does, of which it is four components. Mirrored twice it is itself.
@@ -157,8 +157,8 @@ TEST(PlaneStrainStress, IsTheStressInSpace)
 // By hand: uniaxial tension along x, turned by a quarter, is tension along y.
 TEST(StressTensor, IsRotated)
 {
-    expectNear(rotated(PlaneStrainStress{1, 0, 0, 3}, turn(pi/2)), {0, 0, 1, 3});
-    expectNear(rotated(SymmTensor<3>{1, 0, 0, 0, 0, 3}, turnAboutZ(pi/2)), {0, 0, 0, 1, 0, 3});
+    expectNear(rotated(PlaneStrainStress{1, 0, 0, 3}, turn(pi / 2)), {0, 0, 1, 3});
+    expectNear(rotated(SymmTensor<3>{1, 0, 0, 0, 0, 3}, turnAboutZ(pi / 2)), {0, 0, 0, 1, 0, 3});
 }
 
 // A body in rigid rotation at 1 rad/s has W = skew(dv_i/dx_j) = (0 -1; 1 0): after the angle d its stress is the rotated one, up to d^2 S,
@@ -167,9 +167,9 @@ TEST(StressTensor, TurnsWithARigidRotation)
 {
     const double d = 1e-4;
     const PlaneStrainStress S{1, -0.5, 2, 6};
-    expectNear(1/(2*d)*(rotated(S, turn(d)) - rotated(S, turn(-d))), turning(S, {0, -1, 1, 0}), 1e-7);
+    expectNear(1 / (2 * d) * (rotated(S, turn(d)) - rotated(S, turn(-d))), turning(S, {0, -1, 1, 0}), 1e-7);
     const SymmTensor<3> T{1, 2, 3, 4, 5, 6};
-    expectNear(1/(2*d)*(rotated(T, turnAboutZ(d)) - rotated(T, turnAboutZ(-d))), turning(T, {0, -1, 0, 1, 0, 0, 0, 0, 0}), 1e-7);
+    expectNear(1 / (2 * d) * (rotated(T, turnAboutZ(d)) - rotated(T, turnAboutZ(-d))), turning(T, {0, -1, 0, 1, 0, 0, 0, 0, 0}), 1e-7);
     EXPECT_EQ(trace(turning(T, {0, -1, 2, 1, 0, -3, -2, 3, 0})), 0);
 }
 

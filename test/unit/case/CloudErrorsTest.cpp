@@ -74,7 +74,8 @@ TEST(CloudErrors, nameWhatIsWrongWithTheHeader)
               U + ":3: FoamFile header: expected \"keyword value;\", found \"format ascii\"");
     EXPECT_EQ(ofField("FoamFile\n{\nformat asci;\n"),
               U + ":3: format \"asci\" is unknown. Did you mean \"ascii\"? Known formats: ascii, binary.");
-    EXPECT_EQ(ofField("FoamFile\n{\nformat binary;\nclass scalarField;\nformat ascii;\n}\n3{1}\n"), U + ":5: FoamFile header: \"format\" is given twice");
+    EXPECT_EQ(ofField("FoamFile\n{\nformat binary;\nclass scalarField;\nformat ascii;\n}\n3{1}\n"),
+              U + ":5: FoamFile header: \"format\" is given twice");
     EXPECT_EQ(ofField("FoamFile\n{\nlocation \"0;\nobject \"p\";\n}\n3{1}\n"), U + ":3: the string does not end on its line");
     EXPECT_EQ(ofField("FoamFile\n{\narch \"MSB;label=32;scalar=64\";\n"),
               U + ":3: arch \"MSB;label=32;scalar=64\": big-endian data is not supported");
@@ -87,8 +88,7 @@ TEST(CloudErrors, nameAWrongClass)
     EXPECT_EQ(ofField(header("vectorFeld") + "3{(0 0 0)}\n"),
               U + ":4: class \"vectorFeld\" is not a field of a cloud. Did you mean \"vectorField\"? "
                   "Known classes: labelField, scalarField, vectorField, symmTensorField, tensorField.");
-    EXPECT_EQ(ofPositions(header("vectorField") + "3{(0 0 0)}\n"),
-              P + ":4: class \"vectorField\" is not that of positions, Cloud<...>");
+    EXPECT_EQ(ofPositions(header("vectorField") + "3{(0 0 0)}\n"), P + ":4: class \"vectorField\" is not that of positions, Cloud<...>");
 }
 
 TEST(CloudErrors, nameUnequalLengths)
@@ -105,10 +105,8 @@ TEST(CloudErrors, nameATruncatedFile)
     EXPECT_EQ(ofField(header("scalarField")), U + ":7: expected the number of values, found the end of the file");
     EXPECT_EQ(ofField(header("scalarField") + "3\n"), U + ":8: expected ( and the values, found the end of the file");
     EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n2\n"), U + ":11: the file is truncated: it ends after 2 of 3 values");
-    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0"),
-              U + ":10: the file is truncated in the value of particle 1");
-    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0 0"),
-              U + ":10: the file is truncated in the value of particle 1");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0"), U + ":10: the file is truncated in the value of particle 1");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0)\n(0 0 0"), U + ":10: the file is truncated in the value of particle 1");
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "9000000000000000000\n(\n(0 0 0) 0\n"),
               P + ":10: the file is truncated: it ends after 1 of 9000000000000000000 values");
     EXPECT_EQ(ofField(header("scalarField", "binary") + "3\n(" + raw({1, 2})),
@@ -195,14 +193,10 @@ TEST(CloudErrors, nameTheParticleThatIsNotFinite)
 
 TEST(CloudErrors, nameWhatIsNoValue)
 {
-    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\ntwo\n3\n)\n"),
-              U + ":10: expected a number for particle 1, found \"two\"");
-    EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n2.5\n3\n)\n"),
-              U + ":10: expected an integer for particle 1, found \"2.5\"");
-    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n1\n2\n3\n)\n"),
-              U + ":9: expected \"(\" of the 3 numbers of particle 0, found \"1\"");
-    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0 0)\n"),
-              U + ":9: expected \")\" of the 3 numbers of particle 0, found \"0)\"");
+    EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\ntwo\n3\n)\n"), U + ":10: expected a number for particle 1, found \"two\"");
+    EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n2.5\n3\n)\n"), U + ":10: expected an integer for particle 1, found \"2.5\"");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n1\n2\n3\n)\n"), U + ":9: expected \"(\" of the 3 numbers of particle 0, found \"1\"");
+    EXPECT_EQ(ofField(header("vectorField") + "3\n(\n(0 0 0 0)\n"), U + ":9: expected \")\" of the 3 numbers of particle 0, found \"0)\"");
     EXPECT_EQ(ofField(header("scalarField", "binary") + "3{1}\n"), U + ":7: a compact list N{value} cannot be in a binary file");
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "2{(0 0 0) 0}\n"), P + ":7: positions cannot be a compact list");
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0 0)\n)\n"),
@@ -217,7 +211,8 @@ TEST(CloudErrors, nameNumbersThatRunIntoOneAnother)
     {
         EXPECT_EQ(ofField(header("scalarField") + "3\n(\n1\n" + run + "\n)\n"),
                   U + ":10: expected a number for particle 1, found \"" + run + "\"");
-        EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n" + run + "\n)\n"), U + ":10: expected an integer for particle 1, found \"" + run + "\"");
+        EXPECT_EQ(ofField(header("labelField") + "3\n(\n1\n" + run + "\n)\n"),
+                  U + ":10: expected an integer for particle 1, found \"" + run + "\"");
         EXPECT_EQ(ofField(header("scalarField") + "3{" + run + "}\n"), U + ":7: expected a number for particle 0, found \"" + run + "}\"");
     }
     EXPECT_EQ(ofPositions(header("Cloud<p>") + "1\n(\n(0 0-1) 0\n)\n"), P + ":9: expected a number for particle 0, found \"0-1)\"");

@@ -30,14 +30,15 @@ std::vector<FieldView> fieldViews()
             {"sigma", FieldClass::symmTensor, {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data()}},
             fieldView("planeStrain", valueType<PlaneStrainStress>, {x.data(), y.data(), z.data(), rho.data()}),
             fieldView("gradU", valueType<Tensor<2>>, {x.data(), y.data(), z.data(), rho.data()}),
-            {"gradW", FieldClass::tensor, {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data(), z.data(), y.data(), x.data()}}};
+            {"gradW",
+             FieldClass::tensor,
+             {x.data(), y.data(), z.data(), rho.data(), phase.data(), same.data(), z.data(), y.data(), x.data()}}};
 }
 
 void expectSameBits(const std::vector<double>& a, const std::vector<double>& b)
 {
     ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(a[i]), std::bit_cast<std::uint64_t>(b[i])) << i;
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(std::bit_cast<std::uint64_t>(a[i]), std::bit_cast<std::uint64_t>(b[i])) << i;
 }
 
 void expectRoundTrip(WriteFormat format)
@@ -60,7 +61,8 @@ void expectRoundTrip(WriteFormat format)
     expectSameBits(cloud.fields.at("sigma").component[3], rho);
     const std::vector<double> none(3, 0.0);
     EXPECT_EQ(cloud.fields.at("planeStrain").type, FieldClass::symmTensor);
-    for (int k = 0; const auto* values : {&x, &y, &none, &z, &none, &rho}) expectSameBits(cloud.fields.at("planeStrain").component[k++], *values);
+    for (int k = 0; const auto* values : {&x, &y, &none, &z, &none, &rho})
+        expectSameBits(cloud.fields.at("planeStrain").component[k++], *values);
     EXPECT_EQ(cloud.fields.at("gradU").type, FieldClass::tensor);
     for (int k = 0; const auto* values : {&x, &y, &none, &z, &rho, &none, &none, &none, &none})
         expectSameBits(cloud.fields.at("gradU").component[k++], *values);
@@ -127,8 +129,7 @@ TEST(Cloud, hasOpenFoamsBytesInBinary)
     EXPECT_EQ(c.read("1.partial/lagrangian/sph/positions"), header("binary", "Cloud<passiveParticle>", "positions") + "2\n(\n(" +
                                                                 bytes(0.1, 0.5, 0.0, zero) + ")\n(" + bytes(0.3, 0.5, 0.0, zero) +
                                                                 ")\n)\n");
-    EXPECT_EQ(c.read("1.partial/lagrangian/sph/type"),
-              header("binary", "labelField", "type") + "2\n(" + bytes(zero, one) + ")\n");
+    EXPECT_EQ(c.read("1.partial/lagrangian/sph/type"), header("binary", "labelField", "type") + "2\n(" + bytes(zero, one) + ")\n");
     EXPECT_EQ(c.read("1.partial/lagrangian/sph/p"), header("binary", "scalarField", "p") + "2\n(" + bytes(0.5, 0.5) + ")\n");
 }
 
@@ -166,9 +167,8 @@ TEST(Cloud, isReadWithOtherWidthsOfLabelsAndScalars)
     const auto widths = [](std::string text, const std::string& arch)
     { return text.replace(text.find("LSB;label=32;scalar=64"), 22, arch); };
     const std::int64_t zero = 0, big = 1LL << 40;
-    c.write("1/lagrangian/sph/positions",
-            widths(header("binary", "Cloud<basicParticle>", "positions"), "LSB;label=64;scalar=32") + "2\n(\n(" +
-                bytes(0.5f, 1.5f, 2.5f, zero) + ")\n(" + bytes(3.f, 4.f, 5.f, zero) + ")\n)\n");
+    c.write("1/lagrangian/sph/positions", widths(header("binary", "Cloud<basicParticle>", "positions"), "LSB;label=64;scalar=32") +
+                                              "2\n(\n(" + bytes(0.5f, 1.5f, 2.5f, zero) + ")\n(" + bytes(3.f, 4.f, 5.f, zero) + ")\n)\n");
     c.write("1/lagrangian/sph/id",
             widths(header("binary", "labelField", "id"), "LSB;label=64;scalar=64") + "2\n(" + bytes(zero, big) + ")");
     c.write("1/lagrangian/sph/T",
@@ -186,8 +186,7 @@ TEST(Cloud, isReadInTheLayoutsOfOthers)
 {
     const TemporaryCase c;
     const auto place = header("ascii", "Cloud<passiveParticle>", "positions");
-    c.write("1/lagrangian/sph/positions",
-            "/*---*\\\n C++ \\*---*/\n" + place + "// **** //\n2((0 +1 .5) -1 (1. 2 3e0) 7)\n// **** //\n");
+    c.write("1/lagrangian/sph/positions", "/*---*\\\n C++ \\*---*/\n" + place + "// **** //\n2((0 +1 .5) -1 (1. 2 3e0) 7)\n// **** //\n");
     c.write("1/lagrangian/sph/p", header("ascii", "scalarField", "p") + "(1 2)");
     c.write("1/lagrangian/sph/phase", header("ascii", "labelField", "phase") + "2{3}\n\n\n// end");
     c.write("1/lagrangian/sph/coordinates", "made by OpenFOAM's tools beside the positions");
@@ -236,8 +235,7 @@ TEST(BoundingMesh, isOneHexahedronAroundAll)
     const auto points = c.read("constant/polyMesh/points");
     EXPECT_EQ(points.substr(points.find("8\n")),
               "8\n(\n(-1 0 -1)\n(1 0 -1)\n(-1 0.5 -1)\n(1 0.5 -1)\n(-1 0 1)\n(1 0 1)\n(-1 0.5 1)\n(1 0.5 1)\n)\n");
-    for (const auto* file : {"faces", "owner", "neighbour", "boundary"})
-        EXPECT_TRUE(c.has(std::string("constant/polyMesh/") + file));
+    for (const auto* file : {"faces", "owner", "neighbour", "boundary"}) EXPECT_TRUE(c.has(std::string("constant/polyMesh/") + file));
     EXPECT_TRUE(c.has(c.folder().filename().string() + ".foam"));
 }
 

@@ -63,8 +63,7 @@ void expectSameSteps(const std::string& middle, int stopStep, const std::string&
     // The extra write of the stop is no difference of the run.
     if (uninterrupted[stopped].written.empty()) steps[stopped].written.clear();
     ASSERT_EQ(steps.size(), uninterrupted.size());
-    for (std::size_t k = 0; k < steps.size(); ++k)
-        ASSERT_TRUE(steps[k] == uninterrupted[k]) << "step " << k << " time " << steps[k].value;
+    for (std::size_t k = 0; k < steps.size(); ++k) ASSERT_TRUE(steps[k] == uninterrupted[k]) << "step " << k << " time " << steps[k].value;
 }
 
 }
@@ -121,9 +120,8 @@ TEST(Restart, fromAFolderCopiedToAnotherTimeBeginsAfresh)
     const Case theCase(c.folder());
     const RunTime time(theCase);
     EXPECT_EQ(messages(theCase.diagnostics()), "");
-    EXPECT_EQ(
-        theCase.diagnostics().warnings(),
-        std::vector<std::string>{"0/uniform/time:1: value 0.5 does not belong to a folder named 0: the run starts afresh at 0"});
+    EXPECT_EQ(theCase.diagnostics().warnings(),
+              std::vector<std::string>{"0/uniform/time:1: value 0.5 does not belong to a folder named 0: the run starts afresh at 0"});
     EXPECT_EQ(time.value(), 0);
     EXPECT_EQ(time.index(), 0);
     EXPECT_TRUE(time.restored().empty());
@@ -136,11 +134,7 @@ TEST(Restart, refusesToKeepNumbersThatAreNone)
     control(c, "1", "");
     RunTime time{Case(c.folder())};
     time.advance(0.1);
-    EXPECT_EQ(messageOf(
-                  [&] {
-                      time.write([](const auto&) {}, {{"energy", 1.0 / 0.0}});
-                  }),
-              "energy is inf: a run cannot restart from that");
+    EXPECT_EQ(messageOf([&] { time.write([](const auto&) {}, {{"energy", 1.0 / 0.0}}); }), "energy is inf: a run cannot restart from that");
     EXPECT_FALSE(c.has("0.1"));
 }
 

@@ -70,8 +70,7 @@ TEST(Case, namesAFolderThatIsNotThere)
 TEST(Case, listsItsTimes)
 {
     const TemporaryCase c;
-    for (const auto* name : {"10", "9", "0.orig", "1e-05", "0", "0.5.partial", "nan", "inf", "0x1", "constant", "-1"})
-        makeTime(c, name);
+    for (const auto* name : {"10", "9", "0.orig", "1e-05", "0", "0.5.partial", "nan", "inf", "0x1", "constant", "-1"}) makeTime(c, name);
     c.write("7", "");
     EXPECT_EQ(Case(c.folder()).times(), (Names{"-1", "0", "1e-05", "9", "10"}));
 }
@@ -103,11 +102,10 @@ TEST(RunTime, namesWhatIsWrong)
     EXPECT_EQ(saidOf("endTime 1;\npurgeWrite -1;"), "system/controlDict:3: purgeWrite must not be negative, found -1");
     EXPECT_EQ(saidOf("endTime 1;\nwritePrecision 30;"), "system/controlDict:3: writePrecision must be 1 to 17 digits, found 30");
     EXPECT_EQ(saidOf("endTime 1;\ntimePrecision 0;"), "system/controlDict:3: timePrecision must be 1 to 17 digits, found 0");
-    for (const auto* wrong :
-         {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
-          "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;", "endTime 1; deltaT -1;",
-          "endTime 1; writeFormat text;", "endTime 1; writeCompression on;", "endTime 1; timeFormat short;", "endTime nan;",
-          "startFrom startTime; endTime 1;"})
+    for (const auto* wrong : {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
+                              "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;",
+                              "endTime 1; deltaT -1;", "endTime 1; writeFormat text;", "endTime 1; writeCompression on;",
+                              "endTime 1; timeFormat short;", "endTime nan;", "startFrom startTime; endTime 1;"})
         EXPECT_NE(saidOf(wrong).find("system/controlDict"), std::string::npos) << wrong;
 }
 
@@ -252,8 +250,7 @@ TEST(RunTime, addsDigitsWhereTwoTimesWouldHaveOneName)
 TEST(RunTime, namesTimesInTheFormatAskedFor)
 {
     EXPECT_EQ(timesWritten("endTime 0.5; adjustTimeStep no; deltaT 0.5; timeFormat fixed; timePrecision 3;", 1), Names{"0.500"});
-    EXPECT_EQ(timesWritten("endTime 0.5; adjustTimeStep no; deltaT 0.5; timeFormat scientific; timePrecision 2;", 1),
-              Names{"5.00e-01"});
+    EXPECT_EQ(timesWritten("endTime 0.5; adjustTimeStep no; deltaT 0.5; timeFormat scientific; timePrecision 2;", 1), Names{"5.00e-01"});
     EXPECT_EQ(timesWritten("endTime 1e-5; adjustTimeStep no; deltaT 1e-5;", 1), Names{"1e-05"});
 }
 
@@ -344,17 +341,21 @@ TEST(RunTime, survivesAnyControlDict)
         return all;
     };
     const auto file = c.folder() / "system/controlDict";
-    for (const auto& text : {repeated("a { "), repeated("a ("), "endTime #eval{ " + repeated("(") + " };", repeated("$a "), repeated("\"(a|aa)+b\" 1; $" + std::string(90, 'a') + ";\n")})
+    for (const auto& text : {repeated("a { "), repeated("a ("), "endTime #eval{ " + repeated("(") + " };", repeated("$a "),
+                             repeated("\"(a|aa)+b\" 1; $" + std::string(90, 'a') + ";\n")})
     {
         control(c, text);
-        EXPECT_EQ(time.rereadIfModified().find("system/controlDict has changed, but not all of it can be understood. The run goes on as before."), 0u)
+        EXPECT_EQ(time.rereadIfModified().find(
+                      "system/controlDict has changed, but not all of it can be understood. The run goes on as before."),
+                  0u)
             << text.substr(0, 40);
         EXPECT_EQ(time.endTime(), 5);
     }
     std::filesystem::remove(file);
     EXPECT_EQ(time.rereadIfModified(), "") << "an editor may be about to write it";
     ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
-    EXPECT_NE(time.rereadIfModified().find("system/controlDict: this is a device or a pipe: only regular files are read"), std::string::npos);
+    EXPECT_NE(time.rereadIfModified().find("system/controlDict: this is a device or a pipe: only regular files are read"),
+              std::string::npos);
     std::filesystem::remove(file);
     control(c, "endTime 7;");
     EXPECT_EQ(time.rereadIfModified(), "system/controlDict has changed: endTime 5 -> 7");

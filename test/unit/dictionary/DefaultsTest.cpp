@@ -1,5 +1,5 @@
-#include "addDefaults.hpp"
 #include "Parsed.hpp"
+#include "addDefaults.hpp"
 
 using namespace sph;
 

@@ -41,8 +41,7 @@ std::string errorsOf(const std::shared_ptr<Diagnostics>& diagnostics)
 TEST(DictionaryDirectives, includeKeepsFileAndLine)
 {
     const CaseFolder folder;
-    folder.write("constant/d",
-                 "#include \"parts/common\"\n#includeIfPresent \"nope\"\n#sinclude \"nope2\"\nx $rhoCommon;\nown 1;\n");
+    folder.write("constant/d", "#include \"parts/common\"\n#includeIfPresent \"nope\"\n#sinclude \"nope2\"\nx $rhoCommon;\nown 1;\n");
     folder.write("constant/parts/common", "\nrhoCommon 1234;\n#include \"../deeper\"\n");
     folder.write("constant/deeper", "sub { bad abc; }\n#include \"<system>/last\"\n");
     folder.write("system/last", "z 26;\n");
@@ -81,9 +80,8 @@ TEST(DictionaryDirectives, includeEtc)
     EXPECT_EQ(Dictionary::read(folder.path, "constant/d", diagnostics).get<int>("interval"), 5);
     unsetenv("SPH_PROJECT_DIR");
     Dictionary::read(folder.path, "constant/d", diagnostics);
-    EXPECT_EQ(errorsOf(diagnostics),
-              "constant/d:1: #includeEtc \"caseDicts/probes.cfg\": the environment variable SPH_PROJECT_DIR, "
-              "below whose etc folder the file is sought, is not set");
+    EXPECT_EQ(errorsOf(diagnostics), "constant/d:1: #includeEtc \"caseDicts/probes.cfg\": the environment variable SPH_PROJECT_DIR, "
+                                     "below whose etc folder the file is sought, is not set");
 }
 
 // A missing dictionary names the file that was probably meant, and is not followed by an error for each of its entries.
@@ -213,9 +211,8 @@ TEST(DictionaryDirectives, eval)
 // Mistakes in expressions name their line, the mistake and the expression.
 TEST(DictionaryDirectives, evalMistakes)
 {
-    const Parsed p(
-        "length 2;\na #eval{ 1 + };\nb #eval{ 1 + $lenght };\nc #eval \"sqr(2\";\nd #eval{ 1/0 };\ne #eval{ sqrt(-1) };\n"
-        "f #eval{ sqt(2) };\ng #eval{ pow(2) };\nh #eval{ 1 2 };\n");
+    const Parsed p("length 2;\na #eval{ 1 + };\nb #eval{ 1 + $lenght };\nc #eval \"sqr(2\";\nd #eval{ 1/0 };\ne #eval{ sqrt(-1) };\n"
+                   "f #eval{ sqt(2) };\ng #eval{ pow(2) };\nh #eval{ 1 2 };\n");
     EXPECT_EQ(
         p.errors(),
         "constant/d:2: #eval \"1 +\": a value is missing at the end\n"
@@ -242,6 +239,5 @@ TEST(DictionaryDirectives, unsupportedAndUnknown)
                             "#eval{ ... } calculates values\n";
     EXPECT_EQ(p.errors(), "constant/d:1: #calc" + why + "constant/d:2: #codeStream" + why +
                               "constant/d:3: directive \"#nosuch\" is unknown. " + known +
-                              "\nconstant/d:4: directive \"#inclde\" is unknown. Did you mean \"include\"? " + known +
-                              "\n4 errors");
+                              "\nconstant/d:4: directive \"#inclde\" is unknown. Did you mean \"include\"? " + known + "\n4 errors");
 }

@@ -48,8 +48,7 @@ std::string edited(const std::string& text, const std::string& entry, const std:
 // An edit changes the value and no other character: comments, blanks, macros and line ends stay.
 TEST(DictionaryEditing, changesTheValueAlone)
 {
-    const std::string text =
-        "// head\nL 1e-3; // length\r\ndeltaT\t$L ; /* keep */ s { a (1\n 2); \"b.*\" #eval{ 2*$L }; in { } }\n";
+    const std::string text = "// head\nL 1e-3; // length\r\ndeltaT\t$L ; /* keep */ s { a (1\n 2); \"b.*\" #eval{ 2*$L }; in { } }\n";
     const auto with = [&](std::string from, const std::string& to)
     {
         auto changed = text;
@@ -90,7 +89,9 @@ TEST(DictionaryEditing, refusesWhatWouldHarm)
     EXPECT_EQ(edited("a 1;\n", "a", "1; b 2"),
               "\"1; b 2\" cannot be the value of an entry: brackets and quotes must be balanced, without ';' behind it");
     for (const auto* value : {"(1 2", "\"x", "}", "{ a 1;", "1 // x", "/*"})
-        EXPECT_EQ(edited("a 1;\n", "a", value).find("With \"" + std::string(value) + "\" for \"a\" the file would be unreadable and is left as it is:\nd:1: "), 0u)
+        EXPECT_EQ(edited("a 1;\n", "a", value)
+                      .find("With \"" + std::string(value) + "\" for \"a\" the file would be unreadable and is left as it is:\nd:1: "),
+                  0u)
             << value << edited("a 1;\n", "a", value);
     EXPECT_EQ(edited("a 1;\nb (2;\n", "a", "2"), "d:2: the '(' of \"b\" is never closed");
 }
@@ -101,7 +102,8 @@ TEST(DictionaryEditing, refusesWhatCouldNotBeRead)
     const std::string text = "FoamFile { class dictionary; }\na 1;\ns { x 1; }\n";
     const auto with = [](const std::string& value, const std::string& entry)
     { return "With \"" + value + "\" for \"" + entry + "\" the file would be unreadable and is left as it is:\nd:"; };
-    EXPECT_EQ(edited(text, "a", "$nope"), with("$nope", "a") + "2: \"$nope\" is neither an entry that is defined above nor an environment variable");
+    EXPECT_EQ(edited(text, "a", "$nope"),
+              with("$nope", "a") + "2: \"$nope\" is neither an entry that is defined above nor an environment variable");
     EXPECT_EQ(edited(text, "a", "{ $nope; }").find(with("{ $nope; }", "a")), 0u);
     EXPECT_EQ(edited(text, "a", "$s").find(with("$s", "a")), 0u);
     EXPECT_EQ(edited(text, "b", "#eval{ 1/$nope }").find(with("#eval{ 1/$nope }", "b")), 0u);

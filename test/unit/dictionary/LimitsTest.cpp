@@ -25,7 +25,8 @@ std::string repeated(const std::string& text, int n)
 void expectError(const std::string& text, const std::string& words)
 {
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_NE(Parsed(text).errors().find(words), std::string::npos) << text.substr(0, 60) << "...: " << Parsed(text).errors().substr(0, 500);
+    EXPECT_NE(Parsed(text).errors().find(words), std::string::npos)
+        << text.substr(0, 60) << "...: " << Parsed(text).errors().substr(0, 500);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10)) << text.substr(0, 60);
 }
 
@@ -35,12 +36,14 @@ TEST(DictionaryLimits, nesting)
 {
     const std::string deeper = "dictionaries nest deeper than 100 levels: nothing behind this is read";
     EXPECT_EQ(Parsed(repeated("a {", 99) + repeated("}", 99)).errors(), "");
-    for (const auto& closed : {repeated("}", many), std::string()}) expectError(repeated("a\n{\n", many) + closed, "constant/d:200: " + deeper);
+    for (const auto& closed : {repeated("}", many), std::string()})
+        expectError(repeated("a\n{\n", many) + closed, "constant/d:200: " + deeper);
     expectError("l (" + repeated("{ a (", many) + repeated("); }", many) + ");", deeper);
     expectError("l " + repeated("x { y ", many) + repeated("; }", many) + ";", deeper);
     // Macros put what is nested into one another: each dictionary here is 60 levels deeper than the one before.
     std::string macros = "d0 { x 1; }\n";
-    for (int k = 1; k < 10; ++k) macros += "d" + std::to_string(k) + " " + repeated("{ a ", 60) + "{ $:d" + std::to_string(k - 1) + "; }" + repeated("}", 60) + "\n";
+    for (int k = 1; k < 10; ++k)
+        macros += "d" + std::to_string(k) + " " + repeated("{ a ", 60) + "{ $:d" + std::to_string(k - 1) + "; }" + repeated("}", 60) + "\n";
     expectError(macros, "constant/d:3: " + deeper);
     macros = "d0 ({ x 1; });\n";
     for (int k = 1; k < 200; ++k) macros += "d" + std::to_string(k) + " ({ x $d" + std::to_string(k - 1) + "; });\n";
@@ -103,7 +106,8 @@ TEST(DictionaryLimits, regularExpressions)
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 
     const std::string tooLong = "is too long for a regular expression: at most 500 characters, repetitions written out";
-    for (const auto& pattern : {repeated("(", many), repeated("a?", many), std::string("((((a{1,99}){1,99}){99}){99,}){99}"), std::string("(a?){30000}")})
+    for (const auto& pattern :
+         {repeated("(", many), repeated("a?", many), std::string("((((a{1,99}){1,99}){99}){99,}){99}"), std::string("(a?){30000}")})
     {
         expectError("x 1;\n\"" + pattern + "\" 1;\n", "constant/d:2: ");
         expectError("x 1;\n\"" + pattern + "\" 1;\n", tooLong);
@@ -149,7 +153,9 @@ TEST(DictionaryLimits, filesThatAreNone)
     std::ofstream(folder / "large") << "a 1;\n";
     std::filesystem::resize_file(folder / "large", (64u << 20) + 1);
     for (int k = 0; k < 150; ++k) std::ofstream(folder / ("chain" + std::to_string(k))) << "#include \"chain" << k + 1 << "\"\n";
-    for (int k = 0; k < 40; ++k) std::ofstream(folder / ("twice" + std::to_string(k))) << "#include \"twice" << k + 1 << "\"\n#include \"twice" << k + 1 << "\"\na 1;\n";
+    for (int k = 0; k < 40; ++k)
+        std::ofstream(folder / ("twice" + std::to_string(k)))
+            << "#include \"twice" << k + 1 << "\"\n#include \"twice" << k + 1 << "\"\na 1;\n";
     std::ofstream(folder / "twice40") << "b 2;\n";
 
     const auto said = [&](const std::string& file)
@@ -171,9 +177,11 @@ TEST(DictionaryLimits, filesThatAreNone)
     EXPECT_EQ(said("/dev/zero"), "/dev/zero: " + device);
     EXPECT_EQ(said("folder"), "folder: this is a folder");
     EXPECT_EQ(said("large"), "large: this file has 64 MB; at most 64 MB of text are read");
-    std::ofstream(folder / "d") << "a 1;\n#include \"pipe\"\n#include \"/dev/zero\"\n#sinclude \"pipe\"\n#include \"" << repeated("long", 100) << "\"\n";
-    EXPECT_EQ(said("d").substr(0, said("d").find("d:5")), "d:2: \"pipe\" cannot be included: " + device + "\nd:3: \"/dev/zero\" cannot be included: " + device +
-                                                             "\nd:4: \"pipe\" cannot be included: " + device + "\n");
+    std::ofstream(folder / "d") << "a 1;\n#include \"pipe\"\n#include \"/dev/zero\"\n#sinclude \"pipe\"\n#include \""
+                                << repeated("long", 100) << "\"\n";
+    EXPECT_EQ(said("d").substr(0, said("d").find("d:5")), "d:2: \"pipe\" cannot be included: " + device +
+                                                              "\nd:3: \"/dev/zero\" cannot be included: " + device +
+                                                              "\nd:4: \"pipe\" cannot be included: " + device + "\n");
     EXPECT_EQ(said("chain0"), "chain100:1: dictionaries nest deeper than 100 levels: nothing behind this is read");
     EXPECT_NE(said("twice0").find("more than 1000 files are included: nothing behind this is read"), std::string::npos) << said("twice0");
     std::filesystem::remove_all(folder);

@@ -24,8 +24,7 @@ TEST(DictionaryMistakes, missingSemicolon)
     const auto unclosed = [](const char* line, const char* key)
     { return std::string("system/controlDict:") + line + ": entry \"" + key + "\" is not closed by ';'\n"; };
     EXPECT_EQ(p.errors(), unclosed("1", "deltaT") + unclosed("2", "writeControl") + unclosed("4", "g") + unclosed("5", "name") +
-                              unclosed("8", "a") + unclosed("9", "b") + unclosed("15", "list") + unclosed("16", "last") +
-                              "8 errors");
+                              unclosed("8", "a") + unclosed("9", "b") + unclosed("15", "list") + unclosed("16", "last") + "8 errors");
 }
 
 // The same where the next line is indented further, a directive, or a macro; and where the value is missing altogether.
@@ -50,8 +49,7 @@ TEST(DictionaryMistakes, neverClosed)
     const Parsed list("a (1 2 3;\nb 2;\nc\n(\n    (1 2)\n    (3 4\n)\n;\nd 4;\n");
     EXPECT_EQ(list.dict.get<int>("b"), 2);
     EXPECT_EQ(list.dict.get<int>("d"), 4);
-    EXPECT_EQ(list.errors(),
-              "constant/d:1: the '(' of \"a\" is never closed\nconstant/d:4: the '(' of \"c\" is never closed\n2 errors");
+    EXPECT_EQ(list.errors(), "constant/d:1: the '(' of \"a\" is never closed\nconstant/d:4: the '(' of \"c\" is never closed\n2 errors");
     const Parsed list2("a (1 2 3\nb 2;\nc 3;\n");
     EXPECT_EQ(list2.dict.get<int>("b"), 2);
     EXPECT_EQ(list2.errors(), "constant/d:1: the '(' of \"a\" is never closed");
@@ -77,14 +75,13 @@ TEST(DictionaryMistakes, superfluous)
     EXPECT_EQ(p.dict.get<int>("c"), 5);
     EXPECT_EQ(p.dict.get<Numbers>("d"), (Numbers{1, 2}));
     EXPECT_EQ(p.dict.get<int>("e"), 6);
-    EXPECT_EQ(p.errors(),
-              "constant/d:2: '}' closes nothing: there is no open '{'\n"
-              "constant/d:3: ')' closes nothing: there is no open '(' in the value of \"b\"\n"
-              "constant/d:4: expected a keyword, found \"3\"\n"
-              "constant/d:5: \"c\": an entry is written without '='\n"
-              "constant/d:6: '}' closes nothing: there is no open '{' in the value of \"d\"\n"
-              "constant/d:8: '{' is not expected in the value of \"name\": a ';' is missing before it, or the name of a "
-              "dictionary has a blank\n6 errors");
+    EXPECT_EQ(p.errors(), "constant/d:2: '}' closes nothing: there is no open '{'\n"
+                          "constant/d:3: ')' closes nothing: there is no open '(' in the value of \"b\"\n"
+                          "constant/d:4: expected a keyword, found \"3\"\n"
+                          "constant/d:5: \"c\": an entry is written without '='\n"
+                          "constant/d:6: '}' closes nothing: there is no open '{' in the value of \"d\"\n"
+                          "constant/d:8: '{' is not expected in the value of \"name\": a ';' is missing before it, or the name of a "
+                          "dictionary has a blank\n6 errors");
 }
 
 // Macros that are not defined, or used as they cannot be.
@@ -93,22 +90,20 @@ TEST(DictionaryMistakes, macros)
     const Parsed p("length 1;\nb $lenght;\nc $nope;\nk foo;\n$k 3;\n${k}Bar 4;\nx$k 5;\ns { q 1; }\nd $s;\n$length;\ne 5;\n");
     EXPECT_EQ(p.dict.get<int>("e"), 5);
     const std::string undefined = " is neither an entry that is defined above nor an environment variable";
-    EXPECT_EQ(p.errors(),
-              "constant/d:2: \"$lenght\"" + undefined + ". Did you mean \"$length\"?\nconstant/d:3: \"$nope\"" + undefined +
-                  "\nconstant/d:5: \"$k\": a macro cannot be a keyword\n"
-                  "constant/d:6: \"${k}Bar\": a macro must stand alone, it is not replaced inside a word\n"
-                  "constant/d:6: \"$k\": a macro cannot be a keyword\n"
-                  "constant/d:7: \"x$k\": a macro must stand alone, it is not replaced inside a word\n"
-                  "constant/d:9: \"$s\" is a dictionary and cannot be a value; its entries are taken over by { $s; }\n"
-                  "constant/d:10: \"$length\" stands among entries, but \"length\" is not a dictionary\n8 errors");
+    EXPECT_EQ(p.errors(), "constant/d:2: \"$lenght\"" + undefined + ". Did you mean \"$length\"?\nconstant/d:3: \"$nope\"" + undefined +
+                              "\nconstant/d:5: \"$k\": a macro cannot be a keyword\n"
+                              "constant/d:6: \"${k}Bar\": a macro must stand alone, it is not replaced inside a word\n"
+                              "constant/d:6: \"$k\": a macro cannot be a keyword\n"
+                              "constant/d:7: \"x$k\": a macro must stand alone, it is not replaced inside a word\n"
+                              "constant/d:9: \"$s\" is a dictionary and cannot be a value; its entries are taken over by { $s; }\n"
+                              "constant/d:10: \"$length\" stands among entries, but \"length\" is not a dictionary\n8 errors");
 }
 
 // Values of the wrong kind say what is expected and what was found; each look-up gives a harmless value.
 TEST(DictionaryMistakes, wrongValues)
 {
-    const Parsed p(
-        "a abc;\nb 1 2;\nc nan;\nd 1e999;\ne -inf;\nf 2.5;\ng maybe;\nh (1 2);\ni;\nj (1 x);\nk 3(1 2);\nl { x 1; }\nm 5;\n"
-        "n [0 1 0 0 0 0 0] 1;\no 3000000000;\np 1;\nq -1;\nr 0;\n");
+    const Parsed p("a abc;\nb 1 2;\nc nan;\nd 1e999;\ne -inf;\nf 2.5;\ng maybe;\nh (1 2);\ni;\nj (1 x);\nk 3(1 2);\nl { x 1; }\nm 5;\n"
+                   "n [0 1 0 0 0 0 0] 1;\no 3000000000;\np 1;\nq -1;\nr 0;\n");
     p.dict.get<double>("a");
     p.dict.get<double>("b");
     p.dict.get<double>("c");
@@ -155,14 +150,13 @@ TEST(DictionaryMistakes, wrongDimensions)
     p.dict.get("rho", units::density);
     p.dict.get("nu", units::kinematicViscosity);
     p.dict.get("x", units::m);
-    EXPECT_EQ(
-        p.errors(),
-        "constant/phaseProperties:1: \"mu\" has dimensions [0 2 -1 0 0 0 0], expected [1 -1 -1 0 0 0 0]\n"
-        "constant/phaseProperties:2: \"rho\" has wrong dimensions: unit \"g\" is unknown. Known units: A, J, K, N, Pa, W, cd, "
-        "kg, m, "
-        "mol, s.\n"
-        "constant/phaseProperties:3: \"nu\" has wrong dimensions: [0 2 -1] has 3 exponents, expected 7: [kg m s K mol A cd]\n"
-        "constant/phaseProperties:4: \"x\" has wrong dimensions: '^' is not followed by a number in the units [m^]\n4 errors");
+    EXPECT_EQ(p.errors(),
+              "constant/phaseProperties:1: \"mu\" has dimensions [0 2 -1 0 0 0 0], expected [1 -1 -1 0 0 0 0]\n"
+              "constant/phaseProperties:2: \"rho\" has wrong dimensions: unit \"g\" is unknown. Known units: A, J, K, N, Pa, W, cd, "
+              "kg, m, "
+              "mol, s.\n"
+              "constant/phaseProperties:3: \"nu\" has wrong dimensions: [0 2 -1] has 3 exponents, expected 7: [kg m s K mol A cd]\n"
+              "constant/phaseProperties:4: \"x\" has wrong dimensions: '^' is not followed by a number in the units [m^]\n4 errors");
 }
 
 // A word that is not among the possible ones is answered with the one meant and all of them.
@@ -194,10 +188,9 @@ TEST(DictionaryMistakes, missingEntries)
 // Entries that nothing reads are errors, down into what was read; known keywords and the one meant are named.
 TEST(DictionaryMistakes, unusedEntries)
 {
-    const Parsed p(
-        "FoamFile { version 2.0; }\ndeltaT 1;\nwriteIntervall 5;\nsub { a 1; bb 2; }\nother { c 3; }\nwalls ( { x 1; y 2; } );\n"
-        "legacy { d 4; }\n",
-        "system/controlDict");
+    const Parsed p("FoamFile { version 2.0; }\ndeltaT 1;\nwriteIntervall 5;\nsub { a 1; bb 2; }\nother { c 3; }\nwalls ( { x 1; y 2; } );\n"
+                   "legacy { d 4; }\n",
+                   "system/controlDict");
     p.dict.get<double>("deltaT");
     p.dict.get<double>("writeInterval", 1.0);
     p.dict.subDict("sub").get<int>("a");
@@ -205,8 +198,7 @@ TEST(DictionaryMistakes, unusedEntries)
     p.dict.ignore("legacy");
     p.dict.reportUnused();
     const std::string known = "Known entries: deltaT, writeInterval, sub, walls.\n";
-    EXPECT_EQ(p.errors(), "system/controlDict:3: entry \"writeIntervall\" is not used here. Did you mean \"writeInterval\"? " +
-                              known +
+    EXPECT_EQ(p.errors(), "system/controlDict:3: entry \"writeIntervall\" is not used here. Did you mean \"writeInterval\"? " + known +
                               "system/controlDict:4: entry \"bb\" is not used here. Known entries: a.\n"
                               "system/controlDict:5: dictionary \"other\" is not used here. " +
                               known + "system/controlDict:6: entry \"y\" is not used here. Known entries: x.\n4 errors");

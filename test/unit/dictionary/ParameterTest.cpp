@@ -83,7 +83,8 @@ TEST(Parameters, mistakes)
     EXPECT_EQ(read(density, "density continuty;"),
               "constant/d:1: density \"continuty\" is unknown. Did you mean \"continuity\"? Known density: numberDensity, continuity.");
     EXPECT_EQ(read(formats, "formats (stll);"), "constant/d:1: \"stll\" is unknown. Did you mean \"stl\"? Known formats: vtp, stl.");
-    EXPECT_EQ(read(Scalar{"a", units::none, required, atLeast(2).saying("a is a pair at least"), ""}, "a 1;"), "constant/d:1: a is a pair at least");
+    EXPECT_EQ(read(Scalar{"a", units::none, required, atLeast(2).saying("a is a pair at least"), ""}, "a 1;"),
+              "constant/d:1: a is a pair at least");
     const Parsed p("width -1; theta 7;");
     EXPECT_EQ(width(p.dict), 1);
     EXPECT_EQ(theta(p.dict), 0.5);
@@ -108,7 +109,7 @@ TEST(Parameters, information)
     EXPECT_EQ(level.info().fallback, "the floor");
     EXPECT_FALSE(level.info().isFixed);
     EXPECT_EQ(density.info().choices[1].meaning, "is integrated");
-    EXPECT_EQ(Scalar("a", units::kg*units::m/units::s/units::s, 1, "").info().unit, "kg m s^-2");
+    EXPECT_EQ(Scalar("a", units::kg * units::m / units::s / units::s, 1, "").info().unit, "kg m s^-2");
 }
 
 // Two models add to one file: their entries stand beside one another, sub-dictionaries and choices are merged.

@@ -11,10 +11,7 @@ struct Parsed
     std::shared_ptr<Diagnostics> diagnostics = std::make_shared<Diagnostics>();
     Dictionary dict;
 
-    explicit Parsed(const std::string& text, const std::string& file = "constant/d")
-        : dict(Dictionary::parse(text, file, diagnostics))
-    {
-    }
+    explicit Parsed(const std::string& text, const std::string& file = "constant/d") : dict(Dictionary::parse(text, file, diagnostics)) {}
 
     /// All errors, as the user sees them; empty where there is none.
     std::string errors() const

@@ -71,8 +71,7 @@ TEST(DictionarySyntax, dimensionedValues)
         nu5 1e-6 [m^2/s]; nu6 1e-6; mu [Pa s] 1e-3; sigma [N/m] 0.072; sigma2 [J m^-2] 0.072;
         rho [kg/(m m^2)] 1000; n [] 2; n2 [-] 2;
         g [m s^-2] (0 -9.81 0); f [1/s] 3;)");
-    for (const auto* key : {"nu", "nu2", "nu3", "nu4", "nu5", "nu6"})
-        EXPECT_EQ(p.dict.get(key, units::kinematicViscosity), 1e-6) << key;
+    for (const auto* key : {"nu", "nu2", "nu3", "nu4", "nu5", "nu6"}) EXPECT_EQ(p.dict.get(key, units::kinematicViscosity), 1e-6) << key;
     EXPECT_EQ(p.dict.get("mu", units::viscosity), 1e-3);
     EXPECT_EQ(p.dict.get("sigma", units::surfaceTension), 0.072);
     EXPECT_EQ(p.dict.get("sigma2", units::surfaceTension), 0.072);
@@ -188,8 +187,7 @@ TEST(DictionarySyntax, duplicates)
     EXPECT_EQ(p.dict.where("a").line, 2);
     EXPECT_EQ(p.dict.subDict("sub").keys(), (Words{"x", "y"}));
     EXPECT_EQ(p.errors(), "");
-    EXPECT_EQ(p.diagnostics->warnings(),
-              (Words{"constant/d:2: \"a\" is given twice, first in constant/d:1; the last one counts"}));
+    EXPECT_EQ(p.diagnostics->warnings(), (Words{"constant/d:2: \"a\" is given twice, first in constant/d:1; the last one counts"}));
 }
 
 // A macro's value is fixed where the macro stands, as in OpenFOAM: what is given anew behind it comes too late for it, and the warning says so,
@@ -212,8 +210,9 @@ TEST(DictionarySyntax, duplicatesBehindMacros)
 
     const Parsed block("base { unit 1; }\nrun { $base; }\nbase { unit 2; }\n");
     EXPECT_EQ(block.dict.subDict("run").get<int>("unit"), 1);
-    EXPECT_EQ(block.diagnostics->warnings().front(),
-              "constant/d:3: \"base\" is given twice, first in constant/d:1; what is added here comes too late for the macro in constant/d:2");
+    EXPECT_EQ(
+        block.diagnostics->warnings().front(),
+        "constant/d:3: \"base\" is given twice, first in constant/d:1; what is added here comes too late for the macro in constant/d:2");
     EXPECT_EQ(Parsed("unit 1;\n#include \"none\"\na 1;\n").diagnostics->warnings(), Words{});
 }
 

@@ -60,14 +60,13 @@ TEST(GeometryCheck, countsTheContactsOfTouchingSpheres)
 // The narrowest gap and its place: between neighbours of a bcc bed, sqrt(3)/2 - 2 R.
 TEST(GeometryCheck, reportsTheNarrowestGap)
 {
-    const auto [report, errors, warnings] =
-        check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.1);
+    const auto [report, errors, warnings] = check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.1);
     EXPECT_EQ(errors, "");
     EXPECT_EQ(report.contacts, 0);
     EXPECT_NEAR(report.walls[0].narrowest.width, std::sqrt(0.75) - 0.8, 1e-14);
-    EXPECT_TRUE(contains(
-        warnings, "constant/geometry:2: the gap between \"grains\" and \"grains\" narrows to 0.06603 m, 0.66 of the kernel "
-                  "support, at ("))
+    EXPECT_TRUE(contains(warnings,
+                         "constant/geometry:2: the gap between \"grains\" and \"grains\" narrows to 0.06603 m, 0.66 of the kernel "
+                         "support, at ("))
         << warnings;
     EXPECT_EQ(check(cube + "walls { grains { type sphereBed; lattice bcc; radius 0.4; period 1; } }", 0.05).warnings, "");
 }
@@ -83,9 +82,8 @@ TEST(GeometryCheck, findsGapsOfGeneralShapes)
     const auto rings = gap("a { type torus; centre (-0.4 0 0); axis (0 0 1); ringRadius 0.25; tubeRadius 0.1; fluid outside; }\n"
                            "b { type torus; centre (0.4 0 0); axis (0 0 1); ringRadius 0.3; tubeRadius 0.1; fluid outside; }");
     EXPECT_NEAR(rings.width, 0.05, 1e-8);
-    EXPECT_NEAR(
-        gap("a { type plane; point (0 0.02 0); normal (0 -1 0); } b { type plane; point (0 -0.02 0); normal (0 1 0); }").width,
-        0.04, 1e-14);
+    EXPECT_NEAR(gap("a { type plane; point (0 0.02 0); normal (0 -1 0); } b { type plane; point (0 -0.02 0); normal (0 1 0); }").width,
+                0.04, 1e-14);
     EXPECT_NEAR(gap("a { type plane; point (0 -0.5 0); normal (0 1 0); }"
                     "b { type cylinder; point (0.3 -0.16 0); axis (0 0 1); radius 0.3; fluid outside; }")
                     .width,
@@ -121,8 +119,7 @@ TEST(GeometryCheck, tellsCornersFromOverlaps)
     EXPECT_EQ(errors(floor + "h { type sphere; centre (0 -0.5 0); radius 0.4; fluid outside; }"), "");
     EXPECT_EQ(errors(floor + "s { type box; min (-0.3 -0.7 -0.3); max (0.3 -0.2 0.3); fluid outside; }"), "");
     EXPECT_EQ(errors(floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }"), "");
-    EXPECT_EQ(check(open + floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }\n}", 0.1).report.contacts,
-              1);
+    EXPECT_EQ(check(open + floor + "b { type sphere; centre (0 -0.1 0); radius 0.4; fluid outside; }\n}", 0.1).report.contacts, 1);
     EXPECT_TRUE(contains(errors(floor + "b { type sphere; centre (0 -0.11 0); radius 0.4; fluid outside; }"),
                          "constant/geometry:4: wall \"f\" and wall \"b\" overlap near"))
         << errors(floor + "b { type sphere; centre (0 -0.11 0); radius 0.4; fluid outside; }");

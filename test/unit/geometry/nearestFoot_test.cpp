@@ -55,10 +55,11 @@ TEST(NearestFoot, IsThatOfALoopOverARandomBed)
     std::string list;
     for (int i = 0; i < 200; ++i)
         list += "(" + std::to_string(u(random)) + " " + std::to_string(u(random)) + " " + std::to_string(u(random)) + " " +
-                std::to_string(0.02 + 0.05*u(random)) + ") ";
-    const auto [g, errors] = read("dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y); }\nwalls { grains { type spheres; spheres (" + list +
-                                      "); } floor { type plane; point (0 0 0); normal (0 0 1); } }",
-                                  0.05);
+                std::to_string(0.02 + 0.05 * u(random)) + ") ";
+    const auto [g, errors] =
+        read("dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y); }\nwalls { grains { type spheres; spheres (" + list +
+                 "); } floor { type plane; point (0 0 0); normal (0 0 1); } }",
+             0.05);
     EXPECT_EQ(errors, "");
     std::vector<Vector<3>> places;
     int inSolid = 0;
@@ -79,7 +80,7 @@ TEST(NearestFoot, IsTheFirstOfSeveralAsNear)
     std::vector<Vector<3>> places;
     for (int i = 0; i < 8; ++i)
         for (int k = 0; k < 8; ++k)
-            for (int l = 0; l < 8; ++l) places.push_back({i/8.0, k/8.0, l/8.0});
+            for (int l = 0; l < 8; ++l) places.push_back({i / 8.0, k / 8.0, l / 8.0});
     expectThatOfALoop(g, places);
 }
 

@@ -38,8 +38,7 @@ void expectComplete(const Geometry& g, double mostPatchesPerPoint)
             for (int b = -1; b <= 1; ++b)
                 for (int c = -1; c <= 1; ++c)
                 {
-                    if ((a != 0 && !g.periodic[0]) || (b != 0 && !g.periodic[1]) || (c != 0 && !g.periodic[2]) ||
-                        smallest <= g.reach)
+                    if ((a != 0 && !g.periodic[0]) || (b != 0 && !g.periodic[1]) || (c != 0 && !g.periodic[2]) || smallest <= g.reach)
                         continue;
                     const Vector<3> shifted = x + Vector<3>{a * g.length(0), b * g.length(1), c * g.length(2)};
                     for (const auto& p : g.patches) overAllShifts = std::min(overAllShifts, p.shape->foot(shifted).distance);
@@ -65,8 +64,8 @@ TEST(PatchGrid, findsWhatASearchOverAllPatchesFinds)
         list += "(" + std::to_string(u(random)) + " " + std::to_string(u(random)) + " " + std::to_string(u(random)) + " " +
                 std::to_string(0.02 + 0.05 * u(random)) + ") ";
     const auto [spheres, errors] =
-        read("dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y); }\nwalls { grains { type spheres; spheres (" +
-                 list + "); } floor { type plane; point (0 0 0); normal (0 0 1); } }",
+        read("dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y); }\nwalls { grains { type spheres; spheres (" + list +
+                 "); } floor { type plane; point (0 0 0); normal (0 0 1); } }",
              0.05);
     EXPECT_EQ(errors, "");
     expectComplete(spheres, 8);

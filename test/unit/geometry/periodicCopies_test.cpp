@@ -65,8 +65,7 @@ TEST(SphereBed, latticesHaveTheirCoordinationNumbers)
                     for (int k = -1; k <= 1; ++k)
                         for (int l = -1; l <= 1; ++l)
                         {
-                            const double r =
-                                mag(b - a + Vector<3>{i * lattice.period.x, k * lattice.period.y, l * lattice.period.z});
+                            const double r = mag(b - a + Vector<3>{i * lattice.period.x, k * lattice.period.y, l * lattice.period.z});
                             EXPECT_TRUE(r == 0 || r > distance - 1e-12) << name;
                             count += std::abs(r - distance) < 1e-12;
                         }
@@ -78,8 +77,7 @@ TEST(SphereBed, latticesHaveTheirCoordinationNumbers)
 // Distance far from every copy within reach: the nearest sphere is across the boundary, 0.2 - 0.05 away.
 TEST(Geometry, distanceSeesCopiesBeyondTheReach)
 {
-    const auto [g, errors] =
-        read(cube + "walls { grain { type sphere; centre (0.1 0.5 0.5); radius 0.03; fluid outside; } }", 0.01);
+    const auto [g, errors] = read(cube + "walls { grain { type sphere; centre (0.1 0.5 0.5); radius 0.03; fluid outside; } }", 0.01);
     EXPECT_EQ(g.patches.size(), 1u);
     EXPECT_NEAR(g.distance({0.9, 0.5, 0.5}), 0.17, 1e-15);
 }

@@ -98,14 +98,12 @@ TEST(Ellipsoid, distanceAgreesWithSearch)
         }
         return best;
     };
-    std::vector<Vector<3>> points{{0.3, 1e-9, 0.1},    {0.3, -1e-9, 0.1}, {1, 0, 0},
-                                  {3, 0, 0},           {0, 3, 0},         {0, 0, 3},
-                                  {1e-12, 0.2, 1e-12}, {1.4, 1e-14, 0},   {1.499, 0.001, 0.001}};
+    std::vector<Vector<3>> points{{0.3, 1e-9, 0.1}, {0.3, -1e-9, 0.1},    {1, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {1e-12, 0.2, 1e-12},
+                                  {1.4, 1e-14, 0},  {1.499, 0.001, 0.001}};
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1.6, 1.6);
     for (int i = 0; i < 20; ++i) points.push_back({u(random), u(random), u(random)});
-    for (const auto& x : points)
-        EXPECT_NEAR(std::abs(ellipsoid.foot(x).distance), search(x), 1e-9) << x.x << " " << x.y << " " << x.z;
+    for (const auto& x : points) EXPECT_NEAR(std::abs(ellipsoid.foot(x).distance), search(x), 1e-9) << x.x << " " << x.y << " " << x.z;
 }
 
 // Needle and disc: a thousand to one. The foot lies on the surface and the residual is parallel to its normal.

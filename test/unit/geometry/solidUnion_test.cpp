@@ -40,10 +40,12 @@ TEST(SolidUnion, KnowsWhoMayCoverWhom)
     for (int p = 0; p < 5; ++p) EXPECT_EQ(g.mayBeCovered(p), p == floorOfTank || p == blockOnIt) << p;
     const auto sunk = scene(tank + "ball { type sphere; centre (0.5 -0.1 0); radius 0.3; fluid outside; }");
     EXPECT_TRUE(sunk.mayBeCovered(floorOfTank));
-    const auto boxes = scene("a { type box; min (0.2 0.2 0); max (0.5 0.5 0); fluid outside; } b { type box; min (0.5 0.3 0); max (0.8 0.9 0); fluid outside; }");
+    const auto boxes = scene(
+        "a { type box; min (0.2 0.2 0); max (0.5 0.5 0); fluid outside; } b { type box; min (0.5 0.3 0); max (0.8 0.9 0); fluid outside; }");
     EXPECT_TRUE(boxes.mayBeCovered(0) && boxes.mayBeCovered(1));
-    const auto space = scene("floor { type plane; point (0 0 0); normal (0 1 0); } block { type box; min (0.3 -0.2 0.3); max (0.7 0.3 0.7); fluid outside; }",
-                             "dimension 3; domain { min (0 0 0); max (1 1 1); }\n");
+    const auto space = scene(
+        "floor { type plane; point (0 0 0); normal (0 1 0); } block { type box; min (0.3 -0.2 0.3); max (0.7 0.3 0.7); fluid outside; }",
+        "dimension 3; domain { min (0 0 0); max (1 1 1); }\n");
     EXPECT_TRUE(space.mayBeCovered(0) && space.mayBeCovered(1));
 }
 
@@ -75,22 +77,25 @@ TEST(SolidUnion, HidesTheFacesInside)
     EXPECT_NEAR(out.distance, -0.03, 1e-15);
     EXPECT_EQ(g.foot(floorOfTank, {0.42, 0.31, 0}).exposure, 0);
     int seen = 0;
-    forEachFoot(g, {0.38, 0.02, 0}, reach, [&](const Foot& f, int p)
-    {
-        ++seen;
-        EXPECT_TRUE(p == floorOfTank || p == blockOnIt);
-        EXPECT_EQ(f.on, Foot::On::face);
-    });
+    forEachFoot(g, {0.38, 0.02, 0}, reach,
+                [&](const Foot& f, int p)
+                {
+                    ++seen;
+                    EXPECT_TRUE(p == floorOfTank || p == blockOnIt);
+                    EXPECT_EQ(f.on, Foot::On::face);
+                });
     EXPECT_EQ(seen, 2);
 }
 
 // Of two flush faces one is the wall; across the joint of two blocks side by side there is no edge.
 TEST(SolidUnion, HasFlushFacesOnce)
 {
-    const auto lapped = scene("a { type box; min (0.2 0.2 0); max (0.6 0.5 0); fluid outside; } b { type box; min (0.4 0.2 0); max (0.9 0.5 0); fluid outside; }");
+    const auto lapped = scene(
+        "a { type box; min (0.2 0.2 0); max (0.6 0.5 0); fluid outside; } b { type box; min (0.4 0.2 0); max (0.9 0.5 0); fluid outside; }");
     const Vector<3> above{0.5, 0.52, 0};
     EXPECT_EQ(lapped.foot(0, above).exposure + lapped.foot(1, above).exposure, 1);
-    const auto joined = scene("a { type box; min (0.2 0.2 0); max (0.5 0.5 0); fluid outside; } b { type box; min (0.5 0.2 0); max (0.9 0.5 0); fluid outside; }");
+    const auto joined = scene(
+        "a { type box; min (0.2 0.2 0); max (0.5 0.5 0); fluid outside; } b { type box; min (0.5 0.2 0); max (0.9 0.5 0); fluid outside; }");
     for (const double x : {0.495, 0.505})
     {
         double share = 0;
@@ -114,7 +119,8 @@ TEST(SolidUnion, FadesBeyondAnObtuseCorner)
     double last = 1;
     for (double angle = 120; angle > 0; angle -= 1)
     {
-        const double a = angle*std::numbers::pi/180, now = flat.foot(ball, {contact + 0.01*std::cos(a), 0.01*std::sin(a), 0}).exposure;
+        const double a = angle * std::numbers::pi / 180,
+                     now = flat.foot(ball, {contact + 0.01 * std::cos(a), 0.01 * std::sin(a), 0}).exposure;
         EXPECT_LE(now, last) << angle;
         EXPECT_LT(last - now, 0.05) << angle;
         last = now;

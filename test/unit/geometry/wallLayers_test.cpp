@@ -1,6 +1,6 @@
 /// Layers of wall particles: where they lie, how much of the solid they are, and what has none.
-#include "wallLayers.hpp"
 #include "reading.hpp"
+#include "wallLayers.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <numeric>
@@ -52,10 +52,11 @@ std::set<std::array<long, 3>> places(const std::vector<LayerParticle>& particles
 TEST(WallLayers, LeaveNoHoleWhereABlockStands)
 {
     const double h = 0.05;
-    const auto [g, layers, errors] = layersOf("dimension 2; domain { min (0 0 0); max (2 1 0); }\n"
-                                              "walls { floor { type plane; point (0 0 0); normal (0 1 0); } block { type box; min (0.5 0 0); max (1.5 0.5 0); "
-                                              "fluid outside; } }",
-                                              h);
+    const auto [g, layers, errors] =
+        layersOf("dimension 2; domain { min (0 0 0); max (2 1 0); }\n"
+                 "walls { floor { type plane; point (0 0 0); normal (0 1 0); } block { type box; min (0.5 0 0); max (1.5 0.5 0); "
+                 "fluid outside; } }",
+                 h);
     ASSERT_EQ(errors, "");
     const auto taken = places(layers, h);
     EXPECT_EQ(taken.size(), layers.size());
@@ -63,7 +64,7 @@ TEST(WallLayers, LeaveNoHoleWhereABlockStands)
         for (int k = -3; k < 8; ++k)
         {
             const bool solid = k < 0 || i >= 10, seen = i < 12 && k >= -2;
-            const long x = std::lround((i + 0.5)*1000), y = std::lround((k + 0.5)*1000);
+            const long x = std::lround((i + 0.5) * 1000), y = std::lround((k + 0.5) * 1000);
             if (!seen && solid) continue;
             EXPECT_EQ(taken.contains({x, y, 0}), solid) << i << " " << k;
         }
@@ -72,9 +73,10 @@ TEST(WallLayers, LeaveNoHoleWhereABlockStands)
 // The domain's lattice goes on behind planes, as far as the kernel reaches: three layers of support 2.6, of the fluid's volume each.
 TEST(WallLayers, GoOnWithTheLatticeBehindPlanes)
 {
-    const auto [g, layers, errors] = layersOf("dimension 2; domain { min (0 0 0); max (0.5 1 0); periodic (x); }\n"
-                                              "walls { a { type plane; point (0 0 0); normal (0 1 0); } b { type plane; point (0 1 0); normal (0 -1 0); } }",
-                                              0.1);
+    const auto [g, layers, errors] =
+        layersOf("dimension 2; domain { min (0 0 0); max (0.5 1 0); periodic (x); }\n"
+                 "walls { a { type plane; point (0 0 0); normal (0 1 0); } b { type plane; point (0 1 0); normal (0 -1 0); } }",
+                 0.1);
     ASSERT_EQ(errors, "");
     EXPECT_EQ(layers.size(), 2u * 3 * 5);
     EXPECT_EQ(places(layers, 0.1).size(), layers.size());
@@ -94,13 +96,19 @@ TEST(WallLayers, FillTheCornersOfABox)
 {
     const auto plane = layersOf(square + "walls { tank { type box; min (0 0 0); max (1 1 0); fluid inside; } }", 0.1);
     EXPECT_EQ(plane.errors, "");
-    const auto within = [](const LayerParticle& p) { return std::max({std::abs(p.x.x - 0.5), std::abs(p.x.y - 0.5), p.x.z != 0 ? std::abs(p.x.z - 0.5) : 0}) < 0.8; };
+    const auto within = [](const LayerParticle& p) {
+        return std::max({std::abs(p.x.x - 0.5), std::abs(p.x.y - 0.5), p.x.z != 0 ? std::abs(p.x.z - 0.5) : 0}) < 0.8;
+    };
     EXPECT_EQ(std::count_if(plane.particles.begin(), plane.particles.end(), within), 16 * 16 - 10 * 10);
     EXPECT_EQ(places(plane.particles, 0.1).size(), plane.particles.size());
 
-    const auto space = layersOf("dimension 3; domain { min (0 0 0); max (1 1 1); }\nwalls { tank { type box; min (0 0 0); max (1 1 1); fluid inside; } }", 0.125);
-    EXPECT_EQ(std::count_if(space.particles.begin(), space.particles.end(), [](const LayerParticle& p)
-                            { return std::max({std::abs(p.x.x - 0.5), std::abs(p.x.y - 0.5), std::abs(p.x.z - 0.5)}) < 0.5 + 3 * 0.125; }),
+    const auto space =
+        layersOf("dimension 3; domain { min (0 0 0); max (1 1 1); }\nwalls { tank { type box; min (0 0 0); max (1 1 1); fluid inside; } }",
+                 0.125);
+    EXPECT_EQ(std::count_if(space.particles.begin(), space.particles.end(),
+                            [](const LayerParticle& p) {
+                                return std::max({std::abs(p.x.x - 0.5), std::abs(p.x.y - 0.5), std::abs(p.x.z - 0.5)}) < 0.5 + 3 * 0.125;
+                            }),
               14 * 14 * 14 - 8 * 8 * 8);
     EXPECT_EQ(places(space.particles, 0.125).size(), space.particles.size());
 }
@@ -120,7 +128,8 @@ TEST(WallLayers, OfCurvedWallsHaveTheVolumeOfTheSolid)
     }
 
     const auto pipe = layersOf("dimension 3; domain { min (0 0 0); max (0.5 2 2); periodic (x); }\n"
-                               "walls { pipe { type cylinder; point (0 1 1); axis (1 0 0); radius 0.7; fluid inside; } }", h);
+                               "walls { pipe { type cylinder; point (0 1 1); axis (1 0 0); radius 0.7; fluid inside; } }",
+                               h);
     EXPECT_EQ(pipe.errors, "");
     EXPECT_NEAR(pipe.volume(h * h * h), 0.5 * pi * (sqr(0.7 + depth) - sqr(0.7)), 1e-12);
 
@@ -164,10 +173,13 @@ TEST(WallLayers, OfASlantedPlaneAreAsDenseAsTheFluid)
 
 TEST(WallLayers, ThatCannotBeMadeAreErrorsAtTheirWall)
 {
-    const auto torus = layersOf(cube + "walls\n{\n    ring { type torus; centre (0.5 0.5 0.5); axis (0 0 1); ringRadius 0.3; tubeRadius 0.15; fluid outside; }\n}", 0.05);
+    const auto torus = layersOf(
+        cube + "walls\n{\n    ring { type torus; centre (0.5 0.5 0.5); axis (0 0 1); ringRadius 0.3; tubeRadius 0.15; fluid outside; }\n}",
+        0.05);
     EXPECT_NE(torus.errors.find("constant/geometry:4: there are no layers of particles behind a torus"), std::string::npos) << torus.errors;
     const auto sheet = layersOf(square + "walls { sheet { type box; min (0.2 0.3 0); max (0.6 0.4 0); fluid outside; } }", 0.05);
-    EXPECT_NE(sheet.errors.find("constant/geometry:2: the box is 0.1 m thick, less than two kernel supports, 0.26 m"), std::string::npos) << sheet.errors;
+    EXPECT_NE(sheet.errors.find("constant/geometry:2: the box is 0.1 m thick, less than two kernel supports, 0.26 m"), std::string::npos)
+        << sheet.errors;
 }
 
 // What is written is read again, to the bit; damaged files are errors that name them.

@@ -49,8 +49,7 @@ TEST(WallSurfaces, endAtTheMargin)
 // A 2-D scene is a slice.
 TEST(WallSurfaces, of2DScenesAreSlices)
 {
-    const auto [g, errors] =
-        read(square + "walls { a { type ellipsoid; centre (0.5 0.5 0); semiAxes (0.3 0.2 0); fluid outside; } }");
+    const auto [g, errors] = read(square + "walls { a { type ellipsoid; centre (0.5 0.5 0); semiAxes (0.3 0.2 0); fluid outside; } }");
     const auto surfaces = wallSurfaces(g, 0.1, 0.1);
     ASSERT_FALSE(surfaces[0].points.empty());
     for (const auto& p : surfaces[0].points) EXPECT_LE(std::abs(p.z), 0.05 + 1e-15);

@@ -10,18 +10,20 @@ using namespace sph::test;
 TEST(Walls, surviveWritingAndReading)
 {
     const std::string domain3 = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (z); }\n";
-    for (const auto& text :
-         {domain3 + "walls { a { type plane; point (0.1 0 0); normal (1 2 0); contactAngle 33.3; velocity (0.1 0 0); omega (0 0 "
-                    "1); origin (0.3 0 0); }"
-                    " b { type cylinder; point (0.3 0.3333333333333333 0); axis (0 0 1); radius 0.1; fluid outside; contactAngles ( (water air) 30.5 (oil air) 60 ); }"
-                    " c { type torus; centre (0.5 0.5 0.5); axis (1 2 3); ringRadius 0.2; tubeRadius 0.05; fluid outside; }"
-                    " d { type ellipsoid; centre (0.8 0.8 0.8); semiAxes (0.1 0.07 0.03); fluid outside; }"
-                    " e { type box; min (0.1 0.7 0); max (0.2 0.9 1); fluid outside; }"
-                    " f { type box; min (0 0 0); max (1 1 1); fluid inside; } }",
-          std::string("dimension 3; domain { min (0 0 0); max (1 1 1); }\n"
-                      "walls { a { type cone; apex (0 0 0.1); axis (1 1 1); halfAngle 30; fluid inside; }"
-                      " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; } }"),
-          square + "walls { b { type ellipsoid; centre (0.8 0.8 0); semiAxes (0.1 0.07 0); fluid outside; } }", bcc("0.5")})
+    for (
+        const auto& text :
+        {domain3 +
+             "walls { a { type plane; point (0.1 0 0); normal (1 2 0); contactAngle 33.3; velocity (0.1 0 0); omega (0 0 "
+             "1); origin (0.3 0 0); }"
+             " b { type cylinder; point (0.3 0.3333333333333333 0); axis (0 0 1); radius 0.1; fluid outside; contactAngles ( (water air) 30.5 (oil air) 60 ); }"
+             " c { type torus; centre (0.5 0.5 0.5); axis (1 2 3); ringRadius 0.2; tubeRadius 0.05; fluid outside; }"
+             " d { type ellipsoid; centre (0.8 0.8 0.8); semiAxes (0.1 0.07 0.03); fluid outside; }"
+             " e { type box; min (0.1 0.7 0); max (0.2 0.9 1); fluid outside; }"
+             " f { type box; min (0 0 0); max (1 1 1); fluid inside; } }",
+         std::string("dimension 3; domain { min (0 0 0); max (1 1 1); }\n"
+                     "walls { a { type cone; apex (0 0 0.1); axis (1 1 1); halfAngle 30; fluid inside; }"
+                     " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; } }"),
+         square + "walls { b { type ellipsoid; centre (0.8 0.8 0); semiAxes (0.1 0.07 0); fluid outside; } }", bcc("0.5")})
     {
         const auto [g, errors] = read(text);
         ASSERT_EQ(errors, "");
@@ -44,8 +46,7 @@ TEST(Walls, stampChangesWithTheSource)
 {
     const auto folder = std::filesystem::path(testing::TempDir()) / "geometryStamp";
     std::filesystem::create_directories(folder / "constant");
-    const auto write = [&](const std::string& name, const std::string& text)
-    { std::ofstream(folder / "constant" / name) << text; };
+    const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(folder / "constant" / name) << text; };
     write("geometry", "dimension 3;\n#include \"spheres\"\n");
     write("spheres", "spheres ((0 0 0 1));\n");
     const auto stamp = geometryStamp(folder, 1e-4, 2.6);

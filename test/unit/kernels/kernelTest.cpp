@@ -28,8 +28,7 @@ double integral(double b, const auto& f)
     for (int p = 0; p < pieces; ++p)
     {
         const double step = b / pieces / n;
-        for (int k = 0; k <= n; ++k)
-            sum += (k == 0 || k == n ? 1 : k % 2 ? 4 : 2) * f((p + double(k) / n) * b / pieces) * step / 3;
+        for (int k = 0; k <= n; ++k) sum += (k == 0 || k == n ? 1 : k % 2 ? 4 : 2) * f((p + double(k) / n) * b / pieces) * step / 3;
     }
     return sum;
 }

@@ -147,7 +147,8 @@ std::vector<std::pair<Vector<2>, double>> weighedGhosts(Imaged<2>& scene)
     const double* weight = scene.store.component(ImageWeight::info.name, 0);
     for (std::size_t j = scene.images.owned(); j < scene.images.nullParticle(); ++j)
         if (weight[j] > 0) all.emplace_back(positionOf(scene.store, j), weight[j]);
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::pair(a.first.x, a.first.y) < std::pair(b.first.x, b.first.y); });
+    std::sort(all.begin(), all.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.first.x, a.first.y) < std::pair(b.first.x, b.first.y); });
     return all;
 }
 
@@ -192,7 +193,12 @@ TEST(Images, AreNotOfHiddenFaces)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_DOUBLE_EQ(found[0].first.x, 0.5);
     int walls = 0;
-    scene.images.forEachWallNear({0.4, 0.5}, [&](const Foot&, const Patch& patch) { ++walls; EXPECT_EQ(patch.wall, 1); });
+    scene.images.forEachWallNear({0.4, 0.5},
+                                 [&](const Foot&, const Patch& patch)
+                                 {
+                                     ++walls;
+                                     EXPECT_EQ(patch.wall, 1);
+                                 });
     EXPECT_EQ(walls, 1);
 }
 
@@ -212,13 +218,13 @@ TEST(Images, TellHowFastTheyMove)
     images.build(store, 1);
     const auto before = positionOf(store, 1);
     const double angle = 1e-3;
-    store.component(Position::info.name, 0)[0] = (R - d)*std::cos(angle);
-    store.component(Position::info.name, 1)[0] = (R - d)*std::sin(angle);
+    store.component(Position::info.name, 0)[0] = (R - d) * std::cos(angle);
+    store.component(Position::info.name, 1)[0] = (R - d) * std::sin(angle);
     images.move(store);
-    const double factor = mag(positionOf(store, 1) - before)/(2*(R - d)*std::sin(0.5*angle));
-    EXPECT_NEAR(factor, (R + d)/(R - d), 1e-9);
-    EXPECT_GE(images.closingSpeed(), 0.5*(1 + factor));
-    EXPECT_NEAR(images.closingSpeed(), 0.5*(1 + (R + d + 0.5*skin)/(R - d - 0.5*skin)), 1e-12);
+    const double factor = mag(positionOf(store, 1) - before) / (2 * (R - d) * std::sin(0.5 * angle));
+    EXPECT_NEAR(factor, (R + d) / (R - d), 1e-9);
+    EXPECT_GE(images.closingSpeed(), 0.5 * (1 + factor));
+    EXPECT_NEAR(images.closingSpeed(), 0.5 * (1 + (R + d + 0.5 * skin) / (R - d - 0.5 * skin)), 1e-12);
 
     Imaged<2> plane(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     EXPECT_EQ(plane.images.closingSpeed(), 1);
@@ -360,14 +366,8 @@ TEST(Images, ShareWhatIsBehindAnEdge)
         }
         EXPECT_LE(weight, last);
         EXPECT_LT(last - weight, 0.02);
-        if (x < 0.4)
-        {
-            EXPECT_EQ(weight, 1);
-        }
-        if (std::abs(x - 0.45) < 1e-9)
-        {
-            EXPECT_NEAR(weight, 0.5, 1e-9);
-        }
+        if (x < 0.4) { EXPECT_EQ(weight, 1); }
+        if (std::abs(x - 0.45) < 1e-9) { EXPECT_NEAR(weight, 0.5, 1e-9); }
         last = weight;
     }
     EXPECT_NEAR(last, 0, 1e-3);
@@ -514,14 +514,15 @@ TEST(Images, TellEachWallNearOnce)
     for (const auto& x : points)
     {
         std::vector<int> walls;
-        channel.images.forEachWallNear(x, [&](const Foot& foot, const Patch& patch)
-        {
-            if (foot.distance > 0.6) return; // within reach of some particles of its cell, not of this
-            walls.push_back(patch.wall);
-            EXPECT_NEAR(foot.distance, patch.wall == 0 ? x.y : 1 - x.y, 1e-15);
-            EXPECT_EQ(foot.normal.y, patch.wall == 0 ? 1 : -1);
-            EXPECT_EQ(foot.exposure, 1);
-        });
+        channel.images.forEachWallNear(x,
+                                       [&](const Foot& foot, const Patch& patch)
+                                       {
+                                           if (foot.distance > 0.6) return; // within reach of some particles of its cell, not of this
+                                           walls.push_back(patch.wall);
+                                           EXPECT_NEAR(foot.distance, patch.wall == 0 ? x.y : 1 - x.y, 1e-15);
+                                           EXPECT_EQ(foot.normal.y, patch.wall == 0 ? 1 : -1);
+                                           EXPECT_EQ(foot.exposure, 1);
+                                       });
         std::sort(walls.begin(), walls.end());
         std::vector<int> expected;
         if (x.y <= 0.6) expected.push_back(0);
@@ -531,11 +532,12 @@ TEST(Images, TellEachWallNearOnce)
 
     Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     int told = 0;
-    corner.images.forEachWallNear({0.1, 0.15}, [&](const Foot& foot, const Patch& patch)
-    {
-        ++told;
-        EXPECT_NEAR(foot.distance, patch.wall == 0 ? 0.1 : 0.15, 1e-15);
-    });
+    corner.images.forEachWallNear({0.1, 0.15},
+                                  [&](const Foot& foot, const Patch& patch)
+                                  {
+                                      ++told;
+                                      EXPECT_NEAR(foot.distance, patch.wall == 0 ? 0.1 : 0.15, 1e-15);
+                                  });
     EXPECT_EQ(told, 2);
 }
 

@@ -23,12 +23,14 @@ struct Guarded
 
     Guarded(const std::vector<Vector<2>>& points, Leaked leaked = Leaked::putBack)
     {
-        for (const auto& [at, n] : {std::pair{Vector<3>{0, 0, 0}, Vector<3>{1, 0, 0}}, {Vector<3>{1, 0, 0}, Vector<3>{-1, 0, 0}}, {Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}}})
+        for (const auto& [at, n] : {std::pair{Vector<3>{0, 0, 0}, Vector<3>{1, 0, 0}},
+                                    {Vector<3>{1, 0, 0}, Vector<3>{-1, 0, 0}},
+                                    {Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}}})
             addWall(geometry, Plane(at, n));
         addWall(geometry, SolidBox({0.4, 0, -Box::infinity}, {0.6, 0.3, Box::infinity}));
         repeatPeriodically(geometry, 0.2);
         images = std::make_unique<Images<2>>(geometry, 0.2, spacing);
-        guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3*spacing, leaked);
+        guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3 * spacing, leaked);
         store.allocateState(Velocity{});
         setPositions(store, points);
         for (double* v : store.pointers(Velocity{})) std::fill_n(v, points.size(), 1.0);
@@ -41,7 +43,7 @@ TEST(LeakGuard, PutsBackThroughTheFaceThatBoundsTheFluid)
 {
     Guarded scene({{0.41, 0.004}, {0.2, 0.5}});
     scene.keep(2);
-    EXPECT_DOUBLE_EQ(positionOf(scene.store, 0).x, 0.4 - 0.02*spacing);
+    EXPECT_DOUBLE_EQ(positionOf(scene.store, 0).x, 0.4 - 0.02 * spacing);
     EXPECT_DOUBLE_EQ(positionOf(scene.store, 0).y, 0.004);
     EXPECT_EQ(scene.store.component("U", 0)[0], 0);
     EXPECT_EQ(scene.store.component("U", 1)[0], 1);

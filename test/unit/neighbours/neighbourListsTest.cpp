@@ -36,10 +36,7 @@ template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& poin
 }
 
 TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn2D) { listsEqualBruteForce<2>(randomPoints<2>(3000, {3, 1}), 2500, 0.11); }
-TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D)
-{
-    listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23);
-}
+TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D) { listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23); }
 
 // Every point in one cell, and lists that hold everything.
 TEST(NeighbourLists, EqualBruteForceWhereTheRadiusSpansTheScene)
@@ -145,10 +142,9 @@ TEST(NeighbourLists, RefuseParticlesOnTopOfOneAnother)
         }
         catch (const CaseError& e)
         {
-            EXPECT_STREQ(
-                e.what(),
-                "particle 1500 at (0.25 0.5 0.75) has more than 1024 neighbours: particles lie on top of one another, or the "
-                "kernel support is too many spacings");
+            EXPECT_STREQ(e.what(),
+                         "particle 1500 at (0.25 0.5 0.75) has more than 1024 neighbours: particles lie on top of one another, or the "
+                         "kernel support is too many spacings");
         }
     }
 }

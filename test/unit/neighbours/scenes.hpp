@@ -72,10 +72,8 @@ template<int dim> std::vector<Vector<dim>> randomPoints(std::size_t n, Vector<di
     {
         Vector<dim> q;
         fetch(q, [&](int) { return unit(random); });
-        if constexpr (dim == 2)
-            p = {q.x * high.x, q.y * high.y};
-        else
-            p = {q.x * high.x, q.y * high.y, q.z * high.z};
+        if constexpr (dim == 2) p = {q.x * high.x, q.y * high.y};
+        else p = {q.x * high.x, q.y * high.y, q.z * high.z};
     }
     return points;
 }

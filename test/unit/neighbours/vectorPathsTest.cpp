@@ -22,10 +22,8 @@ template<int dim> struct Scene
 
     explicit Scene(std::size_t n)
     {
-        if constexpr (dim == 2)
-            points = randomPoints<2>(n, {1, 1});
-        else
-            points = randomPoints<3>(n, {1, 1, 1});
+        if constexpr (dim == 2) points = randomPoints<2>(n, {1, 1});
+        else points = randomPoints<3>(n, {1, 1, 1});
         for (int c = 0; c < dim; ++c) coordinate[c].resize(n);
         for (std::size_t i = 0; i < n; ++i) store(points[i], [&](int c, double q) { coordinate[c][i] = q; });
         for (int c = 0; c < dim; ++c) position[c] = coordinate[c].data();
@@ -33,8 +31,7 @@ template<int dim> struct Scene
 };
 
 template<class L> class AtEveryWidth : public testing::Test
-{
-};
+{};
 #if defined(__AVX512F__)
 using Widths = testing::Types<Lanes<8>, Lanes<4>, Lanes<2>>;
 #elif defined(__AVX2__)

@@ -26,8 +26,9 @@ inline Geometry squareDuct()
 }
 inline Geometry roundPipe(double radius)
 {
-    return duct("dimension 3; domain { min (-1 -0.6 -0.6); max (2 0.6 0.6); } walls { side { type cylinder; point (0 0 0); axis (1 0 0); radius " +
-                std::to_string(radius) + "; fluid inside; } }");
+    return duct(
+        "dimension 3; domain { min (-1 -0.6 -0.6); max (2 0.6 0.6); } walls { side { type cylinder; point (0 0 0); axis (1 0 0); radius " +
+        std::to_string(radius) + "; fluid inside; } }");
 }
 
 inline Opening inlet()

@@ -1,7 +1,7 @@
 /// What openings hold, let in and take away, and the account of it.
+#include "Openings.hpp"
 #include "CaseError.hpp"
 #include "Duct.hpp"
-#include "Openings.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace sph::test
 namespace
 {
 
-constexpr double dx = 0.1, H = 0.25, depth = 2*H + dx;
+constexpr double dx = 0.1, H = 0.25, depth = 2 * H + dx;
 
 Coefficients coefficients()
 {
@@ -34,7 +34,7 @@ State stateOfPowder()
 Opening gateOf(double phi)
 {
     auto gate = inlet();
-    gate.values = {{"m", coefficients().restDensity[0]*dx*dx}, {"phi", phi}};
+    gate.values = {{"m", coefficients().restDensity[0] * dx * dx}, {"phi", phi}};
     return gate;
 }
 
@@ -65,19 +65,19 @@ struct Scene
     void drift(double deltaT)
     {
         for (int k = 0; k < 2; ++k)
-            for (std::size_t i = 0; i < owned; ++i) store.component("positions", k)[i] += deltaT*store.component("U", k)[i];
+            for (std::size_t i = 0; i < owned; ++i) store.component("positions", k)[i] += deltaT * store.component("U", k)[i];
     }
     /// A square lattice with velocity (u 0) between two x.
     void fill(double from, double to, double u, double phi)
     {
-        for (double x = from + dx/2; x < to; x += dx)
-            for (double y = dx/2; y < 1; y += dx)
+        for (double x = from + dx / 2; x < to; x += dx)
+            for (double y = dx / 2; y < 1; y += dx)
             {
                 store.resize(owned + 1);
                 store.component("positions", 0)[owned] = x;
                 store.component("positions", 1)[owned] = y;
                 store.component("U", 0)[owned] = u;
-                store.component("m", 0)[owned] = c.restDensity[0]*dx*dx;
+                store.component("m", 0)[owned] = c.restDensity[0] * dx * dx;
                 store.component("phi", 0)[owned++] = phi;
             }
     }
@@ -126,10 +126,10 @@ TEST(Openings, FillAnEmptyDuctAndLetInWhatTheyAreTold)
         openings.drive(scene.store, 0.01);
     }
     // rho U A t, to within a row
-    EXPECT_NEAR(scene.freeMass(), 2*0.5*time, 2*dx);
+    EXPECT_NEAR(scene.freeMass(), 2 * 0.5 * time, 2 * dx);
     const auto flow = openings.flows().at(0);
     EXPECT_NEAR(flow.mass, scene.freeMass(), 1e-13);
-    EXPECT_NEAR(flow.amounts.at(0), 0.3*scene.freeMass()/2, 1e-13);
+    EXPECT_NEAR(flow.amounts.at(0), 0.3 * scene.freeMass() / 2, 1e-13);
     EXPECT_NEAR(flow.flowRate, 0.5, 1e-12);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-13);
@@ -147,8 +147,8 @@ TEST(Openings, TakeAwayWhatHasLeft)
         scene.exchange(openings);
         openings.drive(scene.store, 0.01);
     }
-    EXPECT_NEAR(scene.freeMass(), 2*0.5, 1e-12);
-    EXPECT_NEAR(openings.flows().at(0).mass, -2*0.5, 1e-12);
+    EXPECT_NEAR(scene.freeMass(), 2 * 0.5, 1e-12);
+    EXPECT_NEAR(openings.flows().at(0).mass, -2 * 0.5, 1e-12);
     EXPECT_EQ(openings.held().size(), 50u); // none is further than the outlet reaches yet
     for (int step = 0; step < 30; ++step)
     {
@@ -171,16 +171,16 @@ TEST(Openings, EmptyTheDuctFarBeyond)
     EXPECT_EQ(scene.owned, 220u); // ten rows, and six beyond each plane
     EXPECT_EQ(openings.held().size(), 120u);
     EXPECT_EQ(openings.flows().at(1).mass, 0);
-    EXPECT_NEAR(openings.flows().at(0).taken, 2*(3 - depth), 1e-12);
-    EXPECT_NEAR(openings.flows().at(1).taken, 2*(3 - depth), 1e-12);
+    EXPECT_NEAR(openings.flows().at(0).taken, 2 * (3 - depth), 1e-12);
+    EXPECT_NEAR(openings.flows().at(1).taken, 2 * (3 - depth), 1e-12);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-15);
     // A restart knows it, and a particle that is lost shows.
     Openings<2> restarted({gateOf(0), outlet(0)}, scene.geometry, scene.c, scene.evolving, openings.state());
     EXPECT_EQ(restarted.flows().at(0).taken, openings.flows().at(0).taken);
     EXPECT_EQ(restarted.imbalance(scene.store).mass, openings.imbalance(scene.store).mass);
-    const double *holder = scene.store.component("heldBy", 0), particle = 2*dx*dx;
+    const double *holder = scene.store.component("heldBy", 0), particle = 2 * dx * dx;
     scene.store.component("m", 0)[std::find(holder, holder + scene.owned, 0) - holder] = 0;
-    EXPECT_NEAR(openings.imbalance(scene.store).mass, -particle/(2*(7 - 2*depth)), 1e-15);
+    EXPECT_NEAR(openings.imbalance(scene.store).mass, -particle / (2 * (7 - 2 * depth)), 1e-15);
 }
 
 // Normals to the wrong side: beyond the one opening lies the other, and the end of the domain is nearer than what would be held reaches.
@@ -219,7 +219,7 @@ TEST(Openings, HoldTheDensityOfTheirPressure)
     scene.fill(-0.6, 1.6, 1, 0);
     Openings<2> openings({outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
-    const double expected = 2*std::pow(1 + 5/40.0, 1/7.0);
+    const double expected = 2 * std::pow(1 + 5 / 40.0, 1 / 7.0);
     EXPECT_EQ(openings.held().size(), 60u);
     for (const int i : openings.held()) EXPECT_NEAR(scene.store.component("rho", 0)[i], expected, 1e-12);
 }
@@ -231,7 +231,7 @@ TEST(Openings, ContinueThePressure)
     scene.fill(-0.6, 1.6, 1, 0);
     Openings<2> openings({gateOf(0), outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);
-    const auto pressureAt = [](double x) { return 5 + 8*(1 - x); };
+    const auto pressureAt = [](double x) { return 5 + 8 * (1 - x); };
     for (std::size_t i = 0; i < scene.owned; ++i) scene.store.component("p", 0)[i] = pressureAt(scene.store.component("positions", 0)[i]);
     openings.drive(scene.store, 0.01);
     EXPECT_EQ(openings.held().size(), 120u);
@@ -254,12 +254,12 @@ TEST(Openings, AreDrivenByPressure)
     const auto speed = [&] { return openings.flows().at(0).flowRate; };
     EXPECT_EQ(speed(), 0);
     openings.drive(scene.store, 0.01);
-    EXPECT_NEAR(speed(), 0.01*6/(2*depth), 1e-12);
+    EXPECT_NEAR(speed(), 0.01 * 6 / (2 * depth), 1e-12);
     for (int step = 0; step < 100; ++step) openings.drive(scene.store, 0.01);
     EXPECT_NEAR(speed(), 0.4, 1e-12);
     std::fill_n(scene.store.component("p", 0), scene.owned, 10.0);
     openings.drive(scene.store, 0.06);
-    EXPECT_NEAR(speed(), 0.4 - 0.06*4/(2*depth), 1e-9);
+    EXPECT_NEAR(speed(), 0.4 - 0.06 * 4 / (2 * depth), 1e-9);
     for (int step = 0; step < 100; ++step) openings.drive(scene.store, 0.01);
     EXPECT_EQ(speed(), 0);
 }
@@ -285,7 +285,7 @@ TEST(Openings, GoOnFromTheNumbersOfTheirState)
     scene.exchange(first);
     std::fill_n(scene.store.component("dphidt", 0), scene.owned, 0.02);
     first.holdRate(scene.store, "phi", 0.5);
-    EXPECT_NEAR(first.state().at("openingsHeldPowder"), double(first.held().size())*0.01*dx*dx, 1e-15);
+    EXPECT_NEAR(first.state().at("openingsHeldPowder"), double(first.held().size()) * 0.01 * dx * dx, 1e-15);
     for (std::size_t i = 0; i < scene.owned; ++i)
         EXPECT_EQ(scene.store.component("dphidt", 0)[i], scene.store.component("positions", 0)[i] < 0 ? 0 : 0.02);
     scene.drift(0.3);
@@ -325,7 +325,7 @@ TEST(Openings, MustFitTheirScene)
     oblique.normal = unitVector(Vector<3>{1, 0.5, 0});
     refuses(oblique, channel(1), "must go on straight");
     auto close = outlet(0);
-    close.point = {H/2, 0, 0};
+    close.point = {H / 2, 0, 0};
     EXPECT_THROW(Openings<2>({inlet(), close}, channel(1), coefficients(), stateOfPowder(), {}), CaseError);
 }
 

@@ -1,7 +1,7 @@
 /// Sections of ducts: their lines, their area, and the profile of developed flow, against plane channels, squares and pipes.
+#include "Section.hpp"
 #include "Duct.hpp"
 #include "Largest.hpp"
-#include "Section.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -14,7 +14,7 @@ double meanOf(const Section& section)
 {
     double sum = 0;
     for (const auto& line : section.lines()) sum += line.profile;
-    return sum/double(section.lines().size());
+    return sum / double(section.lines().size());
 }
 
 // 9.6 spacings from wall to wall: ten lines, a little closer, and rows a little further apart.
@@ -23,7 +23,7 @@ TEST(Section, FillsAPlaneChannel)
     const Section section(inlet(), channel(0.96), 0.1);
     ASSERT_EQ(section.lines().size(), 10u);
     EXPECT_NEAR(section.area(), 0.96, 1e-9);
-    EXPECT_NEAR(section.rowSpacing()*section.area()/10, 0.01, 1e-12);
+    EXPECT_NEAR(section.rowSpacing() * section.area() / 10, 0.01, 1e-12);
     EXPECT_NEAR(section.width(), 0.96, 1e-9);
     for (int l = 0; l < 10; ++l)
     {
@@ -44,11 +44,10 @@ TEST(Section, DevelopsAParabola)
         opening.developed = true;
         const Section section(opening, channel(1), k == 0 ? 0.1 : 0.05);
         EXPECT_NEAR(meanOf(section), 1, 1e-12);
-        for (const auto& line : section.lines())
-            error[k](line.profile - 6*line.foot.y*(1 - line.foot.y));
+        for (const auto& line : section.lines()) error[k](line.profile - 6 * line.foot.y * (1 - line.foot.y));
     }
     EXPECT_LT(error[0].value(), 0.02);
-    EXPECT_NEAR(error[0].value()/error[1].value(), 4, 0.3);
+    EXPECT_NEAR(error[0].value() / error[1].value(), 4, 0.3);
 }
 
 // The largest velocity in a square duct is 2.0963 of the mean (Shah & London 1978), in a round pipe 2.
@@ -62,13 +61,13 @@ TEST(Section, DevelopsTheFlowOfASquareDuctAndOfAPipe)
         for (const auto& line : section.lines()) u(line.profile);
         return u.value();
     };
-    const Section square(opening, squareDuct(), 1/15.0), fine(opening, squareDuct(), 1/31.0);
+    const Section square(opening, squareDuct(), 1 / 15.0), fine(opening, squareDuct(), 1 / 31.0);
     EXPECT_EQ(square.lines().size(), 225u);
     EXPECT_NEAR(largest(square), 2.0963, 0.03);
     EXPECT_NEAR(largest(fine), 2.0963, 0.007);
-    const Section pipe(opening, roundPipe(0.5), 1/15.0);
-    EXPECT_NEAR(pipe.area(), std::numbers::pi/4, 0.003);
-    EXPECT_NEAR(pipe.rowSpacing()*pipe.area()/double(pipe.lines().size()), std::pow(15.0, -3), 1e-12);
+    const Section pipe(opening, roundPipe(0.5), 1 / 15.0);
+    EXPECT_NEAR(pipe.area(), std::numbers::pi / 4, 0.003);
+    EXPECT_NEAR(pipe.rowSpacing() * pipe.area() / double(pipe.lines().size()), std::pow(15.0, -3), 1e-12);
     EXPECT_NEAR(largest(pipe), 2, 0.06);
 }
 

@@ -16,7 +16,7 @@ TEST(FluidVolume, isExactForABoxAroundBalls)
     EXPECT_EQ(ballsInCell(g).size(), 2u);
     const auto v = fluidVolume(g, 0.02);
     EXPECT_TRUE(v.exact);
-    EXPECT_NEAR(v.value, 1 - 4*std::numbers::pi/3*(0.027 + 0.064), 1e-13);
+    EXPECT_NEAR(v.value, 1 - 4 * std::numbers::pi / 3 * (0.027 + 0.064), 1e-13);
 }
 
 // Balls that overlap are left to quadrature: two unit-free balls of radius 0.3 whose centres lie 0.3 apart share the lens
@@ -29,7 +29,7 @@ TEST(FluidVolume, ofOverlappingBallsByQuadrature)
     add(g, Sphere({0.5, 0.5, 0.5}, R, FluidSide::outside));
     add(g, Sphere({0.5 + s, 0.5, 0.5}, R, FluidSide::outside));
     repeatPeriodically(g, 0.3);
-    const double pi = std::numbers::pi, solid = 2*4*pi/3*R*R*R - pi*(4*R + s)*sqr(2*R - s)/12;
+    const double pi = std::numbers::pi, solid = 2 * 4 * pi / 3 * R * R * R - pi * (4 * R + s) * sqr(2 * R - s) / 12;
     const auto v = fluidVolume(g, 0.02);
     EXPECT_FALSE(v.exact);
     EXPECT_NEAR(v.value, 1.6 - solid, 3e-5);
@@ -42,12 +42,12 @@ TEST(FluidVolume, insideCurvedWalls)
     Geometry g = emptyBox(3, {1, 1, 1}, {});
     add(g, Sphere({0.5, 0.5, 0.5}, 0.5, FluidSide::inside));
     repeatPeriodically(g, 0.3);
-    EXPECT_NEAR(fluidVolume(g, 0.025).value, std::numbers::pi/6, 2e-5);
+    EXPECT_NEAR(fluidVolume(g, 0.025).value, std::numbers::pi / 6, 2e-5);
 
     Geometry pipe = emptyBox(2, {1, 1, 0}, {});
     add(pipe, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.4, FluidSide::inside));
     repeatPeriodically(pipe, 0.3);
-    EXPECT_NEAR(fluidVolume(pipe, 0.025).value, std::numbers::pi*0.16, 2e-5);
+    EXPECT_NEAR(fluidVolume(pipe, 0.025).value, std::numbers::pi * 0.16, 2e-5);
 }
 
 // Planes across the domain cut it back exactly; a plane beside the domain, or facing away from it, does not.

@@ -1,5 +1,5 @@
-#include "Largest.hpp"
 #include "Lattice.hpp"
+#include "Largest.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -49,18 +49,16 @@ TEST(Lattice, haveTheDensityOfTheirSpacing)
         int dimension;
         double edge, particles, nearest;
     };
-    const double hexagonal = std::pow(4.0/3, 0.25), fcc = std::cbrt(4.0), bcc = std::cbrt(2.0);
+    const double hexagonal = std::pow(4.0 / 3, 0.25), fcc = std::cbrt(4.0), bcc = std::cbrt(2.0);
     for (const auto& [type, dimension, edge, particles, nearest] :
-         {Expected{"cubic", 3, 8, 512, 1}, Expected{"hexagonal", 2, 28*hexagonal, 2*28*16, hexagonal},
-          Expected{"fcc", 3, 5*fcc, 4*125, fcc/std::sqrt(2.0)},
-          Expected{"bcc", 3, 5*bcc, 2*125, bcc*std::sqrt(3.0)/2}})
+         {Expected{"cubic", 3, 8, 512, 1}, Expected{"hexagonal", 2, 28 * hexagonal, 2 * 28 * 16, hexagonal},
+          Expected{"fcc", 3, 5 * fcc, 4 * 125, fcc / std::sqrt(2.0)}, Expected{"bcc", 3, 5 * bcc, 2 * 125, bcc * std::sqrt(3.0) / 2}})
     {
         const auto lattice = makeLattice({type, 1, 0, 1}, dimension, {{0, 0, 0}, {edge, edge, edge}}, {true, true, true});
         EXPECT_EQ(double(lattice.points.size()), particles) << type;
-        EXPECT_NEAR(double(lattice.points.size())/std::pow(edge, dimension), 1, dimension == 2 ? 0.011 : 1e-12) << type;
+        EXPECT_NEAR(double(lattice.points.size()) / std::pow(edge, dimension), 1, dimension == 2 ? 0.011 : 1e-12) << type;
         const auto h = lattice.fittedSpacing;
-        EXPECT_NEAR(h.x*h.y*(dimension == 3 ? h.z : 1)*double(lattice.points.size()), std::pow(edge, dimension), 1e-9)
-            << type;
+        EXPECT_NEAR(h.x * h.y * (dimension == 3 ? h.z : 1) * double(lattice.points.size()), std::pow(edge, dimension), 1e-9) << type;
         EXPECT_NEAR(closestPair(lattice.points), nearest, dimension == 2 ? 0.01 : 1e-12) << type;
     }
 }
@@ -71,9 +69,9 @@ TEST(Lattice, hexagonalRowsAreEvenWherePeriodic)
     for (const double height : {9.0, 10.0, 11.0})
     {
         const auto lattice = makeLattice({"hexagonal", 1, 0, 1}, 2, {{0, 0, 0}, {10, height, 0}}, {true, true, false});
-        EXPECT_EQ(lattice.layers[0]%2, 0);
-        EXPECT_EQ(lattice.layers[1]%2, 0);
-        EXPECT_EQ(long(lattice.points.size()), lattice.layers[0]*lattice.layers[1]/2);
+        EXPECT_EQ(lattice.layers[0] % 2, 0);
+        EXPECT_EQ(lattice.layers[1] % 2, 0);
+        EXPECT_EQ(long(lattice.points.size()), lattice.layers[0] * lattice.layers[1] / 2);
     }
 }
 
@@ -95,5 +93,5 @@ TEST(Lattice, jitterIsBoundedAndRepeatable)
     EXPECT_LE(largest.value(), 0.1);
     EXPECT_GT(largest.value(), 0.09);
     // mean of 125 uniform numbers of standard deviation 0.058: four of its standard errors
-    EXPECT_NEAR(sum/125, 0, 0.021);
+    EXPECT_NEAR(sum / 125, 0, 0.021);
 }

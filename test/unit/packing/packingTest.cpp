@@ -22,20 +22,18 @@ public:
     CaseFolder()
     {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = fs::temp_directory_path()/(std::string("packing.") + test->name() + "." + std::to_string(getpid()));
+        path_ = fs::temp_directory_path() / (std::string("packing.") + test->name() + "." + std::to_string(getpid()));
         fs::create_directories(path_ / "constant");
         fs::create_directories(path_ / "system");
-        write("constant/phaseProperties",
-              "phases (water air);\nwater\n{\n    rho [1 -3 0 0 0 0 0] 1000;\n    viscosity 1e-3;\n}\n"
-              "air { rho 1.2; }\nsigma ( (water air) 0.072 );\n");
-        write("constant/geometry",
-              "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); periodic (x); }\n"
-              "walls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 0.1 0); "
-              "normal (0 -1 0); } }\n");
+        write("constant/phaseProperties", "phases (water air);\nwater\n{\n    rho [1 -3 0 0 0 0 0] 1000;\n    viscosity 1e-3;\n}\n"
+                                          "air { rho 1.2; }\nsigma ( (water air) 0.072 );\n");
+        write("constant/geometry", "dimension 2;\ndomain { min (0 0 0); max (0.1 0.1 0); periodic (x); }\n"
+                                   "walls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 0.1 0); "
+                                   "normal (0 -1 0); } }\n");
         write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n    kernel wendlandC2;\n}\n");
     }
     ~CaseFolder() { fs::remove_all(path_); }
-    void write(const std::string& file, const std::string& text) const { std::ofstream(path_/file) << text; }
+    void write(const std::string& file, const std::string& text) const { std::ofstream(path_ / file) << text; }
     const fs::path& path() const { return path_; }
     PackingPlan plan() const { return readPackingPlan(Case(path_)); }
     Packing pack() const { return sph::pack(plan()); }
@@ -67,7 +65,7 @@ TEST(Packing, fillsTheDomainByDefault)
     const auto p = c.pack();
     EXPECT_EQ(p.points.size(), 100u);
     EXPECT_TRUE(p.volume.exact);
-    EXPECT_NEAR(p.phases[0].mass, 1000*0.01, 1e-12);
+    EXPECT_NEAR(p.phases[0].mass, 1000 * 0.01, 1e-12);
     EXPECT_NEAR(p.mass[0], 0.1, 1e-14);
     EXPECT_EQ(p.porosity, 1);
 }
@@ -95,7 +93,7 @@ fill
     for (std::size_t i = 0; i < p.points.size(); ++i)
     {
         EXPECT_EQ(p.velocity.x[i], p.points.y[i] < 0.05 ? 1 : 0);
-        EXPECT_EQ(p.mass[i], (p.phase[i] == 0 ? 1000 : 1.2)*p.particleVolume);
+        EXPECT_EQ(p.mass[i], (p.phase[i] == 0 ? 1000 : 1.2) * p.particleVolume);
     }
 }
 
@@ -111,7 +109,7 @@ TEST(Packing, wrapsSphereRegionsRoundPeriodicSides)
         return c.pack().phases[0].particles;
     };
     EXPECT_EQ(drop("(0 0 0)"), drop("(0.05 0.05 0)"));
-    EXPECT_NEAR(double(drop("(0 0 0)")), std::numbers::pi*sqr(3.1), 4);
+    EXPECT_NEAR(double(drop("(0 0 0)")), std::numbers::pi * sqr(3.1), 4);
 }
 
 // Each placement reaches the saturation to half a particle, which is as near as whole particles come.
@@ -120,14 +118,14 @@ TEST(Packing, reachesTheSaturationToOneParticle)
     CaseFolder c;
     c.write("constant/geometry", cubicBed);
     c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
-    for (const std::string placement : {"contacts;", "film;", "top;", "bottom;", "random; seed 3;", "drops; number 4;",
-                                        "layer; point (0 0.5 0); normal (0 1 0);"})
+    for (const std::string placement :
+         {"contacts;", "film;", "top;", "bottom;", "random; seed 3;", "drops; number 4;", "layer; point (0 0.5 0); normal (0 1 0);"})
         for (const double value : {0.085, 0.5})
         {
             c.write("system/packParticlesDict",
                     "saturation { phase water; gas air; value " + std::to_string(value) + "; placement " + placement + " }\n");
             const auto p = c.pack();
-            EXPECT_LE(std::fabs(double(p.phases[0].particles) - value*double(p.points.size())), 0.5) << placement;
+            EXPECT_LE(std::fabs(double(p.phases[0].particles) - value * double(p.points.size())), 0.5) << placement;
         }
 }
 
@@ -145,7 +143,7 @@ TEST(Packing, leavesAThirdPhaseWhereItIs)
     const auto p = c.pack();
     EXPECT_GT(before.phases[2].particles, 200u);
     EXPECT_EQ(p.phases[2].particles, before.phases[2].particles);
-    EXPECT_LE(std::fabs(double(p.phases[0].particles) - 0.2*double(p.points.size())), 0.5);
+    EXPECT_LE(std::fabs(double(p.phases[0].particles) - 0.2 * double(p.points.size())), 0.5);
     for (std::size_t i = 0; i < p.points.size(); ++i) EXPECT_EQ(p.phase[i] == 2, before.phase[i] == 2);
 
     c.write("system/packParticlesDict", fill + "saturation\n{ phase water; gas air; value 0.9; }\n");
@@ -181,7 +179,7 @@ TEST(Packing, putsWaterWhereGrainsMeet)
         int contact = 0;
         for (int k = 0; k < 3; ++k)
         {
-            const double y = x[(k + 1)%3], z = x[(k + 2)%3];
+            const double y = x[(k + 1) % 3], z = x[(k + 2) % 3];
             next = std::min(next, std::hypot(1 - x[k], y, z) - 0.5);
             const double d = std::hypot(0.5 - x[k], y, z);
             if (d < toContact) toContact = d, contact = k;
@@ -191,8 +189,7 @@ TEST(Packing, putsWaterWhereGrainsMeet)
             Larger{}(widestInWater, own + next);
             ++perContact[contact];
         }
-        else
-            Smaller{}(narrowestInAir, own + next);
+        else Smaller{}(narrowestInAir, own + next);
     }
     EXPECT_LE(widestInWater, narrowestInAir + 1e-12);
     EXPECT_NEAR(perContact[0], perContact[1], 8);
@@ -217,7 +214,7 @@ TEST(Packing, setsVelocitiesByFormulaAndByExpression)
     c.write("system/packParticlesDict", "velocity { type poiseuille; U 3; height 0.1; }\n");
     const auto channel = c.pack();
     for (std::size_t i = 0; i < channel.points.size(); ++i)
-        EXPECT_NEAR(channel.velocity.x[i], 12*channel.points.y[i]/0.1*(1 - channel.points.y[i]/0.1), 1e-12);
+        EXPECT_NEAR(channel.velocity.x[i], 12 * channel.points.y[i] / 0.1 * (1 - channel.points.y[i] / 0.1), 1e-12);
 }
 
 // A pressure at the start is written in the place of a density: the solver makes that of it, or masses where the positions decide the density.
@@ -234,11 +231,13 @@ TEST(Packing, writesThePressureOfTheStart)
     EXPECT_FALSE(cloud.fields.contains("rho"));
     EXPECT_EQ(volumesOf(cloud), std::vector<double>(cloud.size(), packing.particleVolume));
     const auto& p = cloud.fields.at("p").component[0];
-    for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(p[i], 3*cloud.y[i] - cloud.x[i], 1e-15);
-    c.write("system/packParticlesDict", "pressure \"3*$y\";\nfill ( { region all; phase water; } { region box; min (0 0 0); max (0.05 0.05 0); phase water; p 7; } );\n");
+    for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(p[i], 3 * cloud.y[i] - cloud.x[i], 1e-15);
+    c.write(
+        "system/packParticlesDict",
+        "pressure \"3*$y\";\nfill ( { region all; phase water; } { region box; min (0 0 0); max (0.05 0.05 0); phase water; p 7; } );\n");
     const auto inRegion = c.pack();
     for (std::size_t i = 0; i < inRegion.points.size(); ++i)
-        ASSERT_NEAR(inRegion.p[i], inRegion.points.x[i] <= 0.05 && inRegion.points.y[i] <= 0.05 ? 7 : 3*inRegion.points.y[i], 1e-15);
+        ASSERT_NEAR(inRegion.p[i], inRegion.points.x[i] <= 0.05 && inRegion.points.y[i] <= 0.05 ? 7 : 3 * inRegion.points.y[i], 1e-15);
     c.write("system/packParticlesDict", "pressure \"vector(1, 2, 3)\";\n");
     EXPECT_THROW(c.pack(), CaseError);
 }
@@ -249,9 +248,8 @@ TEST(Packing, writesACloudThatReadsBack)
     for (const auto format : {WriteFormat::ascii, WriteFormat::binary})
     {
         CaseFolder c;
-        c.write("system/packParticlesDict",
-                "lattice hexagonal; fill ( { region all; phase air; } { region box; min (0 0 0); max (0.1 0.05 "
-                "0); phase water; } );\n");
+        c.write("system/packParticlesDict", "lattice hexagonal; fill ( { region all; phase air; } { region box; min (0 0 0); max (0.1 0.05 "
+                                            "0); phase water; } );\n");
         const Case theCase(c.path());
         const auto plan = readPackingPlan(theCase);
         const auto p = pack(plan);
@@ -282,8 +280,10 @@ TEST(Packing, replacesTheParticlesOfATimeFolderAlone)
     const Case theCase(c.path());
     const auto plan = readPackingPlan(theCase);
     writePacking(theCase, "0", plan, pack(plan), {});
-    for (const char* gone : {"0/lagrangian/sph/old", "0/uniform/time", "0/uniform/sphState", "0.partial"}) EXPECT_FALSE(fs::exists(c.path() / gone)) << gone;
-    for (const char* there : {"0/lagrangian/tracers/positions", "0/notes", "0/lagrangian/sph/U", "0/uniform/lagrangian/sph/cloudProperties"})
+    for (const char* gone : {"0/lagrangian/sph/old", "0/uniform/time", "0/uniform/sphState", "0.partial"})
+        EXPECT_FALSE(fs::exists(c.path() / gone)) << gone;
+    for (const char* there :
+         {"0/lagrangian/tracers/positions", "0/notes", "0/lagrangian/sph/U", "0/uniform/lagrangian/sph/cloudProperties"})
         EXPECT_TRUE(fs::exists(c.path() / there)) << there;
 }
 
@@ -299,8 +299,7 @@ TEST(Packing, reportsTheBed)
     const auto plan = c.plan();
     const auto text = report(plan, pack(plan));
     EXPECT_NE(text.find("1 spheres a cell, largest radius 0.5 m, solid fraction 0.523599"), std::string::npos) << text;
-    EXPECT_NE(text.find("rho g R^2/gamma 3.406e+04, rho g L^2/gamma 1.362e+05 with the period L = 1 m"), std::string::npos)
-        << text;
+    EXPECT_NE(text.find("rho g R^2/gamma 3.406e+04, rho g L^2/gamma 1.362e+05 with the period L = 1 m"), std::string::npos) << text;
     EXPECT_NE(text.find("Relaxation: 5 steps"), std::string::npos) << text;
 }
 
@@ -324,7 +323,10 @@ TEST(PackingErrors, fillOfNothing)
 {
     CaseFolder c;
     c.write("system/packParticlesDict", "lattice cubic;\nfill ();\n");
-    EXPECT_EQ(c.error().find("system/packParticlesDict:2: fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase "), 0u)
+    EXPECT_EQ(
+        c.error().find(
+            "system/packParticlesDict:2: fill lists no region. Without the entry the first phase fills everything: fill ( { region all; phase "),
+        0u)
         << c.error();
 }
 
@@ -345,7 +347,8 @@ TEST(PackingErrors, spacingAgainstGapAndSpace)
     EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along x\n"
                          "system/sphSchemes:3: spacing 0.2 m is larger than the domain, 0.1 m along y\n2 errors");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.03;\n    support 2.6;\n}\n");
-    EXPECT_EQ(c.error(), "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
+    EXPECT_EQ(c.error(),
+              "system/sphSchemes:3: the domain's periodic length 0.1 m along x is less than the kernel support and a spacing, 0.108 m");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 1e-6;\n    support 2.6;\n}\n");
     EXPECT_EQ(c.error(), "system/sphSchemes:3: spacing 1e-06 m makes 1e+10 particles in the domain; at most 1e+09 are possible");
     c.write("system/sphSchemes", "resolution\n{\n    spacing 0.01;\n    support 2.6;\n}\n");

@@ -24,14 +24,13 @@ Points fluidPlaces(const Geometry& g, const LatticeSpec& spec)
     return points;
 }
 
-template<int dim>
-RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& points, const char* kernel = "wendlandC2")
+template<int dim> RelaxationResult relaxed(const Geometry& g, double spacing, int steps, Points& points, const char* kernel = "wendlandC2")
 {
     RelaxationSettings settings;
     settings.steps = steps;
     settings.tolerance = 0;
-    const double V0 = fluidVolume(g, spacing/4).value/double(points.size());
-    return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings*spacing), V0, spacing, settings, points);
+    const double V0 = fluidVolume(g, spacing / 4).value / double(points.size());
+    return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings * spacing), V0, spacing, settings, points);
 }
 
 /// Of one particle, as the relaxation makes them.
@@ -47,15 +46,15 @@ template<int dim> Images<dim> imagesOf(const Geometry& g, Vector<dim> at, FieldS
     return images;
 }
 
-double radiusFor(double solidFraction) { return std::cbrt(solidFraction*3/(4*std::numbers::pi)); }
+double radiusFor(double solidFraction) { return std::cbrt(solidFraction * 3 / (4 * std::numbers::pi)); }
 }
 
 // Simple cubic bed, solid fraction 0.343, 16 spacings a period. Prototype: scatter at walls 8 % on the lattice, 0.1 % after 200 steps
 // with the bias falling from 1 to 0.01. Measured here 5.86 % and 0.109 %; the limit allows a third more.
 TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
 {
-    const double spacing = 1.0/16;
-    const auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    const double spacing = 1.0 / 16;
+    const auto g = cubicBed(radiusFor(0.343), 3 * spacing);
     auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
     ASSERT_EQ(points.size(), 2720u);
     const auto r = relaxed<3>(g, spacing, 200, points);
@@ -64,7 +63,7 @@ TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
     EXPECT_LT(r.after.overall.scatter, 0.0015);
     // the constant that is left is the kernel's own, 0.7-1 % at this support
     EXPECT_NEAR(r.after.overall.mean, 0.007, 0.003);
-    EXPECT_GT(r.closestPair, 0.7*spacing);
+    EXPECT_GT(r.closestPair, 0.7 * spacing);
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0);
 }
 
@@ -72,10 +71,10 @@ TEST(Relaxation, evensTheDensityAtTheGrainsOfABed)
 // layers do not mirror how near particles are to the wall.
 TEST(Relaxation, evensTheDensityAtWallsByLayers)
 {
-    const double spacing = 1.0/16;
-    auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    const double spacing = 1.0 / 16;
+    auto g = cubicBed(radiusFor(0.343), 3 * spacing);
     Diagnostics none;
-    g.layers = makeWallLayers(g, supportInSpacings*spacing, spacing, none);
+    g.layers = makeWallLayers(g, supportInSpacings * spacing, spacing, none);
     ASSERT_TRUE(none.ok());
     auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
     const auto r = relaxed<3>(g, spacing, 200, points);
@@ -88,11 +87,11 @@ TEST(Relaxation, evensTheDensityAtWallsByLayers)
 // Touching spheres (0.5236): no particle may end up in a grain, near the contacts least of all, and scatter still falls twentyfold.
 TEST(Relaxation, keepsParticlesOutOfTouchingSpheres)
 {
-    const double spacing = 1.0/16;
-    const auto g = cubicBed(0.5, 3*spacing);
+    const double spacing = 1.0 / 16;
+    const auto g = cubicBed(0.5, 3 * spacing);
     auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
     const auto r = relaxed<3>(g, spacing, 200, points);
-    EXPECT_LT(r.after.nearWalls.scatter, 0.05*r.before.nearWalls.scatter);
+    EXPECT_LT(r.after.nearWalls.scatter, 0.05 * r.before.nearWalls.scatter);
     for (std::size_t i = 0; i < points.size(); ++i) ASSERT_GT(g.distance(points[i]), 0) << points[i].x << ' ' << points[i].y;
 }
 
@@ -100,16 +99,16 @@ TEST(Relaxation, keepsParticlesOutOfTouchingSpheres)
 // some first steps are cut to a tenth of a spacing, and what that leaves is a thousandth of a spacing at most.
 TEST(Relaxation, leavesTheCentreOfMass)
 {
-    const double spacing = 1.0/12;
+    const double spacing = 1.0 / 12;
     const Geometry g = emptyBox(3, {1, 1, 1}, {true, true, true});
     auto points = fluidPlaces(g, {"cubic", spacing, 0.05, 3});
     auto r = relaxed<3>(g, spacing, 60, points);
-    EXPECT_LT(r.after.overall.scatter, 0.1*r.before.overall.scatter);
+    EXPECT_LT(r.after.overall.scatter, 0.1 * r.before.overall.scatter);
     EXPECT_LT(r.centreOfMassDrift, 1e-10);
 
     points = fluidPlaces(g, {"cubic", spacing, 0.2, 3});
     r = relaxed<3>(g, spacing, 60, points);
-    EXPECT_LT(r.after.overall.scatter, 0.05*r.before.overall.scatter);
+    EXPECT_LT(r.after.overall.scatter, 0.05 * r.before.overall.scatter);
     EXPECT_LT(r.centreOfMassDrift, 1e-3);
 }
 
@@ -135,7 +134,7 @@ TEST(Relaxation, findsNothingToDoInChannelsAndBoxes)
     ASSERT_EQ(points.size(), 1000u);
     r = relaxed<3>(room, spacing, 0, points);
     EXPECT_LT(r.before.overall.scatter, 1e-7);
-    EXPECT_EQ(r.before.nearWalls.particles, 1000u - 4*4*4u);
+    EXPECT_EQ(r.before.nearWalls.particles, 1000u - 4 * 4 * 4u);
 }
 
 // A 60 degree fluid wedge needs third reflections (AB and BA differ, ABA and BAB coincide): none is counted twice. A point on its
@@ -144,12 +143,12 @@ TEST(RelaxationImages, fillAWedgeOfSixtyDegreesOnce)
 {
     Geometry g = emptyBox(2, {1, 1, 0}, {});
     g.low = {-1, -1, 0};
-    const double angle = std::numbers::pi/3;
+    const double angle = std::numbers::pi / 3;
     add(g, Plane({0, 0, 0}, {0, 1, 0}));
     add(g, Plane({0, 0, 0}, {std::sin(angle), -std::cos(angle), 0}));
     repeatPeriodically(g, 0.5);
     FieldStore<2> store;
-    const auto images = imagesOf<2>(g, {0.1*std::cos(0.4), 0.1*std::sin(0.4)}, store);
+    const auto images = imagesOf<2>(g, {0.1 * std::cos(0.4), 0.1 * std::sin(0.4)}, store);
     EXPECT_EQ(images.count(), 5u);
     const auto x = store.pointers(Position{});
     for (std::size_t i = 1; i <= images.count(); ++i) EXPECT_NEAR(std::hypot(x[0][i], x[1][i]), 0.1, 1e-12);
@@ -165,14 +164,14 @@ TEST(RelaxationImages, reflectInASphereWithItsVolumeFactor)
     const auto images = imagesOf<3>(g, {3.2, 2, 2}, store);
     ASSERT_EQ(images.count(), 1u);
     EXPECT_NEAR(store.component("positions", 0)[1], 2.8, 1e-12);
-    EXPECT_NEAR(store.component("volumeFactor", 0)[1], sqr(0.8/1.2), 1e-12);
+    EXPECT_NEAR(store.component("volumeFactor", 0)[1], sqr(0.8 / 1.2), 1e-12);
 }
 
 // The same bits with one thread and with two: every particle sums its own list in the list's order.
 TEST(Relaxation, doesNotDependOnTheNumberOfThreads)
 {
-    const double spacing = 1.0/12;
-    const auto g = cubicBed(0.45, 3*spacing);
+    const double spacing = 1.0 / 12;
+    const auto g = cubicBed(0.45, 3 * spacing);
     std::vector<Points> results;
     const int threads = omp_get_max_threads();
     for (const int n : {1, 2})
@@ -191,21 +190,21 @@ TEST(Relaxation, doesNotDependOnTheNumberOfThreads)
 // The cubic spline lets particles pair; relaxing with it must not (0.31 spacings when pushed with its own gradient, support 2.4).
 TEST(Relaxation, doesNotPairWithTheCubicSpline)
 {
-    const double spacing = 1.0/16;
-    const auto g = cubicBed(radiusFor(0.343), 3*spacing);
+    const double spacing = 1.0 / 16;
+    const auto g = cubicBed(radiusFor(0.343), 3 * spacing);
     auto points = fluidPlaces(g, {"cubic", spacing, 0, 1});
     const auto r = relaxed<3>(g, spacing, 200, points, "cubicSpline");
-    EXPECT_GT(r.closestPair, 0.6*spacing);
+    EXPECT_GT(r.closestPair, 0.6 * spacing);
     EXPECT_LT(r.after.nearWalls.scatter, 0.003);
 }
 
 // A circle in a periodic square, hexagonal start: the same laws in 2-D.
 TEST(Relaxation, worksInTwoDimensions)
 {
-    const double spacing = 1.0/24;
+    const double spacing = 1.0 / 24;
     Geometry g = emptyBox(2, {1, 1, 0}, {true, true, false});
     add(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3, FluidSide::outside));
-    repeatPeriodically(g, 3*spacing);
+    repeatPeriodically(g, 3 * spacing);
     auto points = fluidPlaces(g, {"hexagonal", spacing, 0, 1});
     const auto r = relaxed<2>(g, spacing, 200, points);
     EXPECT_GT(r.before.nearWalls.scatter, 0.03);

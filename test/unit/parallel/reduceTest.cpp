@@ -1,6 +1,6 @@
 /// From particles to a number: the same bits on any number of threads, and nothing that is no number gets lost.
-#include "Largest.hpp"
 #include "reduce.hpp"
+#include "Largest.hpp"
 #include <gtest/gtest.h>
 #include <limits>
 #include <omp.h>
@@ -25,7 +25,12 @@ std::vector<double> unlike(std::size_t n)
 struct Two
 {
     double a = 0, b = 0;
-    Two& operator+=(const Two& other) { a += other.a; b += other.b; return *this; }
+    Two& operator+=(const Two& other)
+    {
+        a += other.a;
+        b += other.b;
+        return *this;
+    }
 };
 
 // 4096 to a block, and blocks in their order: what a plain loop over either gives, to the bit. Lengths end at, before and after a block.
@@ -56,12 +61,15 @@ TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
             const auto both = sum(n, [&](std::size_t i) { return Two{q[i], -q[i]}; });
             EXPECT_EQ(both.a, expected);
             EXPECT_EQ(both.b, -expected);
-            const auto byBlocks = reduceBlocks(n, 0.0, [&](std::size_t begin, std::size_t end)
-            {
-                double part = 0;
-                for (std::size_t i = begin; i < end; ++i) part += q[i];
-                return part;
-            }, Add{});
+            const auto byBlocks = reduceBlocks(
+                n, 0.0,
+                [&](std::size_t begin, std::size_t end)
+                {
+                    double part = 0;
+                    for (std::size_t i = begin; i < end; ++i) part += q[i];
+                    return part;
+                },
+                Add{});
             EXPECT_EQ(byBlocks, expected);
         }
     }
@@ -121,7 +129,8 @@ TEST(Reduce, GivesEachGroupItsSum)
     {
         omp_set_num_threads(threads);
         const auto value = [&](std::size_t i) { return q[i]; };
-        const auto sums = groupSums(n, 3, [](std::size_t i) { return i % 4; }, value);
+        const auto sums = groupSums(
+            n, 3, [](std::size_t i) { return i % 4; }, value);
         ASSERT_EQ(sums.size(), 3u);
         for (std::size_t g = 0; g < 3; ++g) EXPECT_EQ(sums[g], sum(n, [&](std::size_t i) { return i % 4 == g ? q[i] : 0; })) << g;
         EXPECT_EQ(count(n, [](std::size_t i) { return i % 4 == 3; }), n / 4);
@@ -133,7 +142,9 @@ TEST(Reduce, OfNothingIsWhereItStarts)
     const auto none = [](std::size_t) { return 1.0; };
     EXPECT_EQ(sum(0, none), 0);
     EXPECT_EQ(count(0, none), 0u);
-    EXPECT_EQ(groupSums(0, 2, [](std::size_t) { return 0; }, none), (std::vector<double>{0, 0}));
+    EXPECT_EQ(groupSums(
+                  0, 2, [](std::size_t) { return 0; }, none),
+              (std::vector<double>{0, 0}));
     EXPECT_EQ(least(0, none), infinity);
     EXPECT_EQ(most(0, none), -infinity);
 }

@@ -62,8 +62,7 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
 inline Coefficients firstPhases(Coefficients c, int n)
 {
     Coefficients few = c;
-    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed, &few.exponent, &few.stiffness})
-        list->resize(std::size_t(n));
+    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed, &few.exponent, &few.stiffness}) list->resize(std::size_t(n));
     few.phases.resize(std::size_t(n));
     few.surfaceTension.clear();
     few.wallTension.clear();
@@ -88,8 +87,8 @@ template<int dim> struct Scene
     std::vector<double> N; ///< of every particle and image, where the plain sums are to divide gradW by (N_i + N_j)/2
 
     /// A jittered lattice where the walls leave room. Phases in layers along y, with a wavy boundary.
-    Scene(Geometry g, Coefficients numbers, const std::vector<std::string>& terms, bool integratedDensity = false,
-          unsigned seed = 1, const Catalogue<dim>& more = {})
+    Scene(Geometry g, Coefficients numbers, const std::vector<std::string>& terms, bool integratedDensity = false, unsigned seed = 1,
+          const Catalogue<dim>& more = {})
         : geometry((repeatPeriodically(g, 1.3 * numbers.support), std::move(g))),
           coefficients(std::move(numbers)),
           kernel("wendlandC2", coefficients.support),
@@ -123,8 +122,7 @@ template<int dim> struct Scene
             store.component("mu", 0)[i] = coefficients.viscosity[std::size_t(k)];
             const double rho = coefficients.restDensity[std::size_t(k)] * (1 + 0.05 * any(random));
             store.component("m", 0)[i] = rho * std::pow(coefficients.spacing, dim);
-            if (integratedDensity)
-                store.component("rho", 0)[i] = coefficients.restDensity[std::size_t(k)] * (1 + 0.03 * any(random));
+            if (integratedDensity) store.component("rho", 0)[i] = coefficients.restDensity[std::size_t(k)] * (1 + 0.03 * any(random));
         }
         if (store.has(VelocityChange{}))
             for (int d = 0; d < dim; ++d) std::copy_n(store.component("U", d), n, store.component("dU", d));
@@ -185,10 +183,8 @@ inline Geometry channel(int dimension, double length = 1)
 inline Geometry aroundABall(int dimension, double radius)
 {
     Geometry g = periodicBox(dimension);
-    if (dimension == 3)
-        addWall(g, Sphere({0.5, 0.5, 0.5}, radius, FluidSide::outside));
-    else
-        addWall(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, radius, FluidSide::outside));
+    if (dimension == 3) addWall(g, Sphere({0.5, 0.5, 0.5}, radius, FluidSide::outside));
+    else addWall(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, radius, FluidSide::outside));
     return g;
 }
 

@@ -10,12 +10,54 @@ namespace sph::test
 {
 
 /// "a" evolves; b and c follow from it, d from c and z; e from z alone.
-struct A { static constexpr FieldInfo info{"a", "1"}; template<int dim> struct At { double a; }; };
-struct B { static constexpr FieldInfo info{"b", "1"}; template<int dim> struct At { double b; }; };
-struct C { static constexpr FieldInfo info{"c", "1"}; template<int dim> struct At { double c; }; };
-struct D { static constexpr FieldInfo info{"d", "1"}; template<int dim> struct At { double d; }; };
-struct E { static constexpr FieldInfo info{"e", "1"}; template<int dim> struct At { double e; }; };
-struct Z { static constexpr FieldInfo info{"z", "1"}; template<int dim> struct At { double z; }; };
+struct A
+{
+    static constexpr FieldInfo info{"a", "1"};
+    template<int dim> struct At
+    {
+        double a;
+    };
+};
+struct B
+{
+    static constexpr FieldInfo info{"b", "1"};
+    template<int dim> struct At
+    {
+        double b;
+    };
+};
+struct C
+{
+    static constexpr FieldInfo info{"c", "1"};
+    template<int dim> struct At
+    {
+        double c;
+    };
+};
+struct D
+{
+    static constexpr FieldInfo info{"d", "1"};
+    template<int dim> struct At
+    {
+        double d;
+    };
+};
+struct E
+{
+    static constexpr FieldInfo info{"e", "1"};
+    template<int dim> struct At
+    {
+        double e;
+    };
+};
+struct Z
+{
+    static constexpr FieldInfo info{"z", "1"};
+    template<int dim> struct At
+    {
+        double z;
+    };
+};
 
 /// b = 2 a
 struct Twice
@@ -69,7 +111,9 @@ struct Toy
     template<class... State>
     Toy(Geometry g, const Catalogue<dim>& terms, const std::vector<Group>& groups, Fields<State...>, const Coefficients& coefficients = {},
         std::map<std::string, std::vector<FieldUse<dim>>> rules = {})
-        : geometry((repeatPeriodically(g, 0.3), std::move(g))), catalogue(terms), images(geometry, 0.28, 0.1),
+        : geometry((repeatPeriodically(g, 0.3), std::move(g))),
+          catalogue(terms),
+          images(geometry, 0.28, 0.1),
           plan(catalogue, groups, {State::info.name...}, std::move(rules))
     {
         plan.allocate(store);
@@ -87,10 +131,7 @@ struct Toy
         plan.bind(store, coefficients);
         plan.countInto(&counts);
     }
-    void evaluate(const std::string& group, double deltaT = 0)
-    {
-        plan.evaluate(store, images, lists, kernel, plan.group(group), deltaT);
-    }
+    void evaluate(const std::string& group, double deltaT = 0) { plan.evaluate(store, images, lists, kernel, plan.group(group), deltaT); }
     double* of(const std::string& field) { return store.component(field, 0); }
     /// sum_j f(j) W_ij over the neighbours of i and itself, images by their sources.
     double sum(std::size_t i, const auto& f)
@@ -99,7 +140,8 @@ struct Toy
         for (std::size_t j = 0; j < n; ++j)
         {
             auto x = positionOf(store, i) - positionOf(store, j);
-            for (auto [k, length] : {std::pair(&x.x, geometry.length(0)), {&x.y, geometry.length(1)}}) *k -= std::round(*k / length) * length;
+            for (auto [k, length] : {std::pair(&x.x, geometry.length(0)), {&x.y, geometry.length(1)}})
+                *k -= std::round(*k / length) * length;
             if (mag(x) < kernel.support()) total += f(j) * kernel.W(mag(x));
         }
         return total;

@@ -71,7 +71,8 @@ struct Mixed
 // the groups is found there again; what is written to those of b is not.
 TEST(Groups, RefreshStaleImagesAlone)
 {
-    Toy toy(torus(), catalogue<2, Twice, OtherSum, Sum, Mixed>(), {{"first", {"sum", "otherSum"}}, {"second", {"mixed"}, {"a"}}}, Fields<A, Z>{});
+    Toy toy(torus(), catalogue<2, Twice, OtherSum, Sum, Mixed>(), {{"first", {"sum", "otherSum"}}, {"second", {"mixed"}, {"a"}}},
+            Fields<A, Z>{});
     toy.evaluate("first");
     ASSERT_GT(toy.images.count(), 0u);
     for (std::size_t k = toy.n; k < toy.images.nullParticle(); ++k) toy.of("z")[k] = toy.of("b")[k] = 0;
@@ -79,7 +80,8 @@ TEST(Groups, RefreshStaleImagesAlone)
     const std::size_t corner = 0; // at (0.05 0.05): more than half of its neighbours are images
     double expected = 0;
     for (std::size_t j = 0; j < toy.n; ++j)
-        if (const double r = mag(positionOf(toy.store, corner) - positionOf(toy.store, j)); r < 0.25) expected += 1000 * toy.of("z")[j] * toy.kernel.W(r);
+        if (const double r = mag(positionOf(toy.store, corner) - positionOf(toy.store, j)); r < 0.25)
+            expected += 1000 * toy.of("z")[j] * toy.kernel.W(r);
     expected += toy.sum(corner, [&](std::size_t j) { return 2 * toy.of("a")[j]; });
     EXPECT_NEAR(toy.of("d")[corner], expected, 1e-12 * expected);
     std::ostringstream log;
@@ -156,7 +158,8 @@ TEST(Groups, HaveLawsThatAdvanceAState)
 // What a law has advanced is a change for the groups behind it, which nobody has to name.
 TEST(Groups, MakeAnewWhatFollowsFromAnAdvancedState)
 {
-    Toy toy(torus(), catalogue<2, Twice, Sum, Total, Relaxation>(), {{"first", {"sum"}}, {"relax", {"relaxation"}}, {"after", {"total"}}}, Fields<A, Z>{});
+    Toy toy(torus(), catalogue<2, Twice, Sum, Total, Relaxation>(), {{"first", {"sum"}}, {"relax", {"relaxation"}}, {"after", {"total"}}},
+            Fields<A, Z>{});
     toy.evaluate("first");
     toy.evaluate("relax", 0.5);
     toy.evaluate("after");
@@ -293,7 +296,8 @@ TEST(Groups, CountWhatTheRuleOfAnImageReadsAsRead)
     const auto rules = std::map<std::string, std::vector<FieldUse<2>>>{{"p", uses<2>(Fields<Density>{})}};
     const std::vector<Group> pressure{{"evaluate", {"huAdamsPressure"}}};
     EXPECT_EQ(errorOf(pressure, {"positions", "p", "V", "m"}, allTerms<2>()), "");
-    EXPECT_EQ(errorOf(pressure, {"positions", "p", "V"}, allTerms<2>(), rules).substr(0, 44), "term \"huAdamsPressure\" reads \"m\" [kg], which");
+    EXPECT_EQ(errorOf(pressure, {"positions", "p", "V"}, allTerms<2>(), rules).substr(0, 44),
+              "term \"huAdamsPressure\" reads \"m\" [kg], which");
     Catalogue<2> pressureAlone;
     for (const auto& term : allTerms<2>())
         if (term.name == "huAdamsPressure") pressureAlone.push_back(term);

@@ -36,8 +36,7 @@ template<int dim> void overPairs(Scene<dim>& s, std::size_t i, const auto& f)
 
 /// Of field F of all owned particles.
 template<int dim, class F>
-void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected,
-                 double tolerance = 1e-12)
+void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected, double tolerance = 1e-12)
 {
     Largest largest, worst;
     for (std::size_t i = 0; i < s.n; ++i)
@@ -62,7 +61,7 @@ TEST(PlainLoop, ComparesWithNaN)
     double* const rho = s.store.component("rho", 0);
     const auto wanted = [&, sound = std::vector<double>(rho, rho + s.n)](std::size_t i) { return sound[i]; };
     expectEqual(s, Density{}, wanted);
-    for (const std::size_t at : {std::size_t(0), s.n/2, s.n - 1})
+    for (const std::size_t at : {std::size_t(0), s.n / 2, s.n - 1})
     {
         rho[at] = std::numeric_limits<double>::quiet_NaN();
         EXPECT_NONFATAL_FAILURE(expectEqual(s, Density{}, wanted), "worst at particle " + std::to_string(at));
@@ -83,10 +82,7 @@ template<int dim> void onEveryGeometry(const std::function<void(Geometry)>& chec
     named("channel", channel(dim));
     named("ball", aroundABall(dim, 0.33));
 }
-template<int dim> Coefficients coefficients(int phases)
-{
-    return firstPhases(threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), phases);
-}
+template<int dim> Coefficients coefficients(int phases) { return firstPhases(threePhases(dim, dim == 2 ? 0.05 : 0.12, 2.6), phases); }
 
 Terms with(Terms terms, const Terms& more)
 {
@@ -99,7 +95,10 @@ const Terms summed{"numberDensity", "summedDensity", "taitOfPhase"}, integrated{
 struct SourceNumber
 {
     static constexpr FieldInfo info{"source", "1"};
-    template<int dim> struct At { double number; };
+    template<int dim> struct At
+    {
+        double number;
+    };
 };
 
 /// What all momentum equations read, at every particle and image, by plain sums.
@@ -244,8 +243,8 @@ template<int dim> void artificialViscosity()
                           const auto& c = q.s.coefficients;
                           const double h = 0.5 * c.support;
                           const auto x = positionOf(q.s.store, i) - positionOf(q.s.store, j);
-                          return 0.3 * h * 40 * c.restDensity[0] * q.V[i] * q.V[j] * dot(q.v(i) - q.v(j), x) /
-                                 (dot(x, x) + 0.01 * h * h) * gradW; // 40 m/s: the largest sound speed
+                          return 0.3 * h * 40 * c.restDensity[0] * q.V[i] * q.V[j] * dot(q.v(i) - q.v(j), x) / (dot(x, x) + 0.01 * h * h) *
+                                 gradW; // 40 m/s: the largest sound speed
                       });
 }
 TEST(PlainLoop, ArtificialViscosityIn2D) { artificialViscosity<2>(); }
@@ -264,7 +263,8 @@ template<int dim> void transportVelocity()
                             [&](std::size_t i)
                             {
                                 Vector<dim> sum;
-                                overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW)
+                                overPairs(s, i,
+                                          [&](std::size_t j, auto, double, double, auto gradW)
                                           { sum += (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW; });
                                 const double uniform = 0.7 * plain.rho[i] * 40 * 40; // 40 m/s: the largest sound speed
                                 return -(local ? std::min(uniform, 10 * std::abs(plain.p[i])) : uniform) / s.at(Mass{}, i) * sum;
@@ -392,7 +392,8 @@ template<int dim> void freeSurface()
                 [&](std::size_t i)
                 {
                     SymmTensor<dim> B{};
-                    overPairs(s, i, [&](std::size_t j, auto x, double, double, auto gradW) { B += -0.5 * plain.V[j] * twiceSymm(x, gradW); });
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double, double, auto gradW) { B += -0.5 * plain.V[j] * twiceSymm(x, gradW); });
                     return leastOf(B);
                 },
                 1e-7); // the root of a cubic, where two eigenvalues are near one another
@@ -535,10 +536,9 @@ template<int dim> void viscosities(const Terms& first)
     };
     const auto central = [](auto mean)
     {
-        return [mean](auto& q, std::size_t i, std::size_t j, auto gradW, double slope)
-        {
-            return (dim + 2) * mean(q, i, j) * (sqr(q.V[i]) + sqr(q.V[j])) * slope * dot(gradW, q.v(i) - q.v(j)) /
-                   dot(gradW, gradW) * gradW;
+        return [mean](auto& q, std::size_t i, std::size_t j, auto gradW, double slope) {
+            return (dim + 2) * mean(q, i, j) * (sqr(q.V[i]) + sqr(q.V[j])) * slope * dot(gradW, q.v(i) - q.v(j)) / dot(gradW, gradW) *
+                   gradW;
         };
     };
     const auto harmonic = [](auto& q, std::size_t i, std::size_t j) { return 2 * q.mu(i) * q.mu(j) / (q.mu(i) + q.mu(j)); };
@@ -555,43 +555,43 @@ template<int dim> void transposedViscosity(const Terms& first, bool oneViscosity
     onEveryGeometry<dim>(
         [&](Geometry g)
         {
-            const Terms terms = oneViscosity ? Terms{"singlePhaseViscousGradient", "singlePhaseTransposedViscosity"} : Terms{"viscousGradient", "transposedViscosity"};
+            const Terms terms = oneViscosity ? Terms{"singlePhaseViscousGradient", "singlePhaseTransposedViscosity"}
+                                             : Terms{"viscousGradient", "transposedViscosity"};
             Scene<dim> s(std::move(g), coefficients<dim>(3), with(with(summed, first), terms));
             Plain<dim> plain(s);
             const auto mean = [&](std::size_t i, std::size_t j)
-            {
-                return oneViscosity ? s.coefficients.viscosity[0] : 2 * plain.mu(i) * plain.mu(j) / (plain.mu(i) + plain.mu(j));
-            };
-            expectEqual(s, ViscousGradient{},
-                        [&](std::size_t i)
-                        {
-                            Tensor<dim> A;
-                            Eigen::Matrix<double, dim, dim> moment = Eigen::Matrix<double, dim, dim>::Zero();
-                            overPairs(s, i,
-                                      [&](std::size_t j, auto x, double, double, auto gradW)
-                                      {
-                                          const double w = plain.V[j] * mean(i, j);
-                                          A += w * outer(plain.v(j) - plain.v(i), gradW);
-                                          const auto B = -w * outer(x, gradW);
-                                          store(B, [&](int c, double q) { moment(c / dim, c % dim) += q; });
-                                      });
-                            return 1 / Eigen::SelfAdjointEigenSolver<decltype(moment)>(moment).eigenvalues().maxCoeff() * A;
-                        },
-                        1e-11);
+            { return oneViscosity ? s.coefficients.viscosity[0] : 2 * plain.mu(i) * plain.mu(j) / (plain.mu(i) + plain.mu(j)); };
+            expectEqual(
+                s, ViscousGradient{},
+                [&](std::size_t i)
+                {
+                    Tensor<dim> A;
+                    Eigen::Matrix<double, dim, dim> moment = Eigen::Matrix<double, dim, dim>::Zero();
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double, double, auto gradW)
+                              {
+                                  const double w = plain.V[j] * mean(i, j);
+                                  A += w * outer(plain.v(j) - plain.v(i), gradW);
+                                  const auto B = -w * outer(x, gradW);
+                                  store(B, [&](int c, double q) { moment(c / dim, c % dim) += q; });
+                              });
+                    return 1 / Eigen::SelfAdjointEigenSolver<decltype(moment)>(moment).eigenvalues().maxCoeff() * A;
+                },
+                1e-11);
             s.refresh(ViscousGradient{});
-            expectEqual(s, Acceleration{},
-                        [&](std::size_t i)
-                        {
-                            Vector<dim> a;
-                            overPairs(s, i,
-                                      [&](std::size_t j, auto, double, double, auto gradW)
-                                      {
-                                          a += plain.V[i] * plain.V[j] * mean(i, j) / plain.m(i) *
-                                               (transpose(s.at(ViscousGradient{}, i) + s.at(ViscousGradient{}, j)) * gradW);
-                                      });
-                            return a;
-                        },
-                        1e-11);
+            expectEqual(
+                s, Acceleration{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> a;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto, double, double, auto gradW) {
+                                  a += plain.V[i] * plain.V[j] * mean(i, j) / plain.m(i) *
+                                       (transpose(s.at(ViscousGradient{}, i) + s.at(ViscousGradient{}, j)) * gradW);
+                              });
+                    return a;
+                },
+                1e-11);
         });
 }
 TEST(PlainLoop, TransposedViscosityIn2D) { transposedViscosity<2>(rawGradient, false); }
@@ -621,10 +621,26 @@ template<int dim> void wholeStressTakesEnergy()
     const auto c = coefficients<dim>(3);
     Scene<dim> half(periodicBox(dim), c, morris), whole(periodicBox(dim), c, wholeStress);
     const double k = 2 * std::numbers::pi;
-    const std::function<Vector<dim>(Vector<dim>)> flows[] = {
-        [&](Vector<dim> x) { Vector<dim> v; v.x = std::sin(k * x.x) * std::cos(k * x.y); v.y = -std::cos(k * x.x) * std::sin(k * x.y); return v; },
-        [&](Vector<dim> x) { Vector<dim> v; v.x = std::sin(k * x.x); return v; },
-        [&](Vector<dim> x) { Vector<dim> v; v.x = std::sin(1e3 * x.y * x.x); v.y = std::sin(1e3 * (x.x + x.y)); return v; }};
+    const std::function<Vector<dim>(Vector<dim>)> flows[] = {[&](Vector<dim> x)
+                                                             {
+                                                                 Vector<dim> v;
+                                                                 v.x = std::sin(k * x.x) * std::cos(k * x.y);
+                                                                 v.y = -std::cos(k * x.x) * std::sin(k * x.y);
+                                                                 return v;
+                                                             },
+                                                             [&](Vector<dim> x)
+                                                             {
+                                                                 Vector<dim> v;
+                                                                 v.x = std::sin(k * x.x);
+                                                                 return v;
+                                                             },
+                                                             [&](Vector<dim> x)
+                                                             {
+                                                                 Vector<dim> v;
+                                                                 v.x = std::sin(1e3 * x.y * x.x);
+                                                                 v.y = std::sin(1e3 * (x.x + x.y));
+                                                                 return v;
+                                                             }};
     for (const double ratio : {1e-3, 3.0})
         for (const auto& v : flows)
         {
@@ -652,25 +668,31 @@ template<int dim> void viscousResponses(const Terms& first)
     onEveryGeometry<dim>(
         [&](Geometry g)
         {
-            Scene<dim> s(g, coefficients<dim>(3), with(with(summed, first), {"harmonicViscosity", "harmonicViscousResponse", "harmonicViscousRate"}));
+            Scene<dim> s(g, coefficients<dim>(3),
+                         with(with(summed, first), {"harmonicViscosity", "harmonicViscousResponse", "harmonicViscousRate"}));
             Plain<dim> plain(s);
-            expectEqual(s, ViscousResponse{}, [&](std::size_t i) { return s.at(Acceleration{}, i); }, 1e-12);
-            expectEqual(s, ViscousRate{},
-                        [&](std::size_t i)
-                        {
-                            double rate = 0;
-                            overPairs(s, i,
-                                      [&](std::size_t j, auto x, double r, double, auto gradW)
-                                      {
-                                          if (j != i) rate -= 2 * plain.mu(i) * plain.mu(j) / (plain.mu(i) + plain.mu(j)) *
-                                                              (sqr(plain.V[i]) + sqr(plain.V[j])) * dot(gradW, x) / (r * r);
-                                      });
-                            return rate / plain.m(i);
-                        },
-                        1e-11);
+            expectEqual(
+                s, ViscousResponse{}, [&](std::size_t i) { return s.at(Acceleration{}, i); }, 1e-12);
+            expectEqual(
+                s, ViscousRate{},
+                [&](std::size_t i)
+                {
+                    double rate = 0;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  if (j != i)
+                                      rate -= 2 * plain.mu(i) * plain.mu(j) / (plain.mu(i) + plain.mu(j)) *
+                                              (sqr(plain.V[i]) + sqr(plain.V[j])) * dot(gradW, x) / (r * r);
+                              });
+                    return rate / plain.m(i);
+                },
+                1e-11);
             Scene<dim> central(g, coefficients<dim>(3), with(with(summed, first), {"clearyViscosity", "clearyResponse", "clearyRate"}));
-            expectEqual(central, ViscousResponse{}, [&](std::size_t i) { return central.at(Acceleration{}, i); }, 1e-12);
-            expectEqual(central, ViscousRate{}, [&](std::size_t i) { return (dim + 2.0) / dim * s.at(ViscousRate{}, i); }, 1e-12);
+            expectEqual(
+                central, ViscousResponse{}, [&](std::size_t i) { return central.at(Acceleration{}, i); }, 1e-12);
+            expectEqual(
+                central, ViscousRate{}, [&](std::size_t i) { return (dim + 2.0) / dim * s.at(ViscousRate{}, i); }, 1e-12);
         });
 }
 /// What an implicit step asks of the pressure: how volumes and the force of a change in them follow from a displacement, and the diagonal of that.
@@ -679,14 +701,16 @@ template<int dim> void pressureResponse(const Terms& first)
     onEveryGeometry<dim>(
         [&](Geometry g)
         {
-            Scene<dim> s(std::move(g), coefficients<dim>(3), with(with(summed, first), {"volumeStiffness", "pressureResponse", "pressureRate"}));
+            Scene<dim> s(std::move(g), coefficients<dim>(3),
+                         with(with(summed, first), {"volumeStiffness", "pressureResponse", "pressureRate"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             // a = V^2 dp/dsigma, by a difference of the state equation: a cube root of round-off
             const auto stiffness = [&](std::size_t i)
             {
                 const auto k = std::size_t(s.at(Phase{}, i));
-                const auto p = [&](double sigma) { return c.stiffness[k] * std::pow(plain.rho[i] * plain.V[i] * sigma / c.restDensity[k], c.exponent[k]); };
+                const auto p = [&](double sigma)
+                { return c.stiffness[k] * std::pow(plain.rho[i] * plain.V[i] * sigma / c.restDensity[k], c.exponent[k]); };
                 const double sigma = 1 / plain.V[i], change = 1e-5 * sigma;
                 return sqr(plain.V[i]) * (p(sigma + change) - p(sigma - change)) / (2 * change);
             };
@@ -695,42 +719,48 @@ template<int dim> void pressureResponse(const Terms& first)
             s.refresh(Displacement{});
             const auto a = [&](std::size_t i) { return s.at(VolumeStiffness{}, i); };
             const auto u = [&](std::size_t i) { return s.at(Displacement{}, i); };
-            expectEqual(s, CompressionChange{},
-                        [&](std::size_t i)
-                        {
-                            double change = 0;
-                            overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW) { change += dot(gradW, u(i) - u(j)); });
-                            return a(i) * change;
-                        }, 1e-11);
+            expectEqual(
+                s, CompressionChange{},
+                [&](std::size_t i)
+                {
+                    double change = 0;
+                    overPairs(s, i, [&](std::size_t j, auto, double, double, auto gradW) { change += dot(gradW, u(i) - u(j)); });
+                    return a(i) * change;
+                },
+                1e-11);
             s.refresh(CompressionChange{});
             // the force of a pair over its distance, where it repels
             const auto repels = [&](std::size_t i, std::size_t j, auto x, double r, auto gradW)
             { return j == i ? 0 : std::max(0.0, plain.p[i] * sqr(plain.V[i]) + plain.p[j] * sqr(plain.V[j])) * -dot(gradW, x) / (r * r); };
-            expectEqual(s, StiffResponse{},
-                        [&](std::size_t i)
-                        {
-                            Vector<dim> force;
-                            overPairs(s, i,
-                                      [&](std::size_t j, auto x, double r, double, auto gradW)
-                                      {
-                                          force -= (s.at(CompressionChange{}, i) + s.at(CompressionChange{}, j)) * gradW;
-                                          force -= repels(i, j, x, r, gradW) * (u(i) - u(j));
-                                      });
-                            return 1 / plain.m(i) * force;
-                        }, 1e-10);
-            expectEqual(s, StiffRate{},
-                        [&](std::size_t i)
-                        {
-                            Vector<dim> slope;
-                            double rate = 0;
-                            overPairs(s, i,
-                                      [&](std::size_t j, auto x, double r, double, auto gradW)
-                                      {
-                                          slope += gradW;
-                                          rate += a(j) * dot(gradW, gradW) / dim + repels(i, j, x, r, gradW);
-                                      });
-                            return (rate + a(i) * dot(slope, slope) / dim) / plain.m(i);
-                        }, 1e-10);
+            expectEqual(
+                s, StiffResponse{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> force;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  force -= (s.at(CompressionChange{}, i) + s.at(CompressionChange{}, j)) * gradW;
+                                  force -= repels(i, j, x, r, gradW) * (u(i) - u(j));
+                              });
+                    return 1 / plain.m(i) * force;
+                },
+                1e-10);
+            expectEqual(
+                s, StiffRate{},
+                [&](std::size_t i)
+                {
+                    Vector<dim> slope;
+                    double rate = 0;
+                    overPairs(s, i,
+                              [&](std::size_t j, auto x, double r, double, auto gradW)
+                              {
+                                  slope += gradW;
+                                  rate += a(j) * dot(gradW, gradW) / dim + repels(i, j, x, r, gradW);
+                              });
+                    return (rate + a(i) * dot(slope, slope) / dim) / plain.m(i);
+                },
+                1e-10);
         });
 }
 TEST(PlainLoop, PressureResponseIn2D) { pressureResponse<2>(rawGradient); }
@@ -819,8 +849,7 @@ template<int dim> void continuityEquation()
                               {
                                   const double rho_j = s.at(Density{}, j), V_j = s.at(Volume{}, j);
                                   rate += rho_i * V_j * dot(s.at(Velocity{}, i) - s.at(Velocity{}, j), gradW);
-                                  rate += 0.1 * h * c.soundSpeed[0] * 2 * (rho_i - rho_j) * dot(x, gradW) /
-                                          (r * r + 0.01 * h * h) * V_j;
+                                  rate += 0.1 * h * c.soundSpeed[0] * 2 * (rho_i - rho_j) * dot(x, gradW) / (r * r + 0.01 * h * h) * V_j;
                               });
                     return rate;
                 },
@@ -840,7 +869,7 @@ template<int dim> void densityRelaxation()
             auto c = coefficients<dim>(1);
             c.set(RelaxationTime{50});
             Scene<dim> s(std::move(g), c, {"integratedVolume", "densityRelaxation"}, true);
-            for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] *= 1 + 0.1*std::sin(double(i));
+            for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] *= 1 + 0.1 * std::sin(double(i));
             s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
             s.refresh(Volume{});
             int thin = 0, dense = 0, even = 0;
@@ -855,12 +884,12 @@ template<int dim> void densityRelaxation()
                               [&](std::size_t j, auto, double, double W, auto gradW)
                               {
                                   number += W;
-                                  slope += s.at(Volume{}, j)*gradW;
+                                  slope += s.at(Volume{}, j) * gradW;
                               });
-                    const double difference = s.at(Mass{}, i)*number - rho;
-                    if (mag(slope)*c.support >= 0.2 || difference <= -0.5*rho || std::abs(difference) <= 0.02*rho) return ++even, 0.0;
+                    const double difference = s.at(Mass{}, i) * number - rho;
+                    if (mag(slope) * c.support >= 0.2 || difference <= -0.5 * rho || std::abs(difference) <= 0.02 * rho) return ++even, 0.0;
                     ++(difference < 0 ? thin : dense);
-                    return c.soundSpeed[0]/(50*0.5*c.support)*(difference < 0 ? difference + 0.02*rho : difference - 0.02*rho);
+                    return c.soundSpeed[0] / (50 * 0.5 * c.support) * (difference < 0 ? difference + 0.02 * rho : difference - 0.02 * rho);
                 },
                 1e-11);
             EXPECT_GT(thin, 0);
@@ -1021,9 +1050,8 @@ template<int dim> void expectDivergenceOfStress(Scene<dim>& s, Plain<dim>& plain
                       {
                           const double V2_i = sqr(plain.V[i]), V2_j = sqr(plain.V[j]), rho_i = plain.rho[i], rho_j = plain.rho[j];
                           const auto S_i = s.at(Stress{}, i), S_j = s.at(Stress{}, j);
-                          force += (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j)
-                                             : V2_i * S_i + V2_j * S_j) *
-                                   gradW;
+                          force +=
+                              (weighted ? (V2_i + V2_j) / (rho_i + rho_j) * (rho_j * S_i + rho_i * S_j) : V2_i * S_i + V2_j * S_j) * gradW;
                       });
             return 1 / plain.m(i) * force;
         },
@@ -1039,8 +1067,8 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
         {
             if (phases == 1 && g.walls.empty()) return; // no interface at all
             Scene<dim> s(std::move(g), coefficients<dim>(phases),
-                         with(with(summed, first), {"interfaceStress", "wallTension",
-                                                    weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
+                         with(with(summed, first),
+                              {"interfaceStress", "wallTension", weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             const WallTension wallTension(c);
@@ -1060,8 +1088,8 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
                                 const auto foot = patch.shape->foot(in3D(positionOf(s.store, i)));
                                 if (foot.distance >= c.support) continue;
                                 const auto n = in<dim>(foot.normal);
-                                S += 2 * c.wallTension[std::size_t(patch.wall * phases + k)] *
-                                     wallTension.marginal(foot.distance) * (identity(n) - outer(n));
+                                S += 2 * c.wallTension[std::size_t(patch.wall * phases + k)] * wallTension.marginal(foot.distance) *
+                                     (identity(n) - outer(n));
                             }
                             return S;
                         });
@@ -1110,8 +1138,8 @@ template<int dim> void solidPhase(int phases, bool weighted, const Terms& first 
         {
             if (phases == 1 && g.walls.empty()) return; // no interface at all
             Scene<dim> s(std::move(g), coefficients<dim>(phases),
-                         with(with(summed, first), {"solidPhaseStress", "stressOfSolid",
-                                                    weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
+                         with(with(summed, first),
+                              {"solidPhaseStress", "stressOfSolid", weighted ? "densityWeightedStressDivergence" : "stressDivergence"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             const auto wall = wallsBehind(s);
@@ -1164,8 +1192,7 @@ template<int dim> void stressOfAPressure()
         [](Geometry g)
         {
             Scene<dim> pressure(g, coefficients<dim>(3), with(summed, {"densityWeightedPressure"}));
-            Scene<dim> stress(std::move(g), coefficients<dim>(3),
-                              with(summed, {"pressureAsStress", "densityWeightedStressDivergence"}));
+            Scene<dim> stress(std::move(g), coefficients<dim>(3), with(summed, {"pressureAsStress", "densityWeightedStressDivergence"}));
             expectEqual(stress, Acceleration{}, [&](std::size_t i) { return pressure.at(Acceleration{}, i); });
         });
 }
@@ -1250,8 +1277,7 @@ template<int dim> void curvatureForm(const Terms& first, const std::string& ofJu
                                   const double kappa = 0.5 * (s.at(Curvature{}, i) + s.at(Curvature{}, j)),
                                                sign = s.at(Phase{}, i) == 0 ? 1 : -1;
                                   const double share = even ? 1 : 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
-                                  force += sign * c.surfaceTension[1] * kappa * share * 0.5 *
-                                           (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
+                                  force += sign * c.surfaceTension[1] * kappa * share * 0.5 * (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
                               });
                     return 1 / plain.m(i) * force;
                 },
@@ -1305,7 +1331,8 @@ template<int dim> void curvatureOfThreePhases(bool even)
                                       return 0.5 * (s.at(Curvature{}, name, i) + s.at(Curvature{}, name, j));
                                   };
                                   const double weight = even ? 1 : 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
-                                  force += (share[k] * kappa(k) - share[l] * kappa(l)) * weight * 0.5 * (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
+                                  force += (share[k] * kappa(k) - share[l] * kappa(l)) * weight * 0.5 *
+                                           (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
                               });
                     return 1 / plain.m(i) * force;
                 },

@@ -37,8 +37,7 @@ TEST(Plan, NamesTheTermThatLacksAField)
 
 TEST(Plan, RefusesTwoProvidersOfOneField)
 {
-    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}),
-              "field \"p\" is provided by both tait and taitOfPhase: select one");
+    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}), "field \"p\" is provided by both tait and taitOfPhase: select one");
 }
 
 TEST(Plan, AsksWhereSeveralCouldProvide)
@@ -50,9 +49,9 @@ TEST(Plan, AsksWhereSeveralCouldProvide)
 // colour there are two.
 TEST(Plan, AddsTheOneProviderAndSaysWhy)
 {
-    const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "smoothedColourGradient", "numberDensity"}, {"positions", "U", "m", "phase"});
-    for (const char* term : {"colourSmoothing", "interfaceCurvature", "curvatureSmoothing"})
-        EXPECT_TRUE(plan.has(term)) << term;
+    const Plan<2> plan(wholeCatalogue<2>(), {"curvatureForce", "smoothedColourGradient", "numberDensity"},
+                       {"positions", "U", "m", "phase"});
+    for (const char* term : {"colourSmoothing", "interfaceCurvature", "curvatureSmoothing"}) EXPECT_TRUE(plan.has(term)) << term;
     FieldStore<2> store;
     plan.allocate(store);
     std::ostringstream log;
@@ -84,8 +83,8 @@ TEST(Plan, LeavesOutWhatIsNotSelected)
 TEST(Plan, MergesTermsThatCanShareAStencil)
 {
     const Plan<3> plan(wholeCatalogue<3>(),
-                       {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity",
-                        "interfaceStress", "stressDivergence"},
+                       {"numberDensity", "summedDensity", "taitOfPhase", "huAdamsPressure", "harmonicViscosity", "interfaceStress",
+                        "stressDivergence"},
                        {"positions", "U", "m", "phase", "mu"});
     EXPECT_EQ(plan.pairPasses(), 3);
 }
@@ -202,12 +201,12 @@ TEST(Tait, PartsBeyondItsTension)
     auto c = firstPhases(threePhases(2, 0.05, 2.6), 1);
     c.backgroundPressure = 0;
     c.exponent[0] = 1;
-    c.leastPressure = -0.1*c.stiffness[0];
+    c.leastPressure = -0.1 * c.stiffness[0];
     Scene<2> s(periodicBox(2), c, {"integratedVolume", "tait"}, true);
     const double strain[] = {0.05, -0.05, -0.1, -0.14, -0.2, -0.5}, expected[] = {0.05, -0.05, -0.1, -0.06, 0, 0};
-    for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = (1 + strain[i%6])*c.restDensity[0];
+    for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = (1 + strain[i % 6]) * c.restDensity[0];
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
-    for (std::size_t i = 0; i < s.n; ++i) EXPECT_NEAR(s.at(Pressure{}, i), expected[i%6]*c.stiffness[0], 1e-12*c.stiffness[0]);
+    for (std::size_t i = 0; i < s.n; ++i) EXPECT_NEAR(s.at(Pressure{}, i), expected[i % 6] * c.stiffness[0], 1e-12 * c.stiffness[0]);
 }
 
 // v = e x in an unbounded medium expands it: drho/dt = -d e rho, up to the error of the sum on a jittered lattice (a few per

@@ -1,10 +1,10 @@
 /// What the fluid sees in walls that are layers of particles.
+#include "wallLayers.hpp"
 #include "Largest.hpp"
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
 #include "ghostRules.hpp"
-#include "wallLayers.hpp"
 
 namespace sph::test
 {
@@ -118,7 +118,8 @@ TEST(WallLayers, HaveNoForceOnAProductInACorner)
     s.images.listLayers(s.lists);
     s.plan->bind(s.store, s.coefficients);
     stick(s);
-    const double unlike = c.viscosity[0] / c.restDensity[0]; // nu v/spacing^2 of one neighbour whose velocity is off by x y of the second row
+    const double unlike =
+        c.viscosity[0] / c.restDensity[0]; // nu v/spacing^2 of one neighbour whose velocity is off by x y of the second row
     for (const double x : {0.05, 0.15, 0.25})
         for (i = 0; i < s.n; ++i)
         {
@@ -155,8 +156,8 @@ TEST(WallLayers, ContinueThePressure)
 // No powder passes the wall: what particles give and take cancels, and a fluid of uniform phi keeps it.
 TEST(WallLayers, HoldThePowder)
 {
-    Scene<2> s(layered(aroundABall(2, 0.3)), oneLiquid(2), {"integratedVolume", "gradientNormalisation", "correctedGradientShear", "kriegerSlope", "phillipsFlux"},
-               true);
+    Scene<2> s(layered(aroundABall(2, 0.3)), oneLiquid(2),
+               {"integratedVolume", "gradientNormalisation", "correctedGradientShear", "kriegerSlope", "phillipsFlux"}, true);
     set(s, "phi", 0, [](auto x) { return 0.4 + 0.2 * std::sin(9 * x.x) * std::cos(4 * x.y); });
     stick(s);
     const double *m = s.store.component("m", 0), *rate = s.store.component("dphidt", 0);
@@ -183,7 +184,8 @@ template<int dim> void kernelIsFilled()
         // towards the pole of the spiral, and between
         for (const double angle : {0.2, 1.3})
         {
-            const auto x = centre + (R + d * spacing) * (dim == 3 ? Vector<3>{0, std::sin(angle), std::cos(angle)} : Vector<3>{std::cos(angle), std::sin(angle), 0});
+            const auto x = centre + (R + d * spacing) * (dim == 3 ? Vector<3>{0, std::sin(angle), std::cos(angle)}
+                                                                  : Vector<3>{std::cos(angle), std::sin(angle), 0});
             double sum = 0, integral = 0;
             for (const auto& p : g.layers) sum += p.volumeFactor * std::pow(spacing, dim) * kernel.W(mag(p.x - x));
             const int n = int(support * spacing / fine) + 1;

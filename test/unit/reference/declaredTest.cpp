@@ -47,7 +47,12 @@ std::string differenceOf(const std::string& file, const std::function<void(const
             for (const auto& each : withEachField(text))
             {
                 folder.write(file, each);
-                try { read(Case(folder.folder())); } catch (const CaseError&) {}
+                try
+                {
+                    read(Case(folder.folder()));
+                }
+                catch (const CaseError&)
+                {}
             }
         },
         apart);
@@ -80,7 +85,8 @@ void readAsBoth(const Case& two)
     files["constant/transportProperties"] = "suspension { phi 0.4; phiMax 0.68; exponent 1.82; a radius; radius 0.05; Dc 0.4; Deta 1; }";
     const TestCase folder(files);
     for (const auto* each : {"system/sphSchemes", "constant/transportProperties", "constant/openings", "constant/scalarTransport"})
-        if (two.has(each)) std::filesystem::copy(two.folder() / each, folder.folder() / each, std::filesystem::copy_options::overwrite_existing);
+        if (two.has(each))
+            std::filesystem::copy(two.folder() / each, folder.folder() / each, std::filesystem::copy_options::overwrite_existing);
     const Case one(folder.folder());
     readSettings(one, readGeometry(one.dictionary("constant/geometry"), 1));
 }

@@ -1,6 +1,6 @@
 /// The reference names what there is, in words and as a file that can be read.
-#include "DictionaryText.hpp"
 #include "ReferenceText.hpp"
+#include "DictionaryText.hpp"
 #include "reference.hpp"
 #include <gtest/gtest.h>
 #include <regex>
@@ -26,10 +26,7 @@ void expectDefaults(const Dictionary& dict, const std::vector<ListedEntry>& entr
     for (const auto& e : entries)
     {
         const auto own = path + e.info.keyword;
-        if (e.info.isFixed)
-        {
-            EXPECT_EQ(valueText(dict, own), e.info.fallback) << own;
-        }
+        if (e.info.isFixed) { EXPECT_EQ(valueText(dict, own), e.info.fallback) << own; }
         if (e.info.type == "dictionary" && own[0] != '<') expectDefaults(dict, e.inside, own + ".");
     }
 }
@@ -61,7 +58,8 @@ TEST(Reference, partsByPath)
     using Words = std::vector<std::string>;
     EXPECT_EQ(keywords("constant/geometry.walls.sphere"), (Words{"centre", "radius", "fluid", "omega", "origin"}));
     EXPECT_EQ(keywords("constant/geometry.domain.periodic"), Words{"periodic"});
-    EXPECT_EQ(keywords("system/controlDict.functions.errors.reference.couette"), (Words{"nu", "width", "velocity", "normal", "origin", "steady"}));
+    EXPECT_EQ(keywords("system/controlDict.functions.errors.reference.couette"),
+              (Words{"nu", "width", "velocity", "normal", "origin", "steady"}));
     EXPECT_EQ(keywords("system/sphSchemes.resolution"), (Words{"spacing", "support", "kernel"}));
     EXPECT_THROW(findPart(reference(), "system/nothing"), CaseError);
     try
@@ -71,8 +69,9 @@ TEST(Reference, partsByPath)
     }
     catch (const CaseError& e)
     {
-        EXPECT_STREQ(e.what(),
-                     "system/sphSchemes.resolution has no entry \"spacin\". Did you mean \"spacing\"? Known entries: kernel, spacing, support.");
+        EXPECT_STREQ(
+            e.what(),
+            "system/sphSchemes.resolution has no entry \"spacin\". Did you mean \"spacing\"? Known entries: kernel, spacing, support.");
     }
 }
 
@@ -80,8 +79,8 @@ TEST(Reference, partsByPath)
 TEST(Reference, listsSayAll)
 {
     const auto text = listText(findPart(reference(), "system/packParticlesDict"));
-    for (const auto* part : {"number [spacings], 0 to 0.5; default 0\n", "largest displacement of each component", "nearest to the walls",
-                             "choice; required"})
+    for (const auto* part :
+         {"number [spacings], 0 to 0.5; default 0\n", "largest displacement of each component", "nearest to the walls", "choice; required"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     const auto page = markdownText(findPart(reference(), "constant/geometry"));
     for (const auto* part : {"| `dimension` | whole number 2 to 3 |  | **required** | of space |", "## `constant/geometry.walls`\n",

@@ -12,7 +12,7 @@ using namespace sph;
 
 namespace
 {
-constexpr double degree = std::numbers::pi/180;
+constexpr double degree = std::numbers::pi / 180;
 
 struct Known
 {
@@ -24,7 +24,7 @@ struct Known
 /// the given pressure.
 Particles straightBridge(int dimension, double radius, double pressure)
 {
-    Particles particles(dimension, {-1.5, 0, -1.5}, {1.5, 3, 1.5}, 1.0/16);
+    Particles particles(dimension, {-1.5, 0, -1.5}, {1.5, 3, 1.5}, 1.0 / 16);
     auto& g = particles.geometry;
     g.periodic = {true, true, dimension == 3};
     g.walls.resize(1);
@@ -66,12 +66,12 @@ TEST(CapillaryBridge, AgreesWithAnIndependentIntegration)
                            {2, 1, 2, 90, 39.8290556, 0.8749497, 0.9057044, 0.4151084}})
     {
         const double R = 2.7e-4;
-        const CapillaryBridge bridge(s.dimension, R, s.gap*R, s.volume*std::pow(R, s.dimension), s.contactAngle);
+        const CapillaryBridge bridge(s.dimension, R, s.gap * R, s.volume * std::pow(R, s.dimension), s.contactAngle);
         const auto name = ::testing::Message() << s.dimension << "-D, gap " << s.gap << ", volume " << s.volume << ", " << s.contactAngle;
-        EXPECT_NEAR(bridge.halfFilling()/degree, s.halfFilling, 1e-5) << name;
-        EXPECT_NEAR(bridge.curvature()*R, s.curvature, 2e-6) << name;
-        EXPECT_NEAR(bridge.neck()/R, s.neck, 1e-6) << name;
-        EXPECT_NEAR(bridge.force()/(s.dimension == 3 ? R : 1), s.force, 1e-5) << name;
+        EXPECT_NEAR(bridge.halfFilling() / degree, s.halfFilling, 1e-5) << name;
+        EXPECT_NEAR(bridge.curvature() * R, s.curvature, 2e-6) << name;
+        EXPECT_NEAR(bridge.neck() / R, s.neck, 1e-6) << name;
+        EXPECT_NEAR(bridge.force() / (s.dimension == 3 ? R : 1), s.force, 1e-5) << name;
     }
 }
 
@@ -79,12 +79,13 @@ TEST(CapillaryBridge, OfCylindersIsAnArcOfACircle)
 {
     // By hand: beta = 30 degrees, theta = 45: arcs of radius q = (gap/2 + 1 - cos beta)/cos(theta + beta), the neck q (1 - cos 15) inside sin beta. The
     // liquid between the contacts' chord less the segments of the solids and of the arcs.
-    const double beta = 30*degree, psi = 15*degree, height = 0.25 + 1 - std::cos(beta), q = height/std::sin(psi);
-    const double area = 4*height*std::sin(beta) - 2*(beta - std::sin(beta)*std::cos(beta)) - 2*q*q*(psi - std::sin(psi)*std::cos(psi));
+    const double beta = 30 * degree, psi = 15 * degree, height = 0.25 + 1 - std::cos(beta), q = height / std::sin(psi);
+    const double area =
+        4 * height * std::sin(beta) - 2 * (beta - std::sin(beta) * std::cos(beta)) - 2 * q * q * (psi - std::sin(psi) * std::cos(psi));
     const CapillaryBridge bridge(2, 1, 0.5, area, 45);
     EXPECT_NEAR(bridge.halfFilling(), beta, 1e-7);
-    EXPECT_NEAR(bridge.curvature(), -1/q, 1e-7);
-    EXPECT_NEAR(bridge.neck(), std::sin(beta) - q*(1 - std::cos(psi)), 1e-7);
+    EXPECT_NEAR(bridge.curvature(), -1 / q, 1e-7);
+    EXPECT_NEAR(bridge.neck(), std::sin(beta) - q * (1 - std::cos(psi)), 1e-7);
 }
 
 TEST(CapillaryBridge, ThatDoesNotSpanTheGapIsAnError)
@@ -109,13 +110,13 @@ TEST(LiquidBridge, OfParticlesHasItsNeckAndPressure)
         const auto particles = straightBridge(dimension, radius, 5);
         double volume = 0;
         for (std::size_t i = 0; i < particles.size(); ++i)
-            if (particles.phase[i] == 0) volume += particles.mass[i]/1000;
+            if (particles.phase[i] == 0) volume += particles.mass[i] / 1000;
         const CapillaryBridge exact(dimension, 1, 1, volume, 60);
         const auto neck = measure(particles, "bridgeNeck"), pressure = measure(particles, "bridgePressure");
         EXPECT_NEAR(neck.value, radius, 0.02) << dimension;
         EXPECT_NEAR(neck.reference, exact.neck(), 1e-12);
         EXPECT_NEAR(pressure.value, 3, 1e-12) << dimension;
-        EXPECT_NEAR(pressure.reference, 0.5*exact.curvature(), 1e-12);
+        EXPECT_NEAR(pressure.reference, 0.5 * exact.curvature(), 1e-12);
         EXPECT_GT(pressure.particles, 0);
     }
 }

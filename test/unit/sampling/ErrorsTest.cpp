@@ -19,8 +19,7 @@ struct ErrorsCase
     std::unique_ptr<Errors> make(const Particles& particles, const std::string& text)
     {
         const auto d = Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics());
-        auto object =
-            std::make_unique<Errors>(d, FunctionContext{"errors", particles.geometry, particles.phases, outputOf(time)});
+        auto object = std::make_unique<Errors>(d, FunctionContext{"errors", particles.geometry, particles.phases, outputOf(time)});
         d.reportUnused();
         mistakes = errorsOf(theCase.diagnostics());
         return object;
@@ -93,8 +92,7 @@ TEST(Norms, ofNothingWhereNothingShouldBeAreZero)
     ErrorsCase c;
     auto particles = two();
     particles.ux = {0, 0};
-    const auto row =
-        c.rowsOf(particles, "field U; reference { type formula; name planePoiseuille; nu 1; acceleration 1; width 2; }").at(0);
+    const auto row = c.rowsOf(particles, "field U; reference { type formula; name planePoiseuille; nu 1; acceleration 1; width 2; }").at(0);
     EXPECT_EQ(row[1], "U");
     EXPECT_EQ(row[2], "0");
     EXPECT_EQ(row[4], "0");
@@ -115,10 +113,9 @@ TEST(Errors, vectorsAreComparedByTheMagnitudeOfTheirDifference)
     ErrorsCase c;
     auto particles = two();
     particles.uy = {0.4, 0};
-    const auto row =
-        c.rowsOf(particles, "field U; norm absolute; reference { type formula; name couette; steady yes; nu 1; width 2;"
-                            " velocity (1 0 0); }")
-            .at(0);
+    const auto row = c.rowsOf(particles, "field U; norm absolute; reference { type formula; name couette; steady yes; nu 1; width 2;"
+                                         " velocity (1 0 0); }")
+                         .at(0);
     EXPECT_NEAR(std::stod(row[4]), 2.25, 1e-15);
     EXPECT_NEAR(std::stod(row[2]), (std::hypot(0.75, 0.4) + 3 * 2.25) / 4, 1e-15);
 }
@@ -155,7 +152,8 @@ TEST(Errors, canBeTakenAgainstMeansOverCells)
     ErrorsCase c;
     Particles particles(2, {0, 0, 0}, {0.2, 2, 0}, 0.1);
     particles.setU([](Vector<3> x) { return Vector<3>{0.5 * x.y * (2 - x.y) - 0.01 / 24, 0, 0}; });
-    const std::string reference = "norm absolute; reference { type formula; name planePoiseuille; steady yes; nu 1; acceleration 1; width 2; }";
+    const std::string reference =
+        "norm absolute; reference { type formula; name planePoiseuille; steady yes; nu 1; acceleration 1; width 2; }";
     EXPECT_NEAR(std::stod(c.rowsOf(particles, "field U; cellMeans y; " + reference).at(0)[4]), 0, 2e-8);
     ErrorsCase middles;
     EXPECT_NEAR(std::stod(middles.rowsOf(particles, "field U; " + reference).at(0)[4]), 0.01 / 24, 1e-12);
@@ -224,18 +222,19 @@ TEST(Errors, unknownWordsAreExplained)
 {
     ErrorsCase c;
     c.make(two(), "field U;\nreference\n{\n    type formula;\n    name planePoisseuille;\n}\n");
-    EXPECT_EQ(c.mistakes,
-              "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
-              "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
-              "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
-              "bridgeNeck, bridgePressure, lensAngle, lensRadius, migrationBalance, wallDropTime.");
+    EXPECT_EQ(
+        c.mistakes,
+        "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
+        "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
+        "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
+        "bridgeNeck, bridgePressure, lensAngle, lensRadius, migrationBalance, wallDropTime.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)
 {
     ErrorsCase c;
-    const auto errors = c.make(
-        two(), "\nfield UU;\n" + std::string("reference { type csv; file \"table.csv\"; columns { coordinate y; value v; } }"));
+    const auto errors =
+        c.make(two(), "\nfield UU;\n" + std::string("reference { type csv; file \"table.csv\"; columns { coordinate y; value v; } }"));
     try
     {
         errors->execute(two().view());
@@ -286,8 +285,7 @@ TEST(CsvReference, cubicInterpolationIsExactForCubics)
 {
     Table table;
     std::string rows = "y,v\n";
-    for (const double y : {0.0, 0.5, 0.8, 1.5, 2.0, 3.0})
-        rows += std::to_string(y) + "," + std::to_string(y * y * y - 2 * y) + "\n";
+    for (const double y : {0.0, 0.5, 0.8, 1.5, 2.0, 3.0}) rows += std::to_string(y) + "," + std::to_string(y * y * y - 2 * y) + "\n";
     const auto v = table.read(rows, "columns { coordinate y; value v; } interpolation cubic;");
     for (const double y : {0.1, 0.7, 1.1, 2.9}) EXPECT_NEAR(*v.at(y, 123), y * y * y - 2 * y, 1e-12);
 }

@@ -121,7 +121,8 @@ TEST(BosanquetRise, agreesWithTheTabulatedCurves)
 {
     // Slits of 1 mm, 30 degrees, that touch the liquid: water, and a fluid of 0.04 N/m and 4 mPa s. Integrated with another method to 6 digits, times rounded as well.
     const double cosine = std::cos(std::numbers::pi / 6);
-    const BosanquetRise water{0.0728, cosine, 1000, 1000, 1e-3, 9.81, 1e-3, 0, 0, 0}, other{0.04, cosine, 1000, 1000, 4e-3, 9.81, 1e-3, 0, 0, 0};
+    const BosanquetRise water{0.0728, cosine, 1000, 1000, 1e-3, 9.81, 1e-3, 0, 0, 0},
+        other{0.04, cosine, 1000, 1000, 4e-3, 9.81, 1e-3, 0, 0, 0};
     EXPECT_NEAR(water.height(0.00125893), 0.000443334, 2e-9);
     EXPECT_NEAR(water.height(0.0199526), 0.00618791, 2e-8);
     EXPECT_NEAR(water.height(0.316228), 0.0135832, 1e-7);
@@ -166,10 +167,9 @@ TEST(Formulas, mistakesNameFileAndLine)
     const auto d = Dictionary::parse("name hydrostatic;\nheights (1 2);\ndensities (1000);\n", "system/controlDict", diagnostics);
     readFormula("hydrostatic", d, "U");
     readFormula("hydrostatic", d, "p");
-    EXPECT_EQ(errorsOf(*diagnostics),
-              "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
-              "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
-              "2 errors");
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:1: formula \"hydrostatic\" gives p, not U\n"
+                                      "system/controlDict:3: 1 densities for 2 heights: one of each per layer, from the bottom up\n"
+                                      "2 errors");
 }
 
 TEST(Ritter, isTheDamBreakOfShallowWater)
@@ -234,7 +234,8 @@ namespace
 SuspensionChannel suspension(double mean, double phiMax, double exponent, double ratio)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
-    const auto d = Dictionary::parse(fmt::format("width 2; phi {}; phiMax {}; exponent {}; ratio {}; mu 0.5; pressureGradient 3;", mean, phiMax, exponent, ratio),
+    const auto d = Dictionary::parse(fmt::format("width 2; phi {}; phiMax {}; exponent {}; ratio {}; mu 0.5; pressureGradient 3;", mean,
+                                                 phiMax, exponent, ratio),
                                      "system/controlDict", diagnostics);
     const SuspensionChannel channel(d);
     d.reportUnused();
@@ -272,7 +273,8 @@ TEST(SuspensionChannel, agreesWithTheTabulatedProfiles)
 TEST(SuspensionChannel, mistakesNameFileAndLine)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
-    SuspensionChannel(Dictionary::parse("width 2; phi 0.4; exponent 1; ratio 0.2;\nphiMax 5;\nnormal (1 1 0);", "system/controlDict", diagnostics));
+    SuspensionChannel(
+        Dictionary::parse("width 2; phi 0.4; exponent 1; ratio 0.2;\nphiMax 5;\nnormal (1 1 0);", "system/controlDict", diagnostics));
     EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:2: 5 is no volume fraction\n"
                                       "system/controlDict:3: normal must be at right angles to direction, along which the flow goes\n"
                                       "2 errors");
@@ -282,9 +284,10 @@ TEST(SuspensionChannel, mistakesNameFileAndLine)
 TEST(SuspensionChannel, OfAPipeHasItsMeanOverTheSection)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
-    const SuspensionChannel pipe(Dictionary::parse("section circular; width 2; phi 0.625; phiMax 0.794; exponent 0.714; ratio 0.2; mu 0.5; pressureGradient 3; "
-                                                   "origin (0 5 7);",
-                                                   "system/controlDict", diagnostics));
+    const SuspensionChannel pipe(
+        Dictionary::parse("section circular; width 2; phi 0.625; phiMax 0.794; exponent 0.714; ratio 0.2; mu 0.5; pressureGradient 3; "
+                          "origin (0 5 7);",
+                          "system/controlDict", diagnostics));
     EXPECT_EQ(errorsOf(*diagnostics), "");
     double mean = 0, speed = 0;
     const int parts = 20000;

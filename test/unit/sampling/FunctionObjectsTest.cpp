@@ -23,8 +23,7 @@ struct Functions
 
     FunctionObjects make(const Particles& particles, const std::string& text)
     {
-        return {Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics()), particles.geometry, particles.phases,
-                time};
+        return {Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics()), particles.geometry, particles.phases, time};
     }
     std::string mistakes() const { return errorsOf(theCase.diagnostics()); }
     void run(const Particles& particles, const std::string& text)
@@ -43,14 +42,13 @@ TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
     Functions f;
     f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
            "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\n");
-    EXPECT_EQ(
-        f.mistakes(),
-        "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-        "bedHydrodynamics, errors, filling, volFieldValue.\n"
-        "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
-        "executeControl, executeInterval, angularMomentum, origin.\n"
-        "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
-        "3 errors");
+    EXPECT_EQ(f.mistakes(),
+              "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
+              "bedHydrodynamics, errors, filling, volFieldValue.\n"
+              "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
+              "executeControl, executeInterval, angularMomentum, origin.\n"
+              "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
+              "3 errors");
 }
 
 TEST(FunctionObjects, areDueWhenTheirControlSays)
@@ -152,7 +150,7 @@ TEST(VolFieldValue, isTheMeanOrAnExtremeOverABox)
 {
     Functions f;
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
-    particles.setP([](Vector<3> x) { return 3*x.y; });
+    particles.setP([](Vector<3> x) { return 3 * x.y; });
     f.run(particles, "mean { type volFieldValue; operation volAverage; fields (p U); min (0 0 0); max (1 0.5 0); }\n"
                      "most { type volFieldValue; operation max; fields (p); }\n"
                      "none { type volFieldValue; operation min; fields (p); min (0.51 0.51 0); max (0.52 0.52 0); }");
@@ -164,7 +162,8 @@ TEST(VolFieldValue, isTheMeanOrAnExtremeOverABox)
 TEST(VolFieldValue, needsABoxThatIsOne)
 {
     Functions f;
-    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5), "a\n{\n    type volFieldValue;\n    operation sum;\n    fields (p);\n    min (0 1 0);\n}\n");
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
+           "a\n{\n    type volFieldValue;\n    operation sum;\n    fields (p);\n    min (0 1 0);\n}\n");
     const auto mistakes = f.mistakes();
     EXPECT_NE(mistakes.find("max must be greater than min; in y it is 1 against 1"), std::string::npos) << mistakes;
     EXPECT_NE(mistakes.find("\"sum\" is unknown"), std::string::npos) << mistakes;
@@ -239,8 +238,7 @@ TEST(Conservation, writesAllDigitsAndReportsTheChange)
     const auto reports = functions.execute(particles.view(), f.time, true, false);
     EXPECT_EQ(reports.at(0), "sums: relative change of mass 0.0968, momentum 0.0882, energy 0.0882");
     const auto text = f.folder.read("postProcessing/sums/0/conservation.dat");
-    EXPECT_NE(text.find("# Time\tmass_water\tmomentum\tkineticEnergy\tpotentialEnergy\tangularMomentum\n"), std::string::npos)
-        << text;
+    EXPECT_NE(text.find("# Time\tmass_water\tmomentum\tkineticEnergy\tpotentialEnergy\tangularMomentum\n"), std::string::npos) << text;
     const double mass = ((0.1 + 0.2) + 1.0 / 3) + 0.4;
     EXPECT_EQ(std::stod(f.folder.rows("postProcessing/sums/0/conservation.dat").at(0).at(1)), mass);
 }
@@ -265,11 +263,9 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
     particles.g = {0, -9.81, 0};
     f.run(particles, "bed { type bedHydrodynamics; length 0.01; }");
     const auto text = f.folder.read("postProcessing/bed/0/bedHydrodynamics.dat");
-    EXPECT_NE(
-        text.find(
-            "# Time\tporosity\tsaturation\tholdUp\tsuperficial_water\tinterstitial_water\tsuperficial_air\tinterstitial_air\t"
-            "wettedFraction\tBo\tCa\tRe\n"),
-        std::string::npos)
+    EXPECT_NE(text.find("# Time\tporosity\tsaturation\tholdUp\tsuperficial_water\tinterstitial_water\tsuperficial_air\tinterstitial_air\t"
+                        "wettedFraction\tBo\tCa\tRe\n"),
+              std::string::npos)
         << text;
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     const auto number = [&](std::size_t k) { return std::stod(row.at(k)); };
@@ -292,8 +288,8 @@ TEST(BedHydrodynamics, porosityOfASphereIsSampled)
     particles.geometry.walls.resize(1);
     particles.geometry.patches = {{std::make_shared<Sphere>(Vector<3>{0.5, 0.5, 0.5}, 0.4, FluidSide::outside), 0}};
     f.run(particles, "bed { type bedHydrodynamics; }");
-    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(1)),
-                1 - 4.0 / 3 * std::numbers::pi * 0.064, 1e-3);
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0).at(1)), 1 - 4.0 / 3 * std::numbers::pi * 0.064,
+                1e-3);
 }
 
 TEST(BedHydrodynamics, wettedAreaWithoutGasIsAFractionOfTheWholeWall)
@@ -335,15 +331,17 @@ TEST(BedHydrodynamics, asksForAFewFeetAPlaceOfABedOfAThousandSpheres)
     particles.setPhase([](Vector<3> x) { return x.z > 0.6; });
     particles.geometry.walls.resize(1);
     for (int i = 0; i < 1000; ++i)
-        particles.geometry.patches.push_back({std::make_shared<CountedSphere>(0.1*Vector<3>{i%10 + 0.5, i/10%10 + 0.5, i/100 + 0.5}, 0.035, FluidSide::outside), 0});
+        particles.geometry.patches.push_back(
+            {std::make_shared<CountedSphere>(0.1 * Vector<3>{i % 10 + 0.5, i / 10 % 10 + 0.5, i / 100 + 0.5}, 0.035, FluidSide::outside),
+             0});
     const std::string bed = "bed { type bedHydrodynamics; samples 20; }", table = "postProcessing/bed/0/bedHydrodynamics.dat";
     Functions byLoop, byTree;
     byLoop.run(particles, bed);
     const double places = 8000 + double(particles.size());
-    EXPECT_GE(double(CountedSphere::feet.exchange(0)), 1000*places);
+    EXPECT_GE(double(CountedSphere::feet.exchange(0)), 1000 * places);
     particles.geometry.tree = std::make_shared<PatchTree>(particles.geometry.patches);
     byTree.run(particles, bed);
-    EXPECT_LT(double(CountedSphere::feet), 26*places);
+    EXPECT_LT(double(CountedSphere::feet), 26 * places);
     EXPECT_EQ(byTree.folder.read(table), byLoop.folder.read(table));
 }
 

@@ -65,18 +65,19 @@ TEST(LiquidLens, isRecoveredFromItsExactShape)
 {
     for (const int dimension : {2, 3})
     {
-        const double spacing = 1/(dimension == 2 ? 48.0 : 16.0), above = 58.7516*pi/180, below = 49.4584*pi/180;
+        const double spacing = 1 / (dimension == 2 ? 48.0 : 16.0), above = 58.7516 * pi / 180, below = 49.4584 * pi / 180;
         const double depth = dimension == 2 ? 0.2 : 1.5;
         Particles particles(dimension, {-1.5, -1, -depth}, {1.5, 1, depth}, spacing);
         particles.phases = {"water", "oil", "air"};
         particles.surfaceTensions = {0, 0.9, 1, 0.9, 0, 0.8, 1, 0.8, 0};
         const auto within = [&](Vector<3> x, double theta, double up)
         {
-            const Vector<3> centre{0.3*spacing, -up/std::tan(theta), dimension == 2 ? x.z : 0.2*spacing};
-            return up*x.y >= 0 && mag(x - centre) < 1/std::sin(theta);
+            const Vector<3> centre{0.3 * spacing, -up / std::tan(theta), dimension == 2 ? x.z : 0.2 * spacing};
+            return up * x.y >= 0 && mag(x - centre) < 1 / std::sin(theta);
         };
         particles.setPhase([&](Vector<3> x) { return within(x, above, 1) || within(x, below, -1) ? 1 : x.y < 0 ? 0 : 2; });
-        const auto toWater = measure(particles, "lensAngle", "phase oil; towards water;"), toAir = measure(particles, "lensAngle", "phase oil; towards air;"),
+        const auto toWater = measure(particles, "lensAngle", "phase oil; towards water;"),
+                   toAir = measure(particles, "lensAngle", "phase oil; towards air;"),
                    radius = measure(particles, "lensRadius", "phase oil;");
         EXPECT_EQ(toWater.note + toAir.note + radius.note, "");
         EXPECT_NEAR(toAir.reference, 58.7516, 1e-3);
@@ -84,7 +85,7 @@ TEST(LiquidLens, isRecoveredFromItsExactShape)
         EXPECT_NEAR(radius.reference, 1, 0.01);
         EXPECT_NEAR(toAir.value, toAir.reference, dimension == 2 ? 0.5 : 1.5);
         EXPECT_NEAR(toWater.value, toWater.reference, dimension == 2 ? 0.5 : 1.5);
-        EXPECT_NEAR(radius.value/radius.reference, 1, 0.01);
+        EXPECT_NEAR(radius.value / radius.reference, 1, 0.01);
     }
 }
 
@@ -97,8 +98,7 @@ TEST(SphereFit, recoversCirclesAndSpheresFromShortArcs)
         const double angle = (80 + k) * pi / 180;
         arc.push_back({5 + 2 * std::cos(angle), -3 + 2 * std::sin(angle), 0});
         for (int m = 0; m < 5; ++m)
-            shell.push_back(
-                {1 + 0.5 * std::cos(angle) * std::cos(m), 2 + 0.5 * std::sin(angle), 3 + 0.5 * std::cos(angle) * std::sin(m)});
+            shell.push_back({1 + 0.5 * std::cos(angle) * std::cos(m), 2 + 0.5 * std::sin(angle), 3 + 0.5 * std::cos(angle) * std::sin(m)});
     }
     const auto circle = fitSphere(arc, 2), sphere = fitSphere(shell, 3);
     EXPECT_NEAR(circle.radius, 2, 1e-9);
@@ -129,8 +129,7 @@ TEST(ContactAngle, isRecoveredFromCapsWithoutGas)
 
 TEST(ContactAngle, isRecoveredInThreeDimensions)
 {
-    for (const double degrees : {60.0, 120.0})
-        EXPECT_NEAR(measure(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
+    for (const double degrees : {60.0, 120.0}) EXPECT_NEAR(measure(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
 }
 
 TEST(ContactAngle, isThatToACurvedWall)
@@ -140,11 +139,12 @@ TEST(ContactAngle, isThatToACurvedWall)
     for (const auto side : {FluidSide::outside, FluidSide::inside})
         for (const double degrees : {60.0, 90.0, 120.0})
         {
-            const double sign = side == FluidSide::outside ? 1 : -1, y = std::sqrt(sqr(R) + sqr(R_w) - sign*2*R*R_w*std::cos(degrees*pi/180));
+            const double sign = side == FluidSide::outside ? 1 : -1,
+                         y = std::sqrt(sqr(R) + sqr(R_w) - sign * 2 * R * R_w * std::cos(degrees * pi / 180));
             Particles particles(2, {-100, -70, 0}, {100, 140, 0}, 1);
             particles.geometry.walls.resize(1);
             particles.geometry.patches.push_back({std::make_shared<Sphere>(Vector<3>{}, R_w, side), 0});
-            const auto inFluid = [&](const Vector<3>& x) { return sign*(std::hypot(x.x, x.y) - R_w) > 0; };
+            const auto inFluid = [&](const Vector<3>& x) { return sign * (std::hypot(x.x, x.y) - R_w) > 0; };
             particles.phases = {"water", "air"};
             particles.setPhase([&](Vector<3> x) { return inFluid(x) && std::hypot(x.x - 0.3, x.y - y) < R ? 0 : 1; });
             EXPECT_NEAR(measure(particles, "contactAngle", "").value, degrees, 1) << degrees << (sign > 0 ? " outside" : " inside");
@@ -170,7 +170,8 @@ TEST(ContactAngle, saysWhyItCannotMeasure)
 
     auto onCylinder = cap(3, 90, 1, 8, true);
     onCylinder.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
-    EXPECT_EQ(measure(onCylinder, "contactAngle", "").note, "on a wall that is not equally curved all around a drop is no part of a sphere");
+    EXPECT_EQ(measure(onCylinder, "contactAngle", "").note,
+              "on a wall that is not equally curved all around a drop is no part of a sphere");
 }
 
 TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)
@@ -197,9 +198,7 @@ TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
     particles.geometry.periodic = {true, true, true};
     particles.surfaceTension = 1;
     particles.supportInSpacings = 2;
-    const auto r = [](Vector<3> x) {
-        return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)});
-    };
+    const auto r = [](Vector<3> x) { return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)}); };
     particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
     particles.setP([&](Vector<3> x) { return r(x) < 0.25 ? 8.0 : 0.0; });
     const auto m = measure(particles, "laplaceJump", "radius 0.25;");
@@ -226,7 +225,7 @@ TEST(LaplaceJump, ofABubbleIsThatOfItsInside)
                 return mag(d);
             };
             particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 1 : 0; });
-            const double jump = (dimension - 1)/0.25;
+            const double jump = (dimension - 1) / 0.25;
             particles.setP([&](Vector<3> x) { return 2 + (r(x) < 0.25 ? jump : 0.0); });
             for (const char* entries : {"radius 0.25;", "radius 0.25; phase air;", "radius 0.25; phase water;"})
             {
@@ -235,7 +234,7 @@ TEST(LaplaceJump, ofABubbleIsThatOfItsInside)
                 EXPECT_NEAR(m.reference, jump, 1e-12);
             }
             // That of the bubble's volume, to the staircase of five lattice points to a radius.
-            EXPECT_NEAR(measure(particles, "laplaceJump", "").reference, jump, 0.1*jump);
+            EXPECT_NEAR(measure(particles, "laplaceJump", "").reference, jump, 0.1 * jump);
         }
 }
 
@@ -274,8 +273,7 @@ TEST(DragFactor, knowsTheLatticesByPeriod)
     const auto reference = [&](const char* lattice, int spheres, double phi)
     {
         const double a = std::cbrt(3 * phi / (4 * pi * spheres));
-        return measure(particles, "dragFactor",
-                       "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";")
+        return measure(particles, "dragFactor", "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";")
             .reference;
     };
     EXPECT_EQ(reference("sc", 1, 0.343), 15.40);
@@ -298,12 +296,10 @@ TEST(DragFactor, mistakesNameFileAndLine)
 {
     Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.5);
     auto diagnostics = std::make_shared<Diagnostics>();
-    readMeasure("dragFactor",
-                Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
+    readMeasure("dragFactor", Dictionary::parse("radius 0.1;\nsolidFraction 0.4;\nlattice bcc;\n", "system/controlDict", diagnostics),
                 particles.geometry, particles.phases, ".");
-    EXPECT_EQ(errorsOf(*diagnostics),
-              "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
-              "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
+    EXPECT_EQ(errorsOf(*diagnostics), "system/controlDict:3: K of bcc is not known for a solid fraction of 0.4. Known solid fractions: "
+                                      "0.001, 0.027, 0.064, 0.125, 0.216, 0.343, 0.45, 0.6802; or give `reference`");
 }
 
 // Taylor-Green's flow at a quarter of a second, with as much again of a flow of another shape, which is not part of the amplitude.
@@ -337,16 +333,17 @@ TEST(FrontPosition, isHalfASpacingBeforeTheForemostParticleOfThePhase)
     {
         particles.time = time;
         auto diagnostics = std::make_shared<Diagnostics>();
-        const auto d = Dictionary::parse(parameters + "table { file \"front.csv\"; columns { time T; value Z; } select { set a; } units { time "
-                                                      "0.5; value 0.1; } }",
-                                         "system/controlDict", diagnostics);
+        const auto d =
+            Dictionary::parse(parameters + "table { file \"front.csv\"; columns { time T; value Z; } select { set a; } units { time "
+                                           "0.5; value 0.1; } }",
+                              "system/controlDict", diagnostics);
         const auto m = readMeasure("frontPosition", d, particles.geometry, particles.phases, folder.folder());
         d.reportUnused();
         EXPECT_EQ(errorsOf(*diagnostics), "");
         return m(particles.view());
     };
     const auto m = at(0.5, "");
-    EXPECT_NEAR(m.value, 0.6, 1e-14); // the last of water at 0.55
+    EXPECT_NEAR(m.value, 0.6, 1e-14);     // the last of water at 0.55
     EXPECT_NEAR(m.reference, 0.2, 1e-14); // T = 1, Z = 2
     EXPECT_EQ(m.particles, 30u);
     EXPECT_NEAR(at(0.5, "phase air; direction (0 -2 0); origin (0 1 0); ").value, 1, 1e-14); // the lowest at 0.05
@@ -409,8 +406,7 @@ TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
         particles.time = 0.02 * k;
         // Volume moves to the crests: x + d(x) with d' = -a/depth cos(k x) makes the columns under them heavier by a.
         const double a = 1e-3 * std::sinh(1.2 * particles.time);
-        for (std::size_t i = 0; i < particles.size(); ++i)
-            particles.x[i] = x[i] - a / 0.5 / (2 * pi) * std::sin(2 * pi * x[i]);
+        for (std::size_t i = 0; i < particles.size(); ++i) particles.x[i] = x[i] - a / 0.5 / (2 * pi) * std::sin(2 * pi * x[i]);
         m = growth(particles.view());
     }
     EXPECT_NEAR(m.value, 1.2, 1e-3);
@@ -429,7 +425,10 @@ TEST(InterfaceGrowth, goesOnWithWhatItHasSeen)
     particles.g = {0, -1, 0};
     particles.setPhase([](Vector<3> x) { return x.y > 0.5 ? 0 : 1; });
     const auto made = [&]
-    { return readMeasure("interfaceGrowth", Dictionary::parse("depth 0.5;", "system/controlDict", std::make_shared<Diagnostics>()), particles.geometry, particles.phases, {}); };
+    {
+        return readMeasure("interfaceGrowth", Dictionary::parse("depth 0.5;", "system/controlDict", std::make_shared<Diagnostics>()),
+                           particles.geometry, particles.phases, {});
+    };
     const auto whole = made(), first = made(), second = made();
     const auto x = particles.x;
     Measurement expected, found;
@@ -497,8 +496,9 @@ TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
     particles.g = {0, -1e-3, 0};
     particles.setPhase([](Vector<3> x) { return x.y < (x.x < 0.2 ? 0.6 : x.x > 0.4 ? 0.4 : 0.9) ? 0 : 1; });
     particles.time = 1e5;
-    const auto m = measure(particles, "capillaryRise",
-                           "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+    const auto m =
+        measure(particles, "capillaryRise",
+                "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
     EXPECT_NEAR(m.value, 0.2, 1e-12);
     // (2/w - 1/W) gamma cos(theta)/(Delta rho g); what swings has died by exp(-t 6 nu/w^2) = 3e-7.
     EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
@@ -511,14 +511,16 @@ TEST(CapillaryRise, needsTensionAndTheDenserPhase)
     particles.setPhase([](Vector<3> x) { return x.y < 0.5 ? 0 : 1; });
     particles.g = {0, -1e-3, 0};
     particles.time = 1;
-    const std::string boxes = "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;";
+    const std::string boxes =
+        "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;";
     EXPECT_THROW(measure(particles, "capillaryRise", boxes), CaseError);
     particles.surfaceTension = 1;
     EXPECT_GT(measure(particles, "capillaryRise", boxes).reference, 0);
     EXPECT_THROW(measure(particles, "capillaryRise", boxes + "phase air;"), CaseError);
     // A slit of a nanometre: 10^14 steps, which wrapped round to a reference of 0.
-    const auto narrow = measure(particles, "capillaryRise",
-                                "slit { min (0 0 0); max (1e-9 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+    const auto narrow =
+        measure(particles, "capillaryRise",
+                "slit { min (0 0 0); max (1e-9 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
     EXPECT_TRUE(std::isnan(narrow.reference));
     EXPECT_EQ(narrow.note, "Bosanquet's equation is too stiff to be followed to this time");
 }
@@ -538,7 +540,8 @@ TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
 {
     Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.1);
     auto diagnostics = std::make_shared<Diagnostics>();
-    const auto d = Dictionary::parse("field p; start 2; share 0.5; time 0.7; origin (0 1 0); normal (0 -1 0);", "system/controlDict", diagnostics);
+    const auto d =
+        Dictionary::parse("field p; start 2; share 0.5; time 0.7; origin (0 1 0); normal (0 -1 0);", "system/controlDict", diagnostics);
     const auto measureAt = readMeasure("wallDropTime", d, particles.geometry, particles.phases, ".");
     d.reportUnused();
     EXPECT_EQ(errorsOf(*diagnostics), "");
@@ -600,7 +603,8 @@ TEST(Measures, showANaN)
 {
     TemporaryCase folder;
     folder.write("front.csv", "T,Z\n0,1\n2,3\n");
-    const std::string vortices = "speed 1; period 1; nu 1;", boxes = "slit { min (0 0 0); max (0.5 1 0); } reservoir { min (0.5 0 0); max (1 1 0); }";
+    const std::string vortices = "speed 1; period 1; nu 1;",
+                      boxes = "slit { min (0 0 0); max (0.5 1 0); } reservoir { min (0.5 0 0); max (1 1 0); }";
     struct Case
     {
         std::string name, parameters;

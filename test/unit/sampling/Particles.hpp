@@ -75,8 +75,7 @@ struct Particles
         v.x = x.data();
         v.y = y.data();
         v.z = flat ? nullptr : z.data();
-        v.fields = {{"U", FieldClass::vector, {ux.data(), uy.data(), flat ? nullptr : uz.data()}},
-                    {"p", FieldClass::scalar, {p.data()}}};
+        v.fields = {{"U", FieldClass::vector, {ux.data(), uy.data(), flat ? nullptr : uz.data()}}, {"p", FieldClass::scalar, {p.data()}}};
         v.mass = mass.data();
         v.volume = volume.data();
         v.phase = phase.data();
@@ -106,8 +105,7 @@ public:
     TemporaryCase()
     {
         static int number = 0;
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("sphSampling" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        folder_ = std::filesystem::temp_directory_path() / ("sphSampling" + std::to_string(::getpid()) + "_" + std::to_string(number++));
         write("system/controlDict", "application sphFoamLike;\nstartFrom startTime;\nstartTime 0;\nstopAt endTime;\nendTime 1;\n"
                                     "deltaT 0.1;\nadjustTimeStep no;\nwriteControl timeStep;\nwriteInterval 1;\n");
         std::filesystem::create_directories(folder_ / "0");

@@ -25,17 +25,20 @@ Files layers(const std::string& scalars)
     auto files = channelCase();
     files.erase("constant/g");
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n";
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (0.4 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point "
-                                 "(0 0 0); normal (0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
-    files["constant/phaseProperties"] = "phases (heavy light);\nheavy { rho 1000; mu 1; soundSpeed 15; }\nlight { rho 400; mu 1; soundSpeed 15; }\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (0.4 1 0); periodic (x); }\nwalls\n{\n    bottom { type plane; point "
+        "(0 0 0); normal (0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
+    files["constant/phaseProperties"] =
+        "phases (heavy light);\nheavy { rho 1000; mu 1; soundSpeed 15; }\nlight { rho 400; mu 1; soundSpeed 15; }\n";
     files["constant/scalarTransport"] = scalars;
     return files;
 }
 Files grain(const std::string& scalars)
 {
     auto files = layers(scalars);
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type sphere; centre (0.5 0.5 0); "
-                                 "radius 0.25; fluid outside; } }\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { grain { type sphere; centre (0.5 0.5 0); "
+        "radius 0.25; fluid outside; } }\n";
     return files;
 }
 
@@ -50,7 +53,9 @@ struct Scene
 
     /// `jitter` in spacings. Without mistakes there is a simulation.
     explicit Scene(const Files& files, double jitter = 0)
-        : folder(files), theCase(folder.folder()), geometry(readGeometry(theCase.dictionary("constant/geometry"), 0.4)),
+        : folder(files),
+          theCase(folder.folder()),
+          geometry(readGeometry(theCase.dictionary("constant/geometry"), 0.4)),
           settings(readSettings(theCase, geometry))
     {
         omp_set_num_threads(1); // a few hundred particles are faster by one
@@ -126,7 +131,8 @@ TEST(ScalarFlux, IsThePlainSum)
                     const double r = std::hypot(x.component[0][i] - x.component[0][j] - 0.4 * shift, x.component[1][i] - y);
                     if (r >= kernel.support() || r == 0) continue;
                     const double c_j = image == 1 ? 4 - c[j] : c[j];
-                    sum += k[int(phase[i])][int(phase[j])] * (sqr(V[i]) + sqr(V[j])) * kernel.dWdrOverR(r) * 2 / (N[i] + N[j]) * (c[i] - c_j);
+                    sum +=
+                        k[int(phase[i])][int(phase[j])] * (sqr(V[i]) + sqr(V[j])) * kernel.dWdrOverR(r) * 2 / (N[i] + N[j]) * (c[i] - c_j);
                 }
         largest(sum / m[i]);
         worst(sum / m[i] - rate[i]);
@@ -155,8 +161,9 @@ TEST(ScalarFlux, ConservesTheAmount)
 TEST(ScalarFlux, ConservesTheAmountInABox)
 {
     auto files = layers("dye { D 0.1; initial " + wave + "; }");
-    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
-                                 "inside; } }\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { tank { type box; min (0 0 0); max (1 1 0); fluid "
+        "inside; } }\n";
     const Scene s(files, 0.2);
     ASSERT_EQ(s.errors, "");
     EXPECT_LT(std::abs(s.total("ddyedt")), 1e-14 * s.size("ddyedt"));
@@ -171,8 +178,8 @@ TEST(ScalarFlux, DoesNotFeelAPlaneWallThatNothingPasses)
     Largest most, spread;
     for (std::size_t i = 0; i < s.simulation->size(); ++i)
         for (std::size_t j = 0; j < s.simulation->size(); ++j)
-            if (std::abs(x.component[0][i] - x.component[0][j]) < 1e-9 && s["phase"][i] == s["phase"][j] && std::abs(x.component[1][i] - 0.5) > 0.2 &&
-                std::abs(x.component[1][j] - 0.5) > 0.2)
+            if (std::abs(x.component[0][i] - x.component[0][j]) < 1e-9 && s["phase"][i] == s["phase"][j] &&
+                std::abs(x.component[1][i] - 0.5) > 0.2 && std::abs(x.component[1][j] - 0.5) > 0.2)
             {
                 most(s["ddyedt"][i]);
                 spread(s["ddyedt"][i] - s["ddyedt"][j]);
@@ -185,7 +192,8 @@ TEST(ScalarFlux, DoesNotFeelAPlaneWallThatNothingPasses)
 // meet where k_1 dc/dy = k_2 dc/dy, k = rho D; within what a kernel smears at the interface.
 TEST(ScalarFlux, PassesTwoLayersInSeries)
 {
-    const Scene s(layers("dye { D { heavy 2; light 10; } initial { heavy \"1 - 4/3*$y\"; light \"2/3*(1 - $y)\"; } walls { bottom 1; top 0; } }"));
+    const Scene s(
+        layers("dye { D { heavy 2; light 10; } initial { heavy \"1 - 4/3*$y\"; light \"2/3*(1 - $y)\"; } walls { bottom 1; top 0; } }"));
     ASSERT_EQ(s.errors, "");
     for (int n = 0; n < 3000; ++n) s.simulation->step(0, 0.9 * s.simulation->stepLimit().deltaT);
     const auto x = s.simulation->positions();
@@ -224,7 +232,8 @@ TEST(ScalarTransport, SeveralScalarsDoNotMeet)
 // f h^2/D, h = 1.3 spacings, D of the worst pair of phases; half with leapfrog.
 TEST(ScalarTransport, LimitsTheStep)
 {
-    for (const auto& [scheme, factor] : {std::pair("predictorCorrector", 0.125), std::pair("leapfrog", 0.0625), std::pair("symplecticEuler", 0.125)})
+    for (const auto& [scheme, factor] :
+         {std::pair("predictorCorrector", 0.125), std::pair("leapfrog", 0.0625), std::pair("symplecticEuler", 0.125)})
     {
         auto files = layers("dye { D { heavy 20; light 0; } }");
         files["system/sphSchemes"] += std::string("integration { scheme ") + scheme + "; }\n";
@@ -243,8 +252,8 @@ TEST(ScalarTransport, RestartsToTheLastBit)
     files["constant/scalarTransport"] = "dye { D 0.01; initial " + wave + "; walls { top 0.5; } }\n";
     for (const char* scheme : {"predictorCorrector", "leapfrog", "semiImplicit"})
     {
-        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme ") + scheme +
-                                     "; }\n";
+        files["system/sphSchemes"] =
+            std::string("resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme ") + scheme + "; }\n";
         const TestCase whole(files);
         for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) whole.runWell(program);
         const TestCase parts(files);
@@ -273,8 +282,9 @@ TEST(ScalarTransport, ComesInThroughOpenings)
     openings.replace(openings.find("phi "), 4, "dye 1; phi ");
     for (const char* scheme : {"semiImplicit", "leapfrog", "predictorCorrector", "symplecticEuler"})
     {
-        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme ") +
-                                     scheme + "; }\n";
+        files["system/sphSchemes"] =
+            std::string("resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nshifting 2;\nintegration { scheme ") + scheme +
+            "; }\n";
         const TestCase open(files);
         for (const char* program : {"packParticles", "meshToGhost"}) open.runWell(program);
         const auto log = open.runWell("sphFoamLike");
@@ -283,8 +293,7 @@ TEST(ScalarTransport, ComesInThroughOpenings)
         Largest worst;
         int found = 0;
         const std::regex line("balance: mass off by .*, dye by ([-+0-9.e]+)");
-        for (; std::regex_search(from, log.cend(), off, line); from = off.suffix().first, ++found)
-            worst(std::stod(off[1]));
+        for (; std::regex_search(from, log.cend(), off, line); from = off.suffix().first, ++found) worst(std::stod(off[1]));
         EXPECT_GT(found, 2) << scheme;
         EXPECT_LT(worst.value(), 1e-13) << scheme;
     }

@@ -16,12 +16,47 @@ namespace sph::test
 namespace
 {
 
-struct Charge { static constexpr FieldInfo info{"charge", "1"}; template<int dim> struct At { double q; }; };
-struct ChargeRate { static constexpr FieldInfo info{"dchargedt", "1/s"}; template<int dim> struct At { double dqdt; }; };
-struct Spin { static constexpr FieldInfo info{"spin", "1/s", Image::mirrored}; template<int dim> struct At { Vector<dim> w; }; };
-struct SpinRate { static constexpr FieldInfo info{"dspindt", "1/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> dwdt; }; };
+struct Charge
+{
+    static constexpr FieldInfo info{"charge", "1"};
+    template<int dim> struct At
+    {
+        double q;
+    };
+};
+struct ChargeRate
+{
+    static constexpr FieldInfo info{"dchargedt", "1/s"};
+    template<int dim> struct At
+    {
+        double dqdt;
+    };
+};
+struct Spin
+{
+    static constexpr FieldInfo info{"spin", "1/s", Image::mirrored};
+    template<int dim> struct At
+    {
+        Vector<dim> w;
+    };
+};
+struct SpinRate
+{
+    static constexpr FieldInfo info{"dspindt", "1/s^2", Image::mirrored};
+    template<int dim> struct At
+    {
+        Vector<dim> dwdt;
+    };
+};
 /// Which particle it is: carried, without a rate.
-struct Number { static constexpr FieldInfo info{"number", "1"}; template<int dim> struct At { double number; }; };
+struct Number
+{
+    static constexpr FieldInfo info{"number", "1"};
+    template<int dim> struct At
+    {
+        double number;
+    };
+};
 
 /// dq/dt = -k q, k [1/s]
 struct Decay
@@ -53,8 +88,9 @@ constexpr double k1 = 30, k2 = 11, k3 = 5; ///< of charge, of salt, which is a c
 /// One more declaration each, and one term: nothing else names these fields.
 void addToys(Settings& settings)
 {
-    Evolving charge{stateField(Charge{}), stateField(ChargeRate{})}, salt{stateField(Charge{}, "salt"), stateField(ChargeRate{}, "dsaltdt")},
-        spin{stateField(Spin{}), stateField(SpinRate{})}, number{stateField(Number{})}, hidden{stateField(Number{}, "hidden")};
+    Evolving charge{stateField(Charge{}), stateField(ChargeRate{})},
+        salt{stateField(Charge{}, "salt"), stateField(ChargeRate{}, "dsaltdt")}, spin{stateField(Spin{}), stateField(SpinRate{})},
+        number{stateField(Number{})}, hidden{stateField(Number{}, "hidden")};
     charge.inlet = [](const Dictionary& d) { return d.getPositive("charge", units::none, 1); };
     charge.missing = [](const Loading& loading)
     {
@@ -73,7 +109,10 @@ void addToys(Settings& settings)
         for (std::size_t i = 0; i < loading.size(); ++i)
             for (std::size_t c = 0; c < loading.values.size(); ++c) loading.values[c][i] = double(c + 1) * (1 + double(i));
     };
-    number.missing = [](const Loading& loading) { for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = double(i); };
+    number.missing = [](const Loading& loading)
+    {
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = double(i);
+    };
     hidden.written = false;
     for (const auto& each : {charge, salt, spin, number, hidden}) settings.state.push_back(each);
     settings.define<Decay>("decay", [](const Coefficients&) { return Decay{k1}; });
@@ -85,7 +124,8 @@ void addToys(Settings& settings)
 Settings toySettings(const std::string& integrator)
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\nintegration { scheme " + integrator + "; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC4; }\nintegration { scheme " + integrator + "; }\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; exponent 1; }\n";
     files.erase("constant/g");
     auto settings = settingsOf(files);
@@ -140,7 +180,8 @@ TEST(State, IsSteppedByEveryIntegrator)
         const double deltaT = 0.002;
         for (int s = 0; s < 60; ++s) simulation->step(s * deltaT, deltaT);
         EXPECT_GT(simulation->rebuilds(), 3);
-        const auto number = simulation->field("number"), charge = simulation->field("charge"), salt = simulation->field("salt"), spin = simulation->field("spin");
+        const auto number = simulation->field("number"), charge = simulation->field("charge"), salt = simulation->field("salt"),
+                   spin = simulation->field("spin");
         bool sorted = true;
         std::set<double> seen;
         for (std::size_t i = 0; i < simulation->size(); ++i)
@@ -150,17 +191,20 @@ TEST(State, IsSteppedByEveryIntegrator)
             seen.insert(n);
             ASSERT_NEAR(charge.component[0][i], start * left(integrator, k1, deltaT, 60), 1e-12 * start);
             ASSERT_NEAR(salt.component[0][i], start * left(integrator, k2, deltaT, 60), 1e-12 * start);
-            for (std::size_t c = 0; c < 2; ++c) ASSERT_NEAR(spin.component[c][i], double(c + 1) * start * left(integrator, k3, deltaT, 60), 2e-12 * start);
+            for (std::size_t c = 0; c < 2; ++c)
+                ASSERT_NEAR(spin.component[c][i], double(c + 1) * start * left(integrator, k3, deltaT, 60), 2e-12 * start);
         }
         EXPECT_EQ(seen.size(), 400u);
         EXPECT_FALSE(sorted) << "the particles stay where they are: nothing is shown";
         // Starts of a step and rates have arrays of their own where the integrator needs them.
         const bool predicts = integrator == "predictorCorrector" || integrator == "leapfrog";
-        for (const char* start : {"charge_0", "salt_0", "spin_0"}) EXPECT_EQ(simulation->field(start).component[0] != nullptr, predicts) << start;
+        for (const char* start : {"charge_0", "salt_0", "spin_0"})
+            EXPECT_EQ(simulation->field(start).component[0] != nullptr, predicts) << start;
         EXPECT_EQ(simulation->field("number_0").component[0], nullptr) << "what has no rate needs no start";
         std::ostringstream plan;
         simulation->printPlan(plan);
-        for (const char* words : {"decay                            -> dchargedt", "decay of salt                    -> dsaltdt", "spin decay"})
+        for (const char* words :
+             {"decay                            -> dchargedt", "decay of salt                    -> dsaltdt", "spin decay"})
             EXPECT_NE(plan.str().find(words), std::string::npos) << plan.str();
     }
 }
@@ -190,7 +234,8 @@ TEST(State, IsWrittenAndRestarted)
         const auto cloud = writtenAndRead(*whole);
         for (const char* name : {"charge", "saltOnDisk", "spin", "number"}) EXPECT_TRUE(cloud.fields.contains(name)) << name;
         for (const char* name : {"salt", "hidden", "charge_0"}) EXPECT_FALSE(cloud.fields.contains(name)) << name;
-        for (const char* rate : {"dchargedt", "dsaltdt", "dspindt"}) EXPECT_EQ(cloud.fields.contains(rate), settings.integration.keepsRates) << rate;
+        for (const char* rate : {"dchargedt", "dsaltdt", "dspindt"})
+            EXPECT_EQ(cloud.fields.contains(rate), settings.integration.keepsRates) << rate;
         const auto again = makeSimulation(settings, g, cloud, whole->state());
         for (auto* simulation : {whole.get(), again.get()})
         {
@@ -241,7 +286,8 @@ TEST(State, HasThePressureOfTheStart)
     for (const char* density : {"numberDensity", "continuity"})
     {
         auto files = channelCase();
-        files["system/sphSchemes"] = std::string("resolution { spacing 0.05; support 2.6; }\nbackgroundPressure 70;\ndensity ") + density + ";\n";
+        files["system/sphSchemes"] =
+            std::string("resolution { spacing 0.05; support 2.6; }\nbackgroundPressure 70;\ndensity ") + density + ";\n";
         files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; }\n";
         files.erase("constant/g");
         const auto settings = settingsOf(files);
@@ -263,7 +309,8 @@ TEST(State, NeedsTermsThatAreDefined)
 {
     auto settings = toySettings("leapfrog");
     settings.terms.push_back("dekay");
-    EXPECT_NE(errorOf(settings, vortex()).find("term \"dekay\" is unknown. Did you mean \"decay\"?"), std::string::npos) << errorOf(settings, vortex());
+    EXPECT_NE(errorOf(settings, vortex()).find("term \"dekay\" is unknown. Did you mean \"decay\"?"), std::string::npos)
+        << errorOf(settings, vortex());
 }
 
 // An inlet asks for the value of what comes in by its own entry. What it holds keeps that; what has come in decays from there.
@@ -271,8 +318,9 @@ TEST(State, ComesInThroughInletsAndIsHeldThere)
 {
     auto files = channelCase();
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme leapfrog; }\n";
-    files["constant/geometry"] = "dimension 2; domain { min (-0.2 0 0); max (1.2 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
-                                 "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (-0.2 0 0); max (1.2 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
+        "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n}\n";
     const std::string gate = "gate\n{\n    type inlet;\n    point (0 0 0);\n    normal (1 0 0);\n    velocity 3;\n";
     files["constant/openings"] = gate + "}\n";
     const TestCase folder(files);
@@ -303,8 +351,8 @@ TEST(State, ComesInThroughInletsAndIsHeldThere)
         time += deltaT;
     }
     simulation->settle();
-    const auto holder = simulation->field("heldBy"), charge = simulation->field("charge"), start = simulation->field("charge_0"), salt = simulation->field("salt"),
-               age = simulation->field("age");
+    const auto holder = simulation->field("heldBy"), charge = simulation->field("charge"), start = simulation->field("charge_0"),
+               salt = simulation->field("salt"), age = simulation->field("age");
     int held = 0, free = 0;
     double least = 3;
     for (std::size_t i = 0; i < simulation->size(); ++i)

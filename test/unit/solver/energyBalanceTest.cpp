@@ -22,8 +22,8 @@ Cloud lattice(Vector<3> U, bool twoPhases)
     for (int a = 0; a < 20; ++a)
         for (int b = 0; b < 20; ++b)
         {
-            cloud.x.push_back((a + 0.5)*spacing);
-            cloud.y.push_back((b + 0.5)*spacing);
+            cloud.x.push_back((a + 0.5) * spacing);
+            cloud.y.push_back((b + 0.5) * spacing);
             cloud.z.push_back(0);
             for (const auto& [c, u] : {std::pair(0, U.x), {1, U.y}, {2, U.z}}) velocity.component[std::size_t(c)].push_back(u);
             phase.component[0].push_back(twoPhases && b < 10);
@@ -34,13 +34,15 @@ Cloud lattice(Vector<3> U, bool twoPhases)
 Settings settingsOfPhases(const std::string& phaseProperties, const std::string& more)
 {
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme symplecticEuler; }\n" + more;
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nintegration { scheme symplecticEuler; }\n" + more;
     files["constant/phaseProperties"] = phaseProperties;
     files.erase("constant/g");
     return settingsOf(files);
 }
 
-const std::string twoPhases = "phases (water air);\nwater { rho 1000; mu 0; soundSpeed 10; }\nair { rho 1; mu 0; soundSpeed 10; }\nsigma ( (water air) 3 );\n";
+const std::string twoPhases =
+    "phases (water air);\nwater { rho 1000; mu 0; soundSpeed 10; }\nair { rho 1; mu 0; soundSpeed 10; }\nsigma ( (water air) 3 );\n";
 }
 
 TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
@@ -49,7 +51,7 @@ TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
     const auto settings = settingsOfPhases(twoPhases, "");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, true), {});
-    EXPECT_NEAR(simulation->energy().held, 2*gamma, 0.06*2*gamma);
+    EXPECT_NEAR(simulation->energy().held, 2 * gamma, 0.06 * 2 * gamma);
     EXPECT_GT(simulation->energy().supplied, simulation->energy().held);
 }
 
@@ -58,7 +60,7 @@ TEST(EnergyBalance, KnowsNoInterfaceWithoutTension)
     const auto settings = settingsOfPhases(twoPhases, "surfaceTension none; pressureGradient densityWeighted;");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 2, 0}, true), {});
-    EXPECT_NEAR(simulation->energy().held, 0.5*(500 + 0.5)*4, 1e-9);
+    EXPECT_NEAR(simulation->energy().held, 0.5 * (500 + 0.5) * 4, 1e-9);
 }
 
 TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
@@ -68,10 +70,10 @@ TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0.1, 0, 0}, false), {});
     const auto before = simulation->energy();
-    EXPECT_NEAR(before.held, 0.5*1000*0.01, 1e-9);
+    EXPECT_NEAR(before.held, 0.5 * 1000 * 0.01, 1e-9);
     for (int k = 0; k < 20; ++k) simulation->step(0, 1e-3);
     const auto after = simulation->energy();
-    EXPECT_NEAR(after.held, 0.5*1000*(0.2*0.2 + 0.04*0.04), 1e-6);
+    EXPECT_NEAR(after.held, 0.5 * 1000 * (0.2 * 0.2 + 0.04 * 0.04), 1e-6);
     EXPECT_NEAR(after.supplied - before.supplied, after.held - before.held, 1e-6);
 }
 
@@ -82,7 +84,7 @@ TEST(EnergyBalance, IsNotBlindedByAUniformPressure)
     const auto settings = settingsOfPhases("phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\n", "backgroundPressure 1e12;\n");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, false), {});
-    EXPECT_NEAR(simulation->energy().supplied, 0.5*1000*0.01 + 0.02*0.05*1000*100, 0.1);
+    EXPECT_NEAR(simulation->energy().supplied, 0.5 * 1000 * 0.01 + 0.02 * 0.05 * 1000 * 100, 0.1);
 }
 
 TEST(EnergyBalance, AllowsForSoundOfAHundredthOfItsSpeed)
@@ -92,7 +94,7 @@ TEST(EnergyBalance, AllowsForSoundOfAHundredthOfItsSpeed)
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, false), {});
     EXPECT_EQ(simulation->energy().held, 0);
-    EXPECT_NEAR(simulation->energy().supplied, 0.5*1000*0.01, 1e-6);
+    EXPECT_NEAR(simulation->energy().supplied, 0.5 * 1000 * 0.01, 1e-6);
 }
 
 }

@@ -1,7 +1,7 @@
 /// What comes in of one suspension and leaves of another: accounts that close to round-off, and the one in the place of the other at the end.
 #include "smallCases.hpp"
-#include <gtest/gtest.h>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <sstream>
 
 namespace sph::test

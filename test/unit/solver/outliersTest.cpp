@@ -19,8 +19,8 @@ Cloud disordered()
     for (int i = 0; i < 20; ++i)
         for (int k = 0; k < 20; ++k)
         {
-            cloud.x.push_back((i + 0.5 + 0.1*std::sin(i + 3*k))/20);
-            cloud.y.push_back((k + 0.5 + 0.1*std::cos(2*i - k))/20);
+            cloud.x.push_back((i + 0.5 + 0.1 * std::sin(i + 3 * k)) / 20);
+            cloud.y.push_back((k + 0.5 + 0.1 * std::cos(2 * i - k)) / 20);
             cloud.z.push_back(0);
         }
     return cloud;
@@ -59,7 +59,8 @@ TEST(Outliers, AreTheFurthestDensities)
     EXPECT_EQ(dense->position.x, x[most]);
     EXPECT_EQ(dense->inWords().find(fmt::format("particle {} at (0.", most)), 0u) << dense->inWords();
     EXPECT_EQ(thin->particle, least);
-    for (const double rest : {std::numeric_limits<double>::quiet_NaN(), -1000.0}) EXPECT_TRUE(impossibleDensity(*s.simulation, {rest})) << rest;
+    for (const double rest : {std::numeric_limits<double>::quiet_NaN(), -1000.0})
+        EXPECT_TRUE(impossibleDensity(*s.simulation, {rest})) << rest;
 }
 
 TEST(Outliers, AreNotFinite)

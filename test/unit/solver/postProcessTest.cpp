@@ -11,8 +11,9 @@ namespace sph::test
 namespace
 {
 
-const char* const functions = "functions\n{\n    sums { type conservation; }\n    mean { type volFieldValue; operation volAverage; fields (p rho); }\n"
-                              "    wet { type bedHydrodynamics; liquid liquid; samples 16; }\n    here { type probes; fields (p U); probeLocations ((0.5 0.2 0)); }\n}\n";
+const char* const functions =
+    "functions\n{\n    sums { type conservation; }\n    mean { type volFieldValue; operation volAverage; fields (p rho); }\n"
+    "    wet { type bedHydrodynamics; liquid liquid; samples 16; }\n    here { type probes; fields (p U); probeLocations ((0.5 0.2 0)); }\n}\n";
 
 /// A drop on a floor, run to its four write times; made once.
 const TestCase& stored()
@@ -33,7 +34,8 @@ struct Processed : TestCase
     Outcome outcome;
     explicit Processed(const std::string& arguments, int threads = 1) : TestCase(Files{})
     {
-        for (const auto& entry : std::filesystem::directory_iterator(stored().folder())) copyFrom(stored(), entry.path().filename().string());
+        for (const auto& entry : std::filesystem::directory_iterator(stored().folder()))
+            copyFrom(stored(), entry.path().filename().string());
         outcome = run("sphPostProcess", arguments, threads);
     }
     /// The times in the tables of one kind.
@@ -54,16 +56,19 @@ using Times = std::set<std::string>;
 
 TEST(PostProcess, TakesTheTimesThatAreAskedFor)
 {
-    const std::pair<std::string, Times> asked[]{{"", {"0", "0.02", "0.04", "0.06", "0.08"}}, {"-time 0.02,0.06", {"0.02", "0.06"}}, {"-time 0.02:0.04", {"0.02", "0.04"}},
-                                                {"-time :0.02", {"0", "0.02"}},              {"-time 0.06:", {"0.06", "0.08"}},      {"-latestTime", {"0.08"}}};
+    const std::pair<std::string, Times> asked[]{{"", {"0", "0.02", "0.04", "0.06", "0.08"}}, {"-time 0.02,0.06", {"0.02", "0.06"}},
+                                                {"-time 0.02:0.04", {"0.02", "0.04"}},       {"-time :0.02", {"0", "0.02"}},
+                                                {"-time 0.06:", {"0.06", "0.08"}},           {"-latestTime", {"0.08"}}};
     for (const auto& [arguments, times] : asked)
     {
         const Processed c(arguments);
         ASSERT_EQ(c.outcome.code, 0) << c.outcome.err;
-        for (const char* table : {"conservation.dat", "volFieldValue.dat", "bedHydrodynamics.dat"}) EXPECT_EQ(c.timesOf(table), times) << arguments << " " << table;
+        for (const char* table : {"conservation.dat", "volFieldValue.dat", "bedHydrodynamics.dat"})
+            EXPECT_EQ(c.timesOf(table), times) << arguments << " " << table;
         for (const auto& time : times) EXPECT_NE(c.outcome.out.find("Time = " + time + "\n"), std::string::npos) << arguments;
         EXPECT_NE(c.outcome.out.find("\nEnd\n"), std::string::npos);
-        for (const char* folder : {"0", "0.02", "0.08", "constant", "system"}) EXPECT_EQ(difference(stored().files(folder), c.files(folder)), "") << folder;
+        for (const char* folder : {"0", "0.02", "0.08", "constant", "system"})
+            EXPECT_EQ(difference(stored().files(folder), c.files(folder)), "") << folder;
     }
 }
 
@@ -95,7 +100,8 @@ TEST(PostProcess, WritesTheSameNumbersOnAnyNumberOfThreads)
 
 TEST(PostProcess, SaysWhatItCannotDo)
 {
-    const auto refused = [](const std::string& arguments, const std::vector<std::string>& words, const std::function<void(const TestCase&)>& damage = {})
+    const auto refused =
+        [](const std::string& arguments, const std::vector<std::string>& words, const std::function<void(const TestCase&)>& damage = {})
     {
         SCOPED_TRACE(arguments);
         Processed c("-help");
@@ -111,9 +117,13 @@ TEST(PostProcess, SaysWhatItCannotDo)
     refused("-time 0.02 -latestTime", {"-time excludes -latestTime"});
     refused("-func means", {"system/controlDict:3", "there is no function \"means\". Did you mean \"mean\"?"});
     refused("", {"has no functions to run"}, [](const TestCase& c) { c.write("system/controlDict", controls); });
-    refused("-latestTime", {"0.08/lagrangian/sph/rho"}, [](const TestCase& c) { std::filesystem::resize_file(c.folder()/"0.08/lagrangian/sph/rho", 300); });
-    refused("", {"No time folder of", "has a cloud lagrangian/sph"}, [](const TestCase& c)
-            { for (const char* time : {"0", "0.02", "0.04", "0.06", "0.08"}) std::filesystem::remove_all(c.folder()/time); });
+    refused("-latestTime", {"0.08/lagrangian/sph/rho"},
+            [](const TestCase& c) { std::filesystem::resize_file(c.folder() / "0.08/lagrangian/sph/rho", 300); });
+    refused("", {"No time folder of", "has a cloud lagrangian/sph"},
+            [](const TestCase& c)
+            {
+                for (const char* time : {"0", "0.02", "0.04", "0.06", "0.08"}) std::filesystem::remove_all(c.folder() / time);
+            });
 }
 
 }

@@ -17,7 +17,7 @@ using Counts = std::map<std::string, long>;
 
 struct PrintedStage
 {
-    std::string text;                       ///< its name and equation
+    std::string text; ///< its name and equation
     bool onceAStep = false;
     std::vector<std::string> operations;
 };
@@ -59,8 +59,8 @@ Printed parsed(const std::string& plan)
 struct Ran
 {
     std::vector<PrintedStage> printed;
-    Counts stages;                          ///< by name
-    std::map<std::string, Counts> groups;   ///< operations of each group
+    Counts stages;                        ///< by name
+    std::map<std::string, Counts> groups; ///< operations of each group
     std::set<std::string> operations;
 };
 Ran sorted(const Counts& counts)
@@ -132,14 +132,16 @@ template<int dim> Ran printsWhatRuns(const Files& files, int steps)
 
     // What is left out is all the rest of the catalogue and of the scene's own terms.
     std::set<std::string> all = printed.leftOut;
-    for (const auto& operation : printed.operations) EXPECT_FALSE(printed.leftOut.contains(operation)) << operation << " is left out, and runs";
+    for (const auto& operation : printed.operations)
+        EXPECT_FALSE(printed.leftOut.contains(operation)) << operation << " is left out, and runs";
     all.insert(printed.operations.begin(), printed.operations.end());
     std::set<std::string> known;
     for (const auto& term : allTerms<dim>()) known.insert(term.name);
     for (const auto& term : settings.template ownTerms<dim>()) known.insert(term.name);
     EXPECT_EQ(all, known);
 
-    EXPECT_NE(folder.runWell("sphFoamLike", "-dry-run").find(plan.str()), std::string::npos) << "-dry-run prints another plan than\n" << plan.str();
+    EXPECT_NE(folder.runWell("sphFoamLike", "-dry-run").find(plan.str()), std::string::npos) << "-dry-run prints another plan than\n"
+                                                                                             << plan.str();
     return ran;
 }
 
@@ -147,13 +149,17 @@ template<int dim> Ran printsWhatRuns(const Files& files, int steps)
 TEST(PrintedPlan, IsWhatRunsInABed)
 {
     auto files = bedCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.08; support 2.6; kernel wendlandC2; }\nintegration { scheme leapfrog; maxSubSteps 3; }\n";
-    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\nwalls { grains { type sphereBed; lattice bcc; radius "
-                                 "0.35; period 1; contactAngle 60; } }\n";
-    files["constant/phaseProperties"] = "phases (water air);\nwater { rho 1000; mu 1; soundSpeed 15; }\nair { rho 1; mu 0.02; soundSpeed 15; }\nsigma ( (water "
-                                        "air) 0.1 );\n";
-    files["system/packParticlesDict"] = "lattice cubic; relax { steps 30; }\nfill ( { region all; phase air; } { region box; min (0 0 0); max (1 0.5 1); phase "
-                                        "water; } );\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.08; support 2.6; kernel wendlandC2; }\nintegration { scheme leapfrog; maxSubSteps 3; }\n";
+    files["constant/geometry"] =
+        "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\nwalls { grains { type sphereBed; lattice bcc; radius "
+        "0.35; period 1; contactAngle 60; } }\n";
+    files["constant/phaseProperties"] =
+        "phases (water air);\nwater { rho 1000; mu 1; soundSpeed 15; }\nair { rho 1; mu 0.02; soundSpeed 15; }\nsigma ( (water "
+        "air) 0.1 );\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; relax { steps 30; }\nfill ( { region all; phase air; } { region box; min (0 0 0); max (1 0.5 1); phase "
+        "water; } );\n";
     const int steps = 4;
     const auto ran = printsWhatRuns<3>(files, steps);
     const auto& slow = ran.groups.at("evaluate what acts once a step");
@@ -171,7 +177,8 @@ TEST(PrintedPlan, IsWhatRunsInASuspensionWithOpenings)
     for (const char* stage : {"evaluate", "solve", "kick", "drive", "migrate", "shift"}) EXPECT_EQ(ran.stages.at(stage), steps) << stage;
     EXPECT_EQ(ran.groups.at("correct the gradient").at("gradientCorrection"), steps);
     for (const auto& stage : ran.printed) // what joins each evaluation is part of it
-        EXPECT_EQ(stage.text.starts_with("evaluate "), stage.text.find("; hold: dq/dt = 0 of what openings hold") != std::string::npos) << stage.text;
+        EXPECT_EQ(stage.text.starts_with("evaluate "), stage.text.find("; hold: dq/dt = 0 of what openings hold") != std::string::npos)
+            << stage.text;
     const auto& migration = ran.groups.at("rates of migration");
     for (const auto& [term, count] : migration) EXPECT_EQ(count, migration.at("phillipsFlux")) << term;
     EXPECT_GE(migration.at("phillipsFlux"), steps);

@@ -87,7 +87,8 @@ TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
 TEST(Restart, OfWhatFunctionObjectsHaveSeen)
 {
     auto files = dropCase();
-    files["system/controlDict"] += "functions\n{\n"
+    files["system/controlDict"] +=
+        "functions\n{\n"
         "    drift { type conservation; executeInterval 2; }\n"
         "    period { type errors; executeControl timeStep; executeInterval 3; reference { type formula; name dropPeriod; radius 0.4; } }\n}\n";
     restartEqualsTheWhole(files);
@@ -131,7 +132,8 @@ std::vector<double> numbersOf(const std::string& table, bool ofTimes)
     for (std::string line; std::getline(in, line);)
     {
         if (line.starts_with("#") || (ofTimes && line.starts_with("0\t"))) continue;
-        std::replace_if(line.begin(), line.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
+        std::replace_if(
+            line.begin(), line.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
         std::istringstream cells(line);
         for (double q; cells >> q;) all.push_back(q);
     }
@@ -144,7 +146,7 @@ void expectSameNumbers(const std::string& found, const std::string& expected, bo
     ASSERT_FALSE(b.empty()) << name;
     Largest largest;
     for (const double q : b) largest(q);
-    for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14*largest.value()) << name;
+    for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14 * largest.value()) << name;
 }
 
 // What sphPostProcess makes of a stored time is what the run made of it, but for the round-off of V = m/rho, also where the volume is not that.
@@ -154,7 +156,8 @@ TEST(StoredTimes, GiveTheTablesOfTheRun)
     continuity["system/sphSchemes"] += "volume numberDensity;\n";
     for (auto files : {dropCase(), continuity})
     {
-        files["system/controlDict"] += "functions\n{\n"
+        files["system/controlDict"] +=
+            "functions\n{\n"
             "    sums { type conservation; angularMomentum yes; }\n"
             "    mean { type volFieldValue; operation volAverage; fields (p rho); min (0.1 0.2 0); max (0.9 0.8 0); }\n"
             "    bins { type profile; start (0 0 0); end (0 1 0); bins 10; fields (p U); }\n"
@@ -197,8 +200,10 @@ void threadsDoNotChangeABit(Files files, const std::string& spacing = "0.011")
     auto& schemes = files["system/sphSchemes"];
     schemes = std::regex_replace(schemes, std::regex("spacing [0-9.]+"), "spacing " + spacing);
     auto& control = files["system/controlDict"];
-    control = std::regex_replace(std::regex_replace(control, std::regex("endTime 0[0-9.]+"), "endTime 0.004"), std::regex("writeInterval [0-9.]+"), "writeInterval 0.002");
-    control += "functions { sums { type conservation; executeInterval 3; } bins { type profile; start (0 0 0); end (0 1 0); bins 10; fields (p U); } }\n";
+    control = std::regex_replace(std::regex_replace(control, std::regex("endTime 0[0-9.]+"), "endTime 0.004"),
+                                 std::regex("writeInterval [0-9.]+"), "writeInterval 0.002");
+    control +=
+        "functions { sums { type conservation; executeInterval 3; } bins { type profile; start (0 0 0); end (0 1 0); bins 10; fields (p U); } }\n";
     std::map<int, Files> made;
     std::unique_ptr<const TestCase> first;
     for (const int threads : {1, 2, 4})
@@ -239,7 +244,8 @@ TEST(Threads, DoNotChangeABitOfMigrationAlone)
 TEST(Threads, DoNotChangeABitOfAnImplicitStep)
 {
     auto files = dropCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nshifting 2;\nintegration { scheme implicit; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nshifting 2;\nintegration { scheme implicit; }\n";
     threadsDoNotChangeABit(files);
 }
 TEST(Threads, DoNotChangeABitInThreeDimensionsWithWalls) { threadsDoNotChangeABit(bedCase(), "0.042"); }
@@ -254,7 +260,8 @@ TEST(WallLayers, AreMadeByMeshToGhostAndAskedForByTheRun)
     c.write("system/sphSchemes", schemes + "walls layers;\n");
     const auto refused = c.run("sphFoamLike");
     EXPECT_NE(refused.code, 0);
-    EXPECT_NE(refused.err.find("constant/lagrangian/wallLayers: is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost"), std::string::npos)
+    EXPECT_NE(refused.err.find("constant/lagrangian/wallLayers: is missing, and `walls layers;` is in system/sphSchemes: run meshToGhost"),
+              std::string::npos)
         << refused.err;
     EXPECT_NE(c.runWell("meshToGhost").find("constant/lagrangian/wallLayers: 120 particles"), std::string::npos);
     EXPECT_NE(c.runWell("sphFoamLike", "-dry-run").find("walls of 120 particles in layers"), std::string::npos);

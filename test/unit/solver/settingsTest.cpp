@@ -1,10 +1,10 @@
 /// Mistakes in the words of a scheme, with file and line; and the choices that are made for the user.
-#include "readSettings.hpp"
 #include "ArtificialViscosity.hpp"
 #include "Migration.hpp"
 #include "Plane.hpp"
 #include "Suspension.hpp"
 #include "TransportVelocity.hpp"
+#include "readSettings.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -70,10 +70,8 @@ TEST(Settings, UnknownWordsAreSuggested)
     const std::string schemes = "system/sphSchemes";
     expectError(edited(channelCase(), schemes, "secondOrder", "secondorder"), "system/sphSchemes:2: ");
     expectError(edited(channelCase(), schemes, "predictorCorrector", "leapFrog"), "Did you mean \"leapfrog\"?");
-    expectError(edited(channelCase(), schemes, "wallVelocity", "pressureGradient huAdam; wallVelocity"),
-                "Did you mean \"huAdams\"?");
-    expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"),
-                "Did you mean \"numberDensity\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "pressureGradient huAdam; wallVelocity"), "Did you mean \"huAdams\"?");
+    expectError(edited(channelCase(), schemes, "wallVelocity", "density numberdensity; wallVelocity"), "Did you mean \"numberDensity\"?");
     expectError(edited(channelCase(), schemes, "support 2.6", "support 26"), "system/sphSchemes:1: ");
 }
 
@@ -105,14 +103,16 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
 TEST(Settings, WallsByLayersHaveNoInterfaceAndStick)
 {
     const std::string schemes = "system/sphSchemes";
-    const auto with = [&](const Files& files, const std::string& words) { return edited(files, schemes, "\nintegration", "\n" + words + "\nintegration"); };
+    const auto with = [&](const Files& files, const std::string& words)
+    { return edited(files, schemes, "\nintegration", "\n" + words + "\nintegration"); };
     EXPECT_EQ(reading(with(channelCase(), "walls layers;")).errors, "");
     EXPECT_TRUE(reading(with(channelCase(), "walls layers;")).settings.has("walls", "layers"));
     EXPECT_FALSE(reading(with(channelCase(), "walls reflected;")).settings.has("walls", "layers"));
     EXPECT_EQ(reading(with(suspensionCase(), "walls layers;")).errors, "");
     expectError(with(channelCase(), "walls layer;"), "system/sphSchemes:3: walls \"layer\" is unknown. Did you mean \"layers\"?");
     expectError(with(dropCase(), "walls layers;"), "system/sphSchemes:2: layers have no interface to continue");
-    expectError(edited(with(channelCase(), "walls layers;"), schemes, "secondOrder", "freeSlip"), "system/sphSchemes:2: freeSlip needs ghosts");
+    expectError(edited(with(channelCase(), "walls layers;"), schemes, "secondOrder", "freeSlip"),
+                "system/sphSchemes:2: freeSlip needs ghosts");
 }
 
 // A word about what the case has not is a mistake; where it is there and 0, as in variants that switch it off, it is meant.
@@ -123,7 +123,8 @@ TEST(Settings, FormsOfWhatIsNotThere)
     {
         expectError(edited(channelCase(), schemes, "wallVelocity", std::string(word) + ";\nwallVelocity"),
                     "system/sphSchemes:2: does nothing without shifting");
-        EXPECT_EQ(reading(edited(channelCase(), schemes, "wallVelocity", "shifting 0; " + std::string(word) + "; wallVelocity")).errors, "");
+        EXPECT_EQ(reading(edited(channelCase(), schemes, "wallVelocity", "shifting 0; " + std::string(word) + "; wallVelocity")).errors,
+                  "");
     }
     expectError(edited(channelCase(), schemes, "wallVelocity", "densityDiffusionForm antuono; wallVelocity"),
                 "system/sphSchemes:2: does nothing without densityDiffusion");
@@ -132,7 +133,8 @@ TEST(Settings, FormsOfWhatIsNotThere)
 // Several phases are shifted each within itself unless `any` says otherwise, with a free surface's law behind it or without; one phase has no interface.
 TEST(Settings, ShiftingKeepsPhasesApart)
 {
-    const auto drop = [](const std::string& words) { return edited(dropCase(), "system/sphSchemes", "integration", words + "\nintegration"); };
+    const auto drop = [](const std::string& words)
+    { return edited(dropCase(), "system/sphSchemes", "integration", words + "\nintegration"); };
     const auto selected = [](const Files& files)
     {
         const auto read = reading(files);
@@ -148,9 +150,11 @@ TEST(Settings, ShiftingKeepsPhasesApart)
     EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface none;")), Terms{"interfaceShifting"});
     EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any;")), Terms{"particleShifting"});
     EXPECT_EQ(selected(drop("shifting 2; shiftingAtSurface tangential;")), (Terms{"surfaceShifting", "concentrationWithinPhase"}));
-    EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any; shiftingAtSurface tangential;")), (Terms{"surfaceShifting", "concentrationGradient"}));
+    EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any; shiftingAtSurface tangential;")),
+              (Terms{"surfaceShifting", "concentrationGradient"}));
     EXPECT_EQ(selected(columnCase()), (Terms{"surfaceShifting", "concentrationGradient"}));
-    expectError(edited(grainCase(), "system/sphSchemes", "shifting 2;", "shifting 2; shiftingAtInterface none;"), "system/sphSchemes:2: is between phases");
+    expectError(edited(grainCase(), "system/sphSchemes", "shifting 2;", "shifting 2; shiftingAtInterface none;"),
+                "system/sphSchemes:2: is between phases");
 }
 
 TEST(Settings, ATransportVelocityHasItsTermsAndStandsAlone)
@@ -182,7 +186,8 @@ TEST(Settings, SurfaceTensionOnceInAStepOfParts)
     for (const char* words : {"leapfrog; maxSubSteps 4", "leapfrog; maxSubSteps 0", "leapfrog; maxSubSteps -3"})
         expectError(with(words), "system/sphSchemes:2: is an odd number");
     expectError(with("semiImplicit; maxSubSteps 3"), "system/sphSchemes:2: goes with explicit integration");
-    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapfrog; maxSubSteps 3"), "without surface tension nothing acts more slowly than sound");
+    expectError(edited(channelCase(), schemes, "predictorCorrector", "leapfrog; maxSubSteps 3"),
+                "without surface tension nothing acts more slowly than sound");
 }
 
 TEST(Settings, SurfaceTensionOfUnknownPhases)
@@ -207,17 +212,20 @@ TEST(Settings, EachPairOfPhasesHasOneSurfaceTension)
 {
     EXPECT_EQ(reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 );")).errors, "");
     EXPECT_EQ(reading(threePhaseCase("")).errors, "");
-    expectError(threePhaseCase("sigma ( (liquid gas) 1 );"),
-                "constant/phaseProperties:4: sigma of (liquid oil), (gas oil) is missing: each pair of phases has a surface tension, 0 for none");
-    expectError(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 (gas liquid) 2 );"),
-                "constant/phaseProperties:4: the surface tension of gas and liquid is there twice, (liquid gas) 1 and (gas liquid) 2: each pair has one");
+    expectError(
+        threePhaseCase("sigma ( (liquid gas) 1 );"),
+        "constant/phaseProperties:4: sigma of (liquid oil), (gas oil) is missing: each pair of phases has a surface tension, 0 for none");
+    expectError(
+        threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0 (gas liquid) 2 );"),
+        "constant/phaseProperties:4: the surface tension of gas and liquid is there twice, (liquid gas) 1 and (gas liquid) 2: each pair has one");
 }
 
 // Each phase against all others: one force for each, and none of the terms of two phases; of four phases whose tensions are no sums of a share of each the
 // interface stress, which needs none.
 TEST(Settings, MoreThanTwoPhasesHaveACurvatureEach)
 {
-    const auto has = [](const Reading& r, const std::string& term) { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
+    const auto has = [](const Reading& r, const std::string& term)
+    { return std::count(r.settings.terms.begin(), r.settings.terms.end(), term); };
     const auto three = reading(threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );"));
     EXPECT_EQ(three.errors, "");
     for (const char* phase : {"liquid", "gas", "oil"}) EXPECT_EQ(has(three, std::string("curvatureForce of ") + phase), 1);
@@ -226,8 +234,11 @@ TEST(Settings, MoreThanTwoPhasesHaveACurvatureEach)
 
     const auto four = [](double last)
     {
-        auto files = edited(threePhaseCase(fmt::format("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.7 (tar liquid) 0.9 (tar gas) 0.7 (tar oil) {} );", last)),
-                            "constant/phaseProperties", "gas oil);", "gas oil tar);");
+        auto files =
+            edited(threePhaseCase(
+                       fmt::format("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.7 (tar liquid) 0.9 (tar gas) 0.7 (tar oil) {} );",
+                                   last)),
+                   "constant/phaseProperties", "gas oil);", "gas oil tar);");
         files["constant/phaseProperties"] += "tar { rho 0.8; mu 0.05; soundSpeed 20; }\n";
         return files;
     };
@@ -239,7 +250,8 @@ TEST(Settings, MoreThanTwoPhasesHaveACurvatureEach)
     EXPECT_EQ(asked.errors, "");
     EXPECT_EQ(has(asked, "curvatureForce of tar"), 1);
     const auto& reasons = asked.settings.reasons;
-    EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return r.find("by a share of each: where three meet") != std::string::npos; }));
+    EXPECT_TRUE(std::any_of(reasons.begin(), reasons.end(),
+                            [](const auto& r) { return r.find("by a share of each: where three meet") != std::string::npos; }));
 }
 
 // With file and line of constant/geometry, from where meshToGhost has carried them.
@@ -256,14 +268,22 @@ TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
         g.walls[1].contactAngles = angles;
         g.walls[1].anglesAt = {"constant/geometry", 6};
         Reading r{readSettings(c, g), ""};
-        try { c.diagnostics().throwIfAny(); }
-        catch (const CaseError& e) { r.errors = e.what(); }
+        try
+        {
+            c.diagnostics().throwIfAny();
+        }
+        catch (const CaseError& e)
+        {
+            r.errors = e.what();
+        }
         return r;
     };
     const auto three = threePhaseCase("sigma ( (liquid gas) 1 (oil gas) 0.5 (liquid oil) 0.6 );");
-    const auto expect = [](const std::string& errors, const std::string& what) { EXPECT_NE(errors.find(what), std::string::npos) << errors; };
+    const auto expect = [](const std::string& errors, const std::string& what)
+    { EXPECT_NE(errors.find(what), std::string::npos) << errors; };
     expect(read(three, {}).errors, "constant/geometry:6: wall \"top\": contactAngle 60 is of two phases, and here are 3");
-    expect(read(three, {{"liquid", "gas", 60}}).errors, "constant/geometry:6: wall \"top\": its contact angles do not connect the phases (liquid gas), (oil)");
+    expect(read(three, {{"liquid", "gas", 60}}).errors,
+           "constant/geometry:6: wall \"top\": its contact angles do not connect the phases (liquid gas), (oil)");
     expect(read(three, {{"liquid", "gas", 30}, {"gas", "oil", 60}}).errors, "no angle of (liquid oil) goes with the others");
     const auto good = read(three, {{"liquid", "gas", 60}, {"oil", "gas", 80}});
     EXPECT_EQ(good.errors, "");
@@ -280,11 +300,9 @@ TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
 
 TEST(Settings, WrongDimensionsAndSigns)
 {
-    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"),
-                "constant/phaseProperties:2: ");
+    expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu [0 2 -1 0 0 0 0] 10"), "constant/phaseProperties:2: ");
     expectError(edited(channelCase(), "constant/phaseProperties", "mu 10", "mu -10"), "constant/phaseProperties:2: ");
-    expectError(edited(channelCase(), "system/sphSchemes", "spacing 0.05", "spacing [1 0 0 0 0 0 0] 0.05"),
-                "system/sphSchemes:1: ");
+    expectError(edited(channelCase(), "system/sphSchemes", "spacing 0.05", "spacing [1 0 0 0 0 0 0] 0.05"), "system/sphSchemes:1: ");
 }
 
 TEST(Settings, OfAPhaseThatIsNotDescribed)
@@ -301,8 +319,7 @@ TEST(Settings, ChooseTheSoundSpeedAndSayWhy)
     EXPECT_EQ(r.errors, "");
     EXPECT_NEAR(r.settings.coefficients.soundSpeed.at(0), 20, 1e-12);
     ASSERT_FALSE(r.settings.reasons.empty());
-    EXPECT_NE(r.settings.reasons[0].find("hydrostatic pressure over the expected depth"), std::string::npos)
-        << r.settings.reasons[0];
+    EXPECT_NE(r.settings.reasons[0].find("hydrostatic pressure over the expected depth"), std::string::npos) << r.settings.reasons[0];
     expectError(edited(channelCase(), "constant/phaseProperties", "soundSpeed 15;", ""), "\"soundSpeed\" of water is missing");
 }
 
@@ -316,7 +333,8 @@ TEST(Settings, PhasesOfUnequalViscosityHaveTheWholeStress)
     EXPECT_EQ(form(channelCase()), "harmonic");
     EXPECT_EQ(form(edited(unequal, "system/sphSchemes", "integration", "viscosity harmonic;\nintegration")), "harmonic");
     const auto terms = reading(unequal).settings.terms;
-    for (const char* term : {"harmonicViscosity", "viscousGradient", "transposedViscosity"}) EXPECT_EQ(std::count(terms.begin(), terms.end(), term), 1) << term;
+    for (const char* term : {"harmonicViscosity", "viscousGradient", "transposedViscosity"})
+        EXPECT_EQ(std::count(terms.begin(), terms.end(), term), 1) << term;
 }
 
 // nu (laplacian v + 2 grad div v): compression is resisted three times as much as shear. Measured without: plane Poiseuille flow diverges.
@@ -376,7 +394,8 @@ bool selects(const Settings& settings, const std::string& term)
 
 TEST(Settings, SemiImplicitTakesItsEntries)
 {
-    const auto with = [](const std::string& entries) { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "semiImplicit" + entries); };
+    const auto with = [](const std::string& entries)
+    { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "semiImplicit" + entries); };
     const auto settings = reading(with("; theta 0.5; tolerance 1e-9; maxIter 7")).settings;
     EXPECT_EQ(settings.integration.scheme, "semiImplicit");
     EXPECT_TRUE(settings.integration.solves);
@@ -396,7 +415,8 @@ TEST(Settings, SemiImplicitTakesItsEntries)
 
 TEST(Settings, ImplicitTakesItsEntries)
 {
-    const auto with = [](const std::string& entries) { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "implicit" + entries); };
+    const auto with = [](const std::string& entries)
+    { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "implicit" + entries); };
     const auto settings = reading(with("; tolerance 0.02; flowFactor 0.1")).settings;
     EXPECT_TRUE(settings.integration.solves && settings.integration.solvesPressure);
     EXPECT_EQ(settings.integration.tolerance, 0.02);
@@ -416,7 +436,8 @@ TEST(Settings, ImplicitTakesItsEntries)
     expectError(with("; } density continuity; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
     expectError(with("; tolerance -1"), "tolerance");
     expectError(with("; tolerance 1"), "is a share of the forces, below 1");
-    expectError(edited(openCase(), "system/sphSchemes", "semiImplicit", "implicit"), "needs steps that sound limits: integration scheme implicit takes longer ones");
+    expectError(edited(openCase(), "system/sphSchemes", "semiImplicit", "implicit"),
+                "needs steps that sound limits: integration scheme implicit takes longer ones");
 }
 
 // Where surface tension would allow steps 1.5 times as long as sound and stiffness do, an implicit step is the default; a form without an energy, which
@@ -428,17 +449,20 @@ TEST(Settings, ChooseAnImplicitStepWhereItPays)
         auto files = edited(dropCase(), "system/sphSchemes", "integration { scheme predictorCorrector; }", schemes);
         return edited(files, "constant/phaseProperties", "gas { rho 0.5", "gas { rho " + gas);
     };
-    const auto scheme = [&](const std::string& gas, const std::string& schemes) { return reading(with(gas, schemes)).settings.integration.scheme; };
+    const auto scheme = [&](const std::string& gas, const std::string& schemes)
+    { return reading(with(gas, schemes)).settings.integration.scheme; };
     EXPECT_EQ(scheme("0.5", ""), "implicit");
     EXPECT_EQ(scheme("1e-3", ""), "implicit");
-    EXPECT_EQ(reading(edited(with("0.5", ""), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) 10")).settings.integration.scheme, "predictorCorrector");
+    EXPECT_EQ(reading(edited(with("0.5", ""), "constant/phaseProperties", "(liquid gas) 1", "(liquid gas) 10")).settings.integration.scheme,
+              "predictorCorrector");
     EXPECT_EQ(scheme("1e-3", "integration { scheme leapfrog; }"), "leapfrog");
     EXPECT_EQ(scheme("1e-3", "scheme paper;"), "predictorCorrector");
     EXPECT_EQ(scheme("1e-3", "pressureGradient densityWeighted;"), "predictorCorrector");
     const auto settings = reading(with("1e-3", "")).settings;
     EXPECT_EQ(settings.chosen.at("pressureGradient"), "huAdams");
     EXPECT_TRUE(selects(settings, "evenCurvatureForce"));
-    EXPECT_TRUE(std::ranges::any_of(settings.reasons, [](const auto& r) { return r.starts_with("integration implicit: surface tension allows steps of"); }));
+    EXPECT_TRUE(std::ranges::any_of(settings.reasons,
+                                    [](const auto& r) { return r.starts_with("integration implicit: surface tension allows steps of"); }));
     EXPECT_TRUE(selects(reading(with("1e-3", "pressureGradient densityWeighted;")).settings, "curvatureForce"));
     auto nothing = with("1e-3", "surfaceTension curvature;");
     nothing["constant/phaseProperties"] = "phases ();\n";
@@ -458,8 +482,10 @@ TEST(Settings, AFormWithoutAnEnergyIsWarnedOf)
 {
     const auto found = warningsOf(dropCase(), "pressureGradient densityWeighted;");
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].find("system/sphSchemes:3: densityWeighted has no energy between phases of densities 1 : 2"), std::string::npos) << found[0];
-    EXPECT_TRUE(warningsOf(edited(dropCase(), "constant/phaseProperties", "rho 0.5", "rho 1"), "pressureGradient densityWeighted;").empty());
+    EXPECT_NE(found[0].find("system/sphSchemes:3: densityWeighted has no energy between phases of densities 1 : 2"), std::string::npos)
+        << found[0];
+    EXPECT_TRUE(
+        warningsOf(edited(dropCase(), "constant/phaseProperties", "rho 0.5", "rho 1"), "pressureGradient densityWeighted;").empty());
 }
 
 TEST(Settings, APotentialOfWallsBesideTheInterfaceStressIsWarnedOf)
@@ -476,13 +502,16 @@ TEST(Settings, APotentialOfWallsBesideTheInterfaceStressIsWarnedOf)
 TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
 {
     for (const char* integrator : {"symplecticEuler", "semiImplicit"})
-        expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", std::string(integrator) + "; } density continuity; unused {"),
+        expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector;",
+                           std::string(integrator) + "; } density continuity; unused {"),
                     "continuity needs velocities of the middle of a step");
 }
 
 TEST(Settings, StepFactorScalesAllFactors)
 {
-    const auto settings = reading(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", "predictorCorrector; soundFactor 0.2; stepFactor 3;")).settings;
+    const auto settings =
+        reading(edited(channelCase(), "system/sphSchemes", "predictorCorrector;", "predictorCorrector; soundFactor 0.2; stepFactor 3;"))
+            .settings;
     EXPECT_NEAR(settings.integration.factors.sound, 0.6, 1e-15);
     EXPECT_NEAR(settings.integration.factors.viscous, 3 * StepFactors{}.viscous, 1e-15);
     EXPECT_NEAR(settings.integration.factors.capillary, 3 * StepFactors{}.capillary, 1e-15);
@@ -495,9 +524,13 @@ TEST(Settings, ContactAnglesTakeTheFormThatTheCaseNames)
     const auto form = [](const Settings& s)
     {
         EXPECT_EQ(selects(s, "solidPhaseStress"), selects(s, "stressOfSolid"));
-        EXPECT_NE(selects(s, "solidPhaseStress"), selects(s, "interfaceStress") || selects(s, "curvatureForce") || selects(s, "evenCurvatureForce"));
-        return selects(s, "solidPhaseStress") ? "paper" : selects(s, "wallTension") ? "wallStress" : selects(s, "wallPotential") ? "wallPotential"
-             : selects(s, "adheringColourGradient") ? "wallAdhesion" : "none";
+        EXPECT_NE(selects(s, "solidPhaseStress"),
+                  selects(s, "interfaceStress") || selects(s, "curvatureForce") || selects(s, "evenCurvatureForce"));
+        return selects(s, "solidPhaseStress")         ? "paper"
+               : selects(s, "wallTension")            ? "wallStress"
+               : selects(s, "wallPotential")          ? "wallPotential"
+               : selects(s, "adheringColourGradient") ? "wallAdhesion"
+                                                      : "none";
     };
     EXPECT_STREQ(form(wetting("")), "wallPotential");
     EXPECT_STREQ(form(wetting("surfaceTension interfaceStress;")), "wallStress");
@@ -526,7 +559,8 @@ TEST(Settings, ASolidPhaseNeedsTheInterfaceStress)
         expectError(edited(dropCase(), "system/sphSchemes", "integration",
                            "\nsurfaceTension " + std::string(tension) + ";\ncontactAngle paper;\nintegration"),
                     "system/sphSchemes:4: paper makes the solid a phase of the interface stress and goes with surfaceTension "
-                    "interfaceStress, not " + std::string(tension));
+                    "interfaceStress, not " +
+                        std::string(tension));
     expectError(edited(dropCase(), "system/sphSchemes", "integration", "contactAngle papr; integration"), "Did you mean \"paper\"?");
 }
 
@@ -550,8 +584,8 @@ TEST(Settings, OfASuspensionAreRead)
     const auto r = reading(suspensionCase());
     EXPECT_EQ(r.errors, "");
     const auto& s = r.settings.coefficients.of<Suspension>();
-    EXPECT_NEAR(s.Dc_a2, 0.4*0.05*0.05, 1e-15);
-    EXPECT_NEAR(s.phiCritical, 0.99*0.68, 1e-15);
+    EXPECT_NEAR(s.Dc_a2, 0.4 * 0.05 * 0.05, 1e-15);
+    EXPECT_NEAR(s.phiCritical, 0.99 * 0.68, 1e-15);
     EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"subParticleShear", "phillipsFlux"}));
     EXPECT_TRUE(selects(r.settings, "harmonicViscosity"));
     EXPECT_TRUE(selects(r.settings, "harmonicViscousRate"));
@@ -560,8 +594,8 @@ TEST(Settings, OfASuspensionAreRead)
     // D_c and D_eta go with the square of what the case says: a factor 4 in time.
     const std::string transport = "constant/transportProperties";
     const auto byDiameter = reading(edited(suspensionCase(), transport, "a radius", "a diameter")).settings.coefficients.of<Suspension>();
-    EXPECT_NEAR(byDiameter.Dc_a2, 4*s.Dc_a2, 1e-15);
-    EXPECT_NEAR(byDiameter.Deta_a2, 4*s.Deta_a2, 1e-15);
+    EXPECT_NEAR(byDiameter.Dc_a2, 4 * s.Dc_a2, 1e-15);
+    EXPECT_NEAR(byDiameter.Deta_a2, 4 * s.Deta_a2, 1e-15);
     const auto given = reading(edited(suspensionCase(), transport, "radius 0.05", "diameter 0.1")).settings.coefficients.of<Suspension>();
     EXPECT_EQ(given.Dc_a2, s.Dc_a2);
 
@@ -576,8 +610,10 @@ TEST(Settings, OfASuspensionAreRead)
 /// n particles of the channel, 400 of which would fill it.
 Files holding(Files files, int n)
 {
-    std::string positions = "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; object positions; }\n" + std::to_string(n) + "\n(\n";
-    for (int i = 0; i < n; ++i) positions += "(" + std::to_string(0.05*(i%20) + 0.025) + " " + std::to_string(0.05*(i/20) + 0.025) + " 0) 0\n";
+    std::string positions =
+        "FoamFile { version 2.0; format ascii; class Cloud<passiveParticle>; object positions; }\n" + std::to_string(n) + "\n(\n";
+    for (int i = 0; i < n; ++i)
+        positions += "(" + std::to_string(0.05 * (i % 20) + 0.025) + " " + std::to_string(0.05 * (i / 20) + 0.025) + " 0) 0\n";
     files["0/lagrangian/sph/positions"] = positions + ")\n";
     return files;
 }
@@ -592,9 +628,15 @@ TEST(Settings, SetsOfWordsGoTogether)
         return files;
     };
     auto layers = edited(dropCase(), "constant/phaseProperties", "sigma ( (liquid gas) 1 );", "");
-    for (const auto& [files, set] : std::vector<std::pair<Files, std::string>>{{channelCase(), "suite"}, {channelCase(), "freeSurface"}, {channelCase(), "channel"},
-                                                                                {channelCase(), "enclosed"}, {channelCase(), "bed"}, {channelCase(), "paper"},
-                                                                                {dropCase(), "twoPhase"}, {layers, "twoPhase"}, {suspensionCase(), "suspension"}})
+    for (const auto& [files, set] : std::vector<std::pair<Files, std::string>>{{channelCase(), "suite"},
+                                                                               {channelCase(), "freeSurface"},
+                                                                               {channelCase(), "channel"},
+                                                                               {channelCase(), "enclosed"},
+                                                                               {channelCase(), "bed"},
+                                                                               {channelCase(), "paper"},
+                                                                               {dropCase(), "twoPhase"},
+                                                                               {layers, "twoPhase"},
+                                                                               {suspensionCase(), "suspension"}})
         EXPECT_EQ(reading(by(files, set)).errors, "") << set;
     const auto suspension = reading(by(suspensionCase(), "suspension"));
     EXPECT_EQ(suspension.settings.resolution.kernel, "quinticSpline");
@@ -622,7 +664,8 @@ TEST(Settings, AFreeSurfaceIsSeen)
     EXPECT_EQ(half.errors, "");
     EXPECT_TRUE(half.settings.has("pressureGradient", "tensileControlled"));
     EXPECT_TRUE(half.settings.integratedDensity);
-    EXPECT_TRUE(std::any_of(half.settings.reasons.begin(), half.settings.reasons.end(), [](const auto& reason) { return reason.find("fills 50 % of its space") != std::string::npos; }));
+    EXPECT_TRUE(std::any_of(half.settings.reasons.begin(), half.settings.reasons.end(),
+                            [](const auto& reason) { return reason.find("fills 50 % of its space") != std::string::npos; }));
     EXPECT_TRUE(free(holding(channel, 370)));
     EXPECT_FALSE(free(holding(channel, 390)));
     EXPECT_FALSE(free(channel));
@@ -637,7 +680,11 @@ TEST(Settings, WallVelocityFollowsTheScene)
 {
     const std::string schemes = "system/sphSchemes", phases = "constant/phaseProperties";
     const auto byDefault = [](const Files& files) { return reading(files).settings.chosen.at("wallVelocity"); };
-    const auto adding = [&](Files files, const std::string& words) { files[schemes] += words + "\n"; return files; };
+    const auto adding = [&](Files files, const std::string& words)
+    {
+        files[schemes] += words + "\n";
+        return files;
+    };
     auto channel = edited(channelCase(), schemes, "wallVelocity secondOrder;", "");
     EXPECT_EQ(byDefault(channel), "secondOrder");
     EXPECT_EQ(byDefault(edited(channel, schemes, "integration", "pressureGradient monaghan; integration")), "reflected");
@@ -647,7 +694,8 @@ TEST(Settings, WallVelocityFollowsTheScene)
     const auto layers = edited(drop, phases, "sigma ( (liquid gas) 1 );", "");
     EXPECT_EQ(byDefault(layers), "secondOrder");
     EXPECT_EQ(byDefault(edited(layers, phases, "mu 0.05", "mu 0")), "reflected");
-    expectError(adding(edited(layers, phases, "mu 0.05", "mu 0"), "wallVelocity secondOrder;"), "secondOrder needs viscosity in all phases");
+    expectError(adding(edited(layers, phases, "mu 0.05", "mu 0"), "wallVelocity secondOrder;"),
+                "secondOrder needs viscosity in all phases");
 
     // What walls see of the forces is kept by itself, tension too; the viscosity is the source's.
     const auto r = reading(adding(drop, "wallVelocity secondOrder; surfaceTension curvature; contactAngle wallPotential;"));
@@ -655,7 +703,8 @@ TEST(Settings, WallVelocityFollowsTheScene)
     for (const char* term : {"huAdamsPressureApart", "evenCurvatureForceApart", "addPressure"})
         EXPECT_EQ(std::count(terms.begin(), terms.end(), term), 1) << term;
     EXPECT_EQ(r.settings.ruleReads.at("U").size(), 3u);
-    expectError(adding(edited(drop, schemes, "predictorCorrector", "predictorCorrector; maxSubSteps 5"), "wallVelocity secondOrder;"), "take maxSubSteps 1");
+    expectError(adding(edited(drop, schemes, "predictorCorrector", "predictorCorrector; maxSubSteps 5"), "wallVelocity secondOrder;"),
+                "take maxSubSteps 1");
 }
 
 // A scene without powder has none of its words, terms and numbers.
@@ -665,8 +714,10 @@ TEST(Settings, OfAPureLiquidHaveNothingOfASuspension)
     EXPECT_FALSE(r.settings.coefficients.has<Suspension>());
     EXPECT_TRUE(r.settings.groups.empty());
     EXPECT_EQ(std::count_if(r.settings.state.begin(), r.settings.state.end(), [](const Evolving& q) { return q.value.name == "phi"; }), 0);
-    expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "predictorCorrector; migrationSteps 2"), "entry \"migrationSteps\" is not used");
-    expectError(edited(channelCase(), "system/sphSchemes", "wallVelocity", "shearRate stress; wallVelocity"), "entry \"shearRate\" is not used");
+    expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "predictorCorrector; migrationSteps 2"),
+                "entry \"migrationSteps\" is not used");
+    expectError(edited(channelCase(), "system/sphSchemes", "wallVelocity", "shearRate stress; wallVelocity"),
+                "entry \"shearRate\" is not used");
     expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector", "quasiSteady"), "and there is no suspension");
 }
 
@@ -677,13 +728,15 @@ TEST(Settings, MistakesOfASuspensionHaveFileAndLine)
     expectError(with("phi 0.4;", "phi 0.68;"), "constant/transportProperties:3: 0.68 must be less than phiMax, 0.68");
     expectError(with("phi 0.4;", "phi -0.1;"), "constant/transportProperties:3: ");
     expectError(with("phiMax 0.68", "phiMax 1.2"), "constant/transportProperties:4: 1.2 is no volume fraction");
-    expectError(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;"), "constant/transportProperties:4: 0.7 must be less than phiMax, 0.68");
+    expectError(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;"),
+                "constant/transportProperties:4: 0.7 must be less than phiMax, 0.68");
     EXPECT_EQ(reading(with("phiMax 0.68;", "phiMax 0.68; phiCritical 0.7;")).errors.find("-nan"), std::string::npos);
     EXPECT_EQ(reading(with("suspension", "suspenson")).errors.find("errors"), std::string::npos);
     for (const char* steps : {"0", "-1"})
         expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "semiImplicit; migrationSteps " + std::string(steps)),
                     "migrationSteps is a number of steps, at least 1");
-    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "semiImplicit; migrationSteps 3e9"), "\"migrationSteps\" must be an integer");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "semiImplicit; migrationSteps 3e9"),
+                "\"migrationSteps\" must be an integer");
     expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "predictorCorrector; } viscosity none; moving {"),
                 "none leaves out the viscosity that powder migrates by");
     expectError(with("exponent 1.82", "exponent 0"), "constant/transportProperties:5: ");
@@ -696,7 +749,8 @@ TEST(Settings, MistakesOfASuspensionHaveFileAndLine)
     expectError(with("a radius", "a radus"), "constant/transportProperties:9: ");
     expectError(with("a radius;", ""), "\"a\"");
     expectError(edited(suspensionCase(), "constant/phaseProperties", "mu 10;", ""), "needs the viscosity `mu` of its binder");
-    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "quasiSteady"), "moves particles, which quasiSteady leaves where they are");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "quasiSteady"),
+                "moves particles, which quasiSteady leaves where they are");
 }
 
 // 10 sqrt(100 kPa/(1000 kg/m^3)): the scale that compresses a stiff fluid is a stress, not a speed.

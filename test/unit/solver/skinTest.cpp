@@ -11,7 +11,7 @@ namespace sph::test
 namespace
 {
 
-constexpr double spacing = 0.05, support = 2.6*spacing, skin = 0.3*spacing;
+constexpr double spacing = 0.05, support = 2.6 * spacing, skin = 0.3 * spacing;
 
 Geometry disc(double R)
 {
@@ -23,7 +23,7 @@ Geometry disc(double R)
     wall.name = "pipe";
     g.walls.push_back(wall);
     g.originals.push_back({std::make_shared<Cylinder>(Vector<3>{}, Vector<3>{0, 0, 1}, R, FluidSide::inside), 0});
-    repeatPeriodically(g, 1.5*support);
+    repeatPeriodically(g, 1.5 * support);
     return g;
 }
 
@@ -35,7 +35,8 @@ bool isMissed(Particles<2>& particles)
         for (std::size_t j = 0; j < particles.images().nullParticle(); ++j)
         {
             const auto list = particles.lists().of(i);
-            if (std::hypot(x[0][i] - x[0][j], x[1][i] - x[1][j]) < support && std::find(list.begin(), list.end(), int(j)) == list.end()) return true;
+            if (std::hypot(x[0][i] - x[0][j], x[1][i] - x[1][j]) < support && std::find(list.begin(), list.end(), int(j)) == list.end())
+                return true;
         }
     return false;
 }
@@ -45,10 +46,11 @@ bool isMissed(Particles<2>& particles)
 // each before lists used to be built anew, bring them 0.09 spacings nearer than the skin allows.
 TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
 {
-    const double R = 5*spacing, d = 2*spacing, beside = 0.1*spacing;
+    const double R = 5 * spacing, d = 2 * spacing, beside = 0.1 * spacing;
     const auto g = disc(R);
     auto files = channelCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nwallVelocity reflected;\nintegration { scheme symplecticEuler; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nwallVelocity reflected;\nintegration { scheme symplecticEuler; }\n";
     files.erase("constant/g");
     const TestCase folder(files);
     const Case theCase(folder.folder());
@@ -56,12 +58,12 @@ TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
     theCase.diagnostics().throwIfAny();
 
     const Vector<2> b{R - beside, 0};
-    const double seen = support + 1.02*skin, r = R + d; // of the image
-    const double cosine = (r*r + b.x*b.x - seen*seen)/(2*r*b.x), sine = std::sqrt(1 - cosine*cosine);
-    const Vector<2> outward{cosine, sine}, along{-sine, cosine}, image = r*outward, way = 1/mag(image - b)*(image - b);
-    const double factor = (R + d)/(R - d);
-    const auto v = dot(way, outward)*outward - factor*dot(way, along)*along;
-    const Vector<2> a = (R - d)*outward, velocity = 1/mag(v)*v;
+    const double seen = support + 1.02 * skin, r = R + d; // of the image
+    const double cosine = (r * r + b.x * b.x - seen * seen) / (2 * r * b.x), sine = std::sqrt(1 - cosine * cosine);
+    const Vector<2> outward{cosine, sine}, along{-sine, cosine}, image = r * outward, way = 1 / mag(image - b) * (image - b);
+    const double factor = (R + d) / (R - d);
+    const auto v = dot(way, outward) * outward - factor * dot(way, along) * along;
+    const Vector<2> a = (R - d) * outward, velocity = 1 / mag(v) * v;
     Cloud cloud;
     auto& U = cloud.fields["U"];
     U.type = FieldClass::vector;
@@ -77,7 +79,7 @@ TEST(Skin, HoldsWhereImagesMoveFasterThanTheirSources)
     }
     Particles<2> particles(settings, g, allTerms<2>(), cloud, {});
     const long built = particles.rebuilds();
-    const double step = 0.01*spacing;
+    const double step = 0.01 * spacing;
     for (int k = 0; k < 20; ++k)
     {
         drift(particles, step);

@@ -93,7 +93,10 @@ TEST(Step, LeapfrogIsOfSecondOrder) { EXPECT_NEAR(observedOrder("leapfrog"), 2, 
 TEST(Step, SymplecticEulerIsOfFirstOrderInViscosity) { EXPECT_NEAR(observedOrder("symplecticEuler"), 1, 0.2); }
 TEST(Step, SemiImplicitIsOfFirstOrderInViscosity) { EXPECT_NEAR(observedOrder("semiImplicit; tolerance 1e-12"), 1, 0.2); }
 TEST(Step, ImplicitIsOfFirstOrder) { EXPECT_NEAR(observedOrder("implicit; tolerance 1e-12"), 1, 0.2); }
-TEST(Step, SemiImplicitWithHalfOfEitherEndIsOfSecondOrder) { EXPECT_NEAR(observedOrder("semiImplicit; theta 0.5; tolerance 1e-12"), 2, 0.2); }
+TEST(Step, SemiImplicitWithHalfOfEitherEndIsOfSecondOrder)
+{
+    EXPECT_NEAR(observedOrder("semiImplicit; theta 0.5; tolerance 1e-12"), 2, 0.2);
+}
 
 /// What a step leaves of the vortex in a liquid of mu = 1e12 Pa s, v_1 = factor v_0 + rest: the factor, and |rest|/|v_0|. Steps are so short
 /// that no particle moves and no pressure acts.
@@ -355,7 +358,7 @@ TEST(Step, WithoutPartsHasNoSlowAcceleration)
     {
         const long before = (*simulation)->pairPassesRun();
         (*simulation)->step(0, (*simulation)->stepLimit().deltaT);
-        EXPECT_EQ((*simulation)->pairPassesRun() - before, simulation == &whole ? 3 : 3*2 + 2);
+        EXPECT_EQ((*simulation)->pairPassesRun() - before, simulation == &whole ? 3 : 3 * 2 + 2);
     }
 }
 
@@ -408,7 +411,8 @@ TEST(Step, ATransportVelocityConservesMomentum)
     const auto before = simulation->summary();
     for (int k = 0; k < 200; ++k) simulation->step(0, simulation->stepLimit().deltaT);
     EXPECT_GT(simulation->rebuilds(), 5);
-    EXPECT_LT(mag(simulation->summary().momentum - before.momentum), 1e-11 * 1000) << "kg m/s in 2-D; the box holds 1000 kg at about 0.5 m/s";
+    EXPECT_LT(mag(simulation->summary().momentum - before.momentum), 1e-11 * 1000)
+        << "kg m/s in 2-D; the box holds 1000 kg at about 0.5 m/s";
 }
 
 // Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
@@ -416,7 +420,8 @@ TEST(Step, ATransportVelocityConservesMomentum)
 // particles sorted.
 TEST(Step, ConservesMassOfEachPhaseAndMomentum)
 {
-    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2", "implicit; tolerance 0.3", "leapfrog; maxSubSteps 3"})
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit; tolerance 1e-2",
+                                   "implicit; tolerance 0.3", "leapfrog; maxSubSteps 3"})
     {
         SCOPED_TRACE(integrator);
         auto files = vortexCase(integrator);
@@ -484,7 +489,8 @@ TEST(Powers, AddUpAndLeaveNoTrace)
         {
             double of = 0;
             for (std::size_t i = 0; i < asked->size(); ++i)
-                for (std::size_t c = 0; c < 2; ++c) of += asked->field("m").component[0][i] * asked->field("U").component[c][i] * asked->field(rate).component[c][i];
+                for (std::size_t c = 0; c < 2; ++c)
+                    of += asked->field("m").component[0][i] * asked->field("U").component[c][i] * asked->field(rate).component[c][i];
             return of;
         };
         const double whole = power("dUdt") + (settings.slowTerms.empty() ? 0 : power("dUdtSlow"));
@@ -549,7 +555,8 @@ TEST(Step, ShiftingInImplicitStepsHasALimit)
 }
 
 /// Between plates at y = 0 and 1, with powder that varies across where `phi` is given.
-std::unique_ptr<AnySimulation> suspensionBetweenPlates(const Settings& settings, const Geometry& geometry, const std::function<double(double)>& phi = {})
+std::unique_ptr<AnySimulation> suspensionBetweenPlates(const Settings& settings, const Geometry& geometry,
+                                                       const std::function<double(double)>& phi = {})
 {
     auto cloud = vortex(false);
     for (auto& u : cloud.fields["U"].component) std::fill(u.begin(), u.end(), 0);
@@ -574,7 +581,8 @@ Geometry plates()
 Settings suspensionSettings(const std::string& integrator)
 {
     auto files = suspensionCase();
-    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme " + integrator + "; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme " + integrator + "; }\n";
     const TestCase folder(files);
     const Case c(folder.folder());
     auto settings = readSettings(c, plates());
@@ -637,8 +645,7 @@ TEST(Suspension, RefusesPowderThatIsMoreThanPacked)
 {
     const auto settings = suspensionSettings("semiImplicit");
     const auto g = plates();
-    for (const double phi : {0.68, -0.01, 3.0})
-        try
+    for (const double phi : {0.68, -0.01, 3.0}) try
         {
             suspensionBetweenPlates(settings, g, [&](double y) { return y > 0.5 && y < 0.55 ? phi : 0.4; });
             FAIL() << phi;

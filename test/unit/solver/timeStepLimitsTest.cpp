@@ -115,7 +115,8 @@ TEST(StepLimit, OfAStepInParts)
     ASSERT_NE(slow, limits.end());
     EXPECT_DOUBLE_EQ(slow->deltaT, 0.25 * std::sqrt(0.5 / 1e8));
     const double part = 0.125 * 0.25 / 15;
-    for (const auto& [deltaT, parts] : {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
+    for (const auto& [deltaT, parts] :
+         {std::pair{0.1 * part, 1}, {part, 1}, {1.01 * part, 3}, {3 * part, 3}, {3.5 * part, 5}, {9 * part, 5}})
         EXPECT_EQ(partsOf(deltaT, s, limits), parts) << deltaT / part;
 }
 // Viscosities are those of the moment; four steps of the powder (the limit of Migration) go to one of the flow, and creeping flow has no other limit.
@@ -125,8 +126,7 @@ TEST(StepLimit, ByMigrationAndTheViscosityOfASuspension)
     s.coefficients.viscosity = {1e-9};
     const auto limitOf = [&](double leastViscosity, double largestViscosity, double ofMigration, double speed = 0, double acceleration = 0)
     {
-        return leastOf(stepLimits(s, {speed, acceleration, 0, leastViscosity, largestViscosity},
-                                  {{4 * ofMigration, "migration"}}));
+        return leastOf(stepLimits(s, {speed, acceleration, 0, leastViscosity, largestViscosity}, {{4 * ofMigration, "migration"}}));
     };
     EXPECT_EQ(limitOf(10, 5000, 1).by, "viscosity");
     EXPECT_NEAR(limitOf(10, 5000, 1).deltaT, 0.125 * 0.25 / 5, 1e-15);

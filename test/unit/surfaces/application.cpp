@@ -20,8 +20,7 @@ protected:
 
     void SetUp() override
     {
-        folder.write("constant/geometry",
-                     "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); periodic (x y); }\n");
+        folder.write("constant/geometry", "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); periodic (x y); }\n");
         folder.write("constant/phaseProperties", "phases (water air);\n");
         folder.write("system/sphSchemes", "resolution { spacing 1e-3; support 3; kernel wendlandC2; }\n");
         const auto particles = lattice(space(2, {-12, -12, 0}, {12, 12, 0}), ball({0, 0, 0}, 8));
@@ -50,10 +49,7 @@ protected:
         output = contents(log);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
-    bool has(const std::string& file)
-    {
-        return std::filesystem::exists(folder.path() / "postProcessing" / "reconstructSurface" / file);
-    }
+    bool has(const std::string& file) { return std::filesystem::exists(folder.path() / "postProcessing" / "reconstructSurface" / file); }
 };
 
 }
@@ -131,8 +127,7 @@ TEST_F(DiscCase, DrawsPictures)
     EXPECT_FALSE(has("0.2/surfaces.dat"));
     folder.write("system/reconstructSurfaceDict", "picture\n{\n    colourBy p;\n}\n");
     EXPECT_EQ(run("-latestTime -picture"), 1);
-    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos)
-        << output;
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos) << output;
 }
 
 }

@@ -37,8 +37,7 @@ TEST(Circle, IsClosedAlongTheFaceOfTheDomain)
     const double R = 16;
     const auto geometry = space(2, {-20, 0, 0}, {20, 20, 0});
     const auto grid = gridOfDomain(geometry, step);
-    const auto colour =
-        colourFunction(grid, {}, lattice(geometry, ball({0, 0, 0}, R)), "wendlandC2", support, Normalisation::walls);
+    const auto colour = colourFunction(grid, {}, lattice(geometry, ball({0, 0, 0}, R)), "wendlandC2", support, Normalisation::walls);
     EXPECT_NEAR(measure(freeSurface(grid, colour, 0.5, geometry, 0)) / (pi * R), 1, 0.015);
     const auto closed = closedSurface(grid, colour, 0.5, {}, support);
     EXPECT_NEAR(measure(closed) / (pi * R + 2 * R), 1, 0.015);

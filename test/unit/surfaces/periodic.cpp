@@ -55,8 +55,7 @@ TEST(Periodic, DomainsSmallerThanTheKernelAreImagedSeveralTimes)
     auto geometry = space(2, {0, 0, 0}, {2, 2, 0});
     geometry.periodic = {true, true, false};
     const auto grid = gridOfDomain(geometry, 1);
-    const auto colour =
-        colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", 5, Normalisation::none);
+    const auto colour = colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return true; }), "wendlandC2", 5, Normalisation::none);
     for (const double c : colour) EXPECT_NEAR(c, 1, 2e-3);
 }
 

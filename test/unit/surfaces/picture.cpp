@@ -36,12 +36,9 @@ Colours coloursOf(const std::filesystem::path& png)
     for (int k = 0; k < n; ++k, pixel += 3)
     {
         const int r = pixel[0], g = pixel[1], b = pixel[2];
-        if (r == 255 && g == 255 && b == 255)
-            c.white += 1.0 / n;
-        else if (b > r + 40)
-            c.blue += 1.0 / n;
-        else if (std::abs(r - b) < 40 && r > 60 && r < 235)
-            c.grey += 1.0 / n;
+        if (r == 255 && g == 255 && b == 255) c.white += 1.0 / n;
+        else if (b > r + 40) c.blue += 1.0 / n;
+        else if (std::abs(r - b) < 40 && r > 60 && r < 235) c.grey += 1.0 / n;
     }
     return c;
 }
@@ -77,8 +74,7 @@ TEST(Picture, IsDrawnWithoutDisplay)
     const TemporaryFolder folder;
     auto geometry = space(3, {-8, 0, -8}, {8, 12, 8});
     const auto grid = gridOfDomain(geometry, step);
-    const auto colour =
-        colourFunction(grid, {}, lattice(geometry, ball({0, 6, 0}, 4)), "wendlandC2", support, Normalisation::particles);
+    const auto colour = colourFunction(grid, {}, lattice(geometry, ball({0, 6, 0}, 4)), "wendlandC2", support, Normalisation::particles);
     std::vector<double> floor(grid.size());
     for (std::size_t node = 0; node < floor.size(); ++node)
         floor[node] = 1 - (grid.low.y + grid.step.y * double(node / grid.nodes[0] % grid.nodes[1]));
@@ -142,8 +138,7 @@ TEST(Picture, SaysThatXvfbIsMissing)
     }
     catch (const CaseError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("Xvfb is not installed (Debian: apt install xvfb)"), std::string::npos)
-            << error.what();
+        EXPECT_NE(std::string(error.what()).find("Xvfb is not installed (Debian: apt install xvfb)"), std::string::npos) << error.what();
     }
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
 }

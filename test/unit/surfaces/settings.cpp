@@ -1,8 +1,8 @@
 #include "PhaseCloud.hpp"
-#include "declaredEntries.hpp"
-#include "surfaceEntries.hpp"
 #include "SurfaceSettings.hpp"
+#include "declaredEntries.hpp"
 #include "particles.hpp"
+#include "surfaceEntries.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -98,10 +98,9 @@ picture
 // Every mistake is reported with its file and line, and what is possible.
 TEST(SurfaceSettings, MistakesHaveFileAndLine)
 {
-    EXPECT_NE(
-        errorsOf("\nphases (watre);")
-            .find("system/reconstructSurfaceDict:2: \"watre\" is unknown. Did you mean \"water\"? Known phases: water, air."),
-        std::string::npos)
+    EXPECT_NE(errorsOf("\nphases (watre);")
+                  .find("system/reconstructSurfaceDict:2: \"watre\" is unknown. Did you mean \"water\"? Known phases: water, air."),
+              std::string::npos)
         << errorsOf("\nphases (watre);");
     EXPECT_NE(errorsOf("formats (vtk);").find("system/reconstructSurfaceDict:1: \"vtk\" is unknown. Did you mean \"vtp\"?"),
               std::string::npos);
@@ -159,7 +158,8 @@ TEST(PhaseCloud, ImpossibleValuesAreErrors)
     cloud.fields["rho"] = {FieldClass::scalar, {{1, 0}}};
     EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/rho: particle 1 at (2 2 2) has rho 0, which must be positive");
     cloud.fields["phase"] = {FieldClass::label, {{2, 1}}};
-    EXPECT_EQ(message(cloud), "0.1/lagrangian/sph/phase: particle 0 at (1 1 1) has phase 2, but constant/phaseProperties lists 2 phases, 0 to 1");
+    EXPECT_EQ(message(cloud),
+              "0.1/lagrangian/sph/phase: particle 0 at (1 1 1) has phase 2, but constant/phaseProperties lists 2 phases, 0 to 1");
 }
 
 // Vectors are coloured by their magnitude, and an unknown field is an error that lists those there are.

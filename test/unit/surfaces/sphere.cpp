@@ -30,8 +30,7 @@ struct Ball
           grid(gridOfDomain(geometry, spacing)),
           particles(lattice(geometry, ball({0, 0, 0}, R))),
           colour(colourFunction(grid, {}, particles, "wendlandC2", support, normalise))
-    {
-    }
+    {}
 };
 
 int edges(vtkPolyData* mesh)
@@ -81,10 +80,10 @@ TEST(EnclosedVolume, FollowsTheLevelAskedFor)
 {
     const Ball b(4);
     const double volume = b.particles.phaseVolume();
-    EXPECT_LT(enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 0.95*volume);
+    EXPECT_LT(enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 0.95 * volume);
     const double level = levelEnclosing(volume, b.grid, b.colour, {});
     EXPECT_LT(level, 0.5);
-    EXPECT_NEAR(enclosedVolume(b.grid, b.colour, level, {}).volume, volume, 1e-3*volume);
+    EXPECT_NEAR(enclosedVolume(b.grid, b.colour, level, {}).volume, volume, 1e-3 * volume);
     EXPECT_NEAR(levelEnclosing(1e9, b.grid, b.colour, {}), 0.01, 1e-4);
     EXPECT_NEAR(levelEnclosing(0, b.grid, b.colour, {}), 0.99, 1e-4);
 }
@@ -156,8 +155,8 @@ TEST(EnclosedVolume, CountsPieces)
     const auto colour = colourFunction(grid, {}, lattice(geometry, two), "wendlandC2", support, Normalisation::particles);
     EXPECT_EQ(enclosedVolume(grid, colour, 0.5, {}).pieces, 2);
 
-    const auto none = colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return false; }), "wendlandC2", support,
-                                     Normalisation::particles);
+    const auto none =
+        colourFunction(grid, {}, lattice(geometry, [](Vector<3>) { return false; }), "wendlandC2", support, Normalisation::particles);
     EXPECT_EQ(enclosedVolume(grid, none, 0.5, {}).volume, 0);
     EXPECT_EQ(enclosedVolume(grid, none, 0.5, {}).pieces, 0);
     EXPECT_EQ(freeSurface(grid, none, 0.5, geometry, 20)->GetNumberOfCells(), 0);

@@ -36,8 +36,7 @@ struct Cap
 
     explicit Cap(Normalisation normalise, bool gas = true)
         : colour(colourFunction(grid, wall, lattice(geometry, ball({0, 0, 0}, R), gas), "wendlandC2", support, normalise))
-    {
-    }
+    {}
 };
 
 }
@@ -82,8 +81,7 @@ TEST(Walls, ThePlainSumFallsToOneHalfOnTheWall)
         Largest largest; // of C at the wall, deep in the liquid
         for (int k = 0; k < cap.grid.nodes[2]; ++k)
             for (int i = 0; i < cap.grid.nodes[0]; ++i)
-                if (const auto x = cap.grid.node(i, 40, k); x.z == 0 && std::fabs(x.x) < 8)
-                    largest(cap.colour[cap.grid.index(i, 40, k)]);
+                if (const auto x = cap.grid.node(i, 40, k); x.z == 0 && std::fabs(x.x) < 8) largest(cap.colour[cap.grid.index(i, 40, k)]);
         return largest.value();
     };
     EXPECT_NEAR(below(plain), 0.5, 0.05);

@@ -82,8 +82,7 @@ TEST(SurfaceWriter, SaysWhatCannotBeWritten)
         return std::string("nothing was thrown");
     };
     testing::internal::CaptureStderr();
-    EXPECT_NE(message(folder.path() / "file" / "ball.vtp").find("Cannot make the folder " + (folder / "file").string()),
-              std::string::npos);
+    EXPECT_NE(message(folder.path() / "file" / "ball.vtp").find("Cannot make the folder " + (folder / "file").string()), std::string::npos);
     std::filesystem::create_directories(folder / "taken.stl");
     std::filesystem::create_directories(folder.path() / "taken.stl.partial");
     EXPECT_NE(message(folder / "taken.stl").find("Cannot write " + (folder / "taken.stl").string()), std::string::npos);

@@ -53,7 +53,8 @@ template<int dim> void sumIsPlain(Geometry g)
             if (j == i || r >= s.kernel.support() || wall[j] > 0) continue;
             const double w = -s.kernel.dWdrOverR(r) * 2 / (N[i] + N[j]);
             flux -= V[i] * V[j] * w *
-                    (k.Dc_a2 * (phi[i] + phi[j]) * (phi[i] * gammaDot[i] - phi[j] * gammaDot[j]) + k.Deta_a2 * (B(i) + B(j)) * (phi[i] - phi[j]));
+                    (k.Dc_a2 * (phi[i] + phi[j]) * (phi[i] * gammaDot[i] - phi[j] * gammaDot[j]) +
+                     k.Deta_a2 * (B(i) + B(j)) * (phi[i] - phi[j]));
         }
         const double expected = flux * c.restDensity[0] / m[i];
         largest(expected);

@@ -67,8 +67,7 @@ TEST(Pareto, KeepsWhatNothingBeats)
 
 TEST(ExpectedCost, FollowsThePowerLawOfTheVariant)
 {
-    const std::vector<ResultRow> rows{made("a", 8, 1, 1), made("a", 16, 1, 16), made("b", 8, 1, 5),
-                                      made("c", 16, 1, 100, "failed")};
+    const std::vector<ResultRow> rows{made("a", 8, 1, 1), made("a", 16, 1, 16), made("b", 8, 1, 5), made("c", 16, 1, 100, "failed")};
     EXPECT_NEAR(expectedWallSeconds(rows, "a", 32).value(), 256, 1e-9);
     EXPECT_NEAR(expectedWallSeconds(rows, "b", 16).value(), 80, 1e-9);                          // the power 4 of a
     EXPECT_NEAR(expectedWallSeconds(rows, "c", 16).value(), 16, 1e-9);                          // another variant's own

@@ -60,9 +60,8 @@ TEST(ResultTable, ReadsWhatItWrites)
 // Another code's table: columns in its own order, notes, Windows line ends, a comma within quotes.
 TEST(ResultTable, ReadsAnotherCodes)
 {
-    const TestCase folder(
-        Files{{"peer.csv",
-               "# a note, with a comma\nerror, cpuSeconds ,variant,spacing,norm,field\r\n\n1e-3,2,\"box, 3-D\",0.1,Linf,p\r\n"}});
+    const TestCase folder(Files{
+        {"peer.csv", "# a note, with a comma\nerror, cpuSeconds ,variant,spacing,norm,field\r\n\n1e-3,2,\"box, 3-D\",0.1,Linf,p\r\n"}});
     Diagnostics diagnostics;
     const auto rows = readResultTable(folder.folder(), "peer.csv", Completeness::wholeRows, diagnostics);
     EXPECT_TRUE(diagnostics.ok());
@@ -86,10 +85,10 @@ TEST(ResultTable, NamesWhatIsMalformed)
     EXPECT_NE(mistakesIn("error,error,variant,spacing,cpuSeconds,field,norm\n").find("stands twice"), std::string::npos);
 
     const auto all = mistakesIn(header + "a,1,2,U,L2\na,0,-1,U,L3,1e\n,1,1,U,L2,\n");
-    for (const char* what : {"peer.csv:2: 5 cells under 6 columns", "peer.csv:3: spacing is 0 but must be greater than 0",
-                             "peer.csv:3: cpuSeconds is -1 but must not be negative", "peer.csv:3: norm \"L3\" is unknown",
-                             "peer.csv:3: \"1e\" in column error is not a number", "peer.csv:4: \"variant\" is empty",
-                             "peer.csv:4: \"error\" is empty"})
+    for (const char* what :
+         {"peer.csv:2: 5 cells under 6 columns", "peer.csv:3: spacing is 0 but must be greater than 0",
+          "peer.csv:3: cpuSeconds is -1 but must not be negative", "peer.csv:3: norm \"L3\" is unknown",
+          "peer.csv:3: \"1e\" in column error is not a number", "peer.csv:4: \"variant\" is empty", "peer.csv:4: \"error\" is empty"})
         EXPECT_NE(all.find(what), std::string::npos) << what << " not in\n" << all;
 }
 

@@ -48,10 +48,12 @@ std::string mistakesIn(const std::string& text)
 // What a case includes from outside is included by its copies, wherever they lie; what is its own is the copy's own.
 TEST(CaseCopy, KeepsIncludes)
 {
-    const TestCase c({{"base/common", "a 1;\n"}, {"case/constant/own", "b 2;\n"}, {"case/system/workPrecisionDict", ""},
+    const TestCase c({{"base/common", "a 1;\n"},
+                      {"case/constant/own", "b 2;\n"},
+                      {"case/system/workPrecisionDict", ""},
                       {"case/constant/phaseProperties", "#include \"../../base/common\"\n#include \"own\" // here\nc 3;\n"}});
-    const auto copy = c.folder()/"case/run/workPrecision/plain/8";
-    copyInputs(c.folder()/"case", copy, false);
+    const auto copy = c.folder() / "case/run/workPrecision/plain/8";
+    copyInputs(c.folder() / "case", copy, false);
     c.write("case/run/workPrecision/plain/8/constant/own", "b 20;\n");
     const auto dict = Dictionary::read(copy, "constant/phaseProperties", std::make_shared<Diagnostics>());
     EXPECT_EQ(dict.get<double>("a"), 1);
@@ -130,22 +132,20 @@ TEST(CaseCopy, HasAStampOfItsInputs)
 TEST(SweepPlan, NamesMistakes)
 {
     const std::string rest = "setResolution { }\nerrors ( { field U; } );\n";
-    const auto all = mistakesIn(
-        "resolutions (8 0 -4 8);\nsetResolution { \"system/sphScheme\" { a 1; } }\nvariants { \"a/b\" { } c { system 1; } }\n"
-        "errors ( { norm L3; } );\nrepeats 0;\ntimeLimit -1;\nresolution 1;\n");
+    const auto all =
+        mistakesIn("resolutions (8 0 -4 8);\nsetResolution { \"system/sphScheme\" { a 1; } }\nvariants { \"a/b\" { } c { system 1; } }\n"
+                   "errors ( { norm L3; } );\nrepeats 0;\ntimeLimit -1;\nresolution 1;\n");
     for (const char* what :
          {"Dict:1: resolution 0 must be greater than 0", "Dict:1: resolution -4 must be", "Dict:1: resolution 8 stands twice",
           "Dict:2: the case has no file \"system/sphScheme\". Did you mean \"system/sphSchemes\"?",
-          "Dict:3: variant \"a/b\" needs a name of letters", "Dict:3: \"system\" must be a file of the case", "L3",
-          "\"field\" is missing", "Dict:5: \"repeats\" must be at least 1",
-          "Dict:6:", "Dict:7: entry \"resolution\" is not used here"})
+          "Dict:3: variant \"a/b\" needs a name of letters", "Dict:3: \"system\" must be a file of the case", "L3", "\"field\" is missing",
+          "Dict:5: \"repeats\" must be at least 1", "Dict:6:", "Dict:7: entry \"resolution\" is not used here"})
         EXPECT_NE(all.find(what), std::string::npos) << what << " not in\n" << all;
 
     EXPECT_NE(mistakesIn("resolutions ();\n" + rest).find("\"resolutions\" is empty"), std::string::npos);
     EXPECT_NE(mistakesIn(rest).find("entry \"resolutions\" is missing"), std::string::npos);
     EXPECT_NE(mistakesIn("n 3;\nresolutions (1);\n" + rest).find("Dict:1: \"n\" is given from outside"), std::string::npos);
-    EXPECT_NE(mistakesIn("resolutions (1 2);\nerrors ( { field U; } );\n").find("\"setResolution\" is missing"),
-              std::string::npos);
+    EXPECT_NE(mistakesIn("resolutions (1 2);\nerrors ( { field U; } );\n").find("\"setResolution\" is missing"), std::string::npos);
     const std::string ladder = "resolutions (1);\nsetResolution { }\n";
     EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; } );\n").find("Dict:3: norm mean is one over time"), std::string::npos);
     EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm rms; } );\n").find("Dict:3: norm rms is one over time"), std::string::npos);

@@ -39,7 +39,7 @@ Told tell(const WallProperties& w, const Coefficients& c = waterOilAir())
     told.tension = wallTensions(phaseAngles(w, c, complain), c, complain);
     return told;
 }
-double cosine(double degrees) { return std::cos(degrees*std::numbers::pi/180); }
+double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
 // (water air) 30 and (oil air) 60: gamma_sa - gamma_sw = 0.07 cos 30 and gamma_sa - gamma_so = 0.03 cos 60, hence gamma_so - gamma_sw = 0.04562 ... which a
 // sigma of 0.04 does not allow; with 60 and 70 it is 0.02474 = 0.04 cos 51.8. To rounding.
@@ -49,17 +49,18 @@ TEST(YoungsLaw, TwoAnglesTellTheTensionsOfThreePhases)
     const auto [tension, errors] = tell(wall({{"water", "air", 60}, {"oil", "air", 70}}));
     ASSERT_EQ(errors, "");
     ASSERT_EQ(tension.size(), 3u);
-    EXPECT_NEAR(tension[2] - tension[0], 0.07*cosine(60), 1e-15);
-    EXPECT_NEAR(tension[2] - tension[1], 0.03*cosine(70), 1e-15);
+    EXPECT_NEAR(tension[2] - tension[0], 0.07 * cosine(60), 1e-15);
+    EXPECT_NEAR(tension[2] - tension[1], 0.03 * cosine(70), 1e-15);
     double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += tension[k]/c.restDensity[k];
+    for (std::size_t k = 0; k < 3; ++k) sum += tension[k] / c.restDensity[k];
     EXPECT_NEAR(sum, 0, 1e-15);
 }
 
 // The order of the phases, of the pairs and of the words of a pair is nothing to the wall.
 TEST(YoungsLaw, HangsOnNoOrder)
 {
-    const auto one = tell(wall({{"water", "air", 60}, {"oil", "air", 70}})), other = tell(wall({{"air", "oil", 110}, {"air", "water", 120}}));
+    const auto one = tell(wall({{"water", "air", 60}, {"oil", "air", 70}})),
+               other = tell(wall({{"air", "oil", 110}, {"air", "water", 120}}));
     Coefficients turned = waterOilAir();
     turned.phases = {"air", "water", "oil"};
     turned.restDensity = {1, 1000, 800};
@@ -69,7 +70,7 @@ TEST(YoungsLaw, HangsOnNoOrder)
     for (std::size_t k = 0; k < 3; ++k)
     {
         EXPECT_NEAR(one.tension[k], other.tension[k], 1e-15);
-        EXPECT_NEAR(one.tension[k], third.tension[(k + 1)%3], 1e-15);
+        EXPECT_NEAR(one.tension[k], third.tension[(k + 1) % 3], 1e-15);
     }
 }
 
@@ -79,18 +80,22 @@ TEST(YoungsLaw, AThirdAngleMustBeThatOfTheOthers)
     EXPECT_EQ(tell(wall({{"water", "air", 60}, {"oil", "air", 70}, {"water", "oil", 52}})).errors, "");
     EXPECT_EQ(tell(wall({{"water", "air", 60}, {"oil", "air", 70}, {"oil", "water", 128}})).errors, "");
     const auto errors = tell(wall({{"water", "air", 60}, {"oil", "air", 70}, {"water", "oil", 45}})).errors;
-    EXPECT_NE(errors.find("the angle of (water oil) cannot be 45: by Young's law those before it imply 51.79 degrees"), std::string::npos) << errors;
+    EXPECT_NE(errors.find("the angle of (water oil) cannot be 45: by Young's law those before it imply 51.79 degrees"), std::string::npos)
+        << errors;
 }
 
 // gamma_so - gamma_sw = 0.07 cos 30 - 0.03 cos 60 = 0.04562 N/m: more than sigma, whether the angle of the pair is given or not.
 TEST(YoungsLaw, AnglesThatNoSigmasAllow)
 {
-    for (const auto& angles : {wall({{"water", "air", 30}, {"oil", "air", 60}}), wall({{"water", "air", 30}, {"oil", "air", 60}, {"oil", "water", 170}})})
+    for (const auto& angles :
+         {wall({{"water", "air", 30}, {"oil", "air", 60}}), wall({{"water", "air", 30}, {"oil", "air", 60}, {"oil", "water", 170}})})
     {
         const auto errors = tell(angles).errors;
-        EXPECT_NE(errors.find("no angle of (water oil) goes with the others: by Young's law its cosine is 1.141, the wall's tensions with the two being 0.04562 N/m "
-                              "apart and their own only 0.04. Possible with a sigma of (water oil) of at least 0.04562 N/m"),
-                  std::string::npos)
+        EXPECT_NE(
+            errors.find(
+                "no angle of (water oil) goes with the others: by Young's law its cosine is 1.141, the wall's tensions with the two being 0.04562 N/m "
+                "apart and their own only 0.04. Possible with a sigma of (water oil) of at least 0.04562 N/m"),
+            std::string::npos)
             << errors;
     }
 }
@@ -98,7 +103,9 @@ TEST(YoungsLaw, AnglesThatNoSigmasAllow)
 TEST(YoungsLaw, PhasesThatNoAngleConnects)
 {
     const auto errors = tell(wall({{"oil", "water", 60}})).errors;
-    EXPECT_NE(errors.find("do not connect the phases (water oil), (air): with 3 phases 2 angles tell all others; (water air) is missing, for one"), std::string::npos)
+    EXPECT_NE(errors.find(
+                  "do not connect the phases (water oil), (air): with 3 phases 2 angles tell all others; (water air) is missing, for one"),
+              std::string::npos)
         << errors;
     EXPECT_NE(tell(wall({{"oil", "watr", 60}})).errors.find("phase \"watr\" is unknown. Did you mean \"water\"?"), std::string::npos);
 }

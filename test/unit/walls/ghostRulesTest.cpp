@@ -91,8 +91,8 @@ TEST(GhostVelocity, SecondOrderKnowsTheSourcesOwnViscosity)
     rule.bind();
     w.store.component("rho", 0)[1] = 250;
     w.store.component("mu", 0)[1] = 4;
-    const double d = 0.05, s = 11, curvature = (3 + 500/250.0)/(4/250.0);
-    const auto flow = [&](double y) { return 0.5 + s*y - curvature*y*y/2; };
+    const double d = 0.05, s = 11, curvature = (3 + 500 / 250.0) / (4 / 250.0);
+    const auto flow = [&](double y) { return 0.5 + s * y - curvature * y * y / 2; };
     EXPECT_NEAR(rule({flow(d), 0}, 1, w.at(d), true).x, flow(-d), 1e-13);
 }
 
@@ -154,7 +154,6 @@ TEST(GhostPressure, ContinuesAColumnAtRest)
         for (double d : {0.01, 0.2}) EXPECT_NEAR(rule(column(d), i, w.at(d), true), column(-d), 1e-11);
     }
 }
-
 
 // Under a floor that is a lid by the direction of gravity: a drop at p = 0 has a ghost at 0 and falls, where the hydrostatic continuation would
 // hold it; a liquid under pressure is continued as at rest, and so is one on a floor; a tension stays what it is.

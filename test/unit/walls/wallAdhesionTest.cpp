@@ -32,8 +32,8 @@ template<int dim> void nearestWallOfEach()
         }
         return up;
     };
-    EXPECT_EQ(directions(H), (std::vector<double>{1, 1, 1, 1, 1, 1, -1, -1, -1, -1}));         // 5/6 H = 0.308
-    EXPECT_EQ(directions(0.27), (std::vector<double>{1, 1, 1, 1, 0, 0, 0, 0, -1, -1}));        // 0.225
+    EXPECT_EQ(directions(H), (std::vector<double>{1, 1, 1, 1, 1, 1, -1, -1, -1, -1}));  // 5/6 H = 0.308
+    EXPECT_EQ(directions(0.27), (std::vector<double>{1, 1, 1, 1, 0, 0, 0, 0, -1, -1})); // 0.225
 }
 TEST(WallAdhesion, TakesTheNearestWallIn2D) { nearestWallOfEach<2>(); }
 TEST(WallAdhesion, TakesTheNearestWallIn3D) { nearestWallOfEach<3>(); }
@@ -51,12 +51,12 @@ TEST(WallAdhesion, TurnsTheInterfaceToTheContactAngle)
     } at{n_w, 0};
     for (double theta : {30.0, 90.0, 150.0})
     {
-        at.cosTheta = std::cos(theta*std::numbers::pi/180);
+        at.cosTheta = std::cos(theta * std::numbers::pi / 180);
         const auto turned = term.finish(at, gradC);
-        EXPECT_NEAR(mag(turned), mag(gradC), 1e-14*mag(gradC));
-        EXPECT_NEAR(dot(turned, n_w)/mag(gradC), -at.cosTheta, 1e-14);
+        EXPECT_NEAR(mag(turned), mag(gradC), 1e-14 * mag(gradC));
+        EXPECT_NEAR(dot(turned, n_w) / mag(gradC), -at.cosTheta, 1e-14);
         EXPECT_NEAR(dot(turned, cross(gradC, n_w)), 0, 1e-13);
-        EXPECT_GT(dot(turned, gradC - dot(gradC, n_w)*n_w), 0);
+        EXPECT_GT(dot(turned, gradC - dot(gradC, n_w) * n_w), 0);
     }
     at.n_w = {};
     EXPECT_EQ(mag(term.finish(at, gradC) - gradC), 0);

@@ -1,7 +1,7 @@
 /// Potential of walls: its energy per area, and the force on particles between plane walls.
-#include "Largest.hpp"
 #include "WallPotential.hpp"
 #include "Channel.hpp"
+#include "Largest.hpp"
 #include "SolidBox.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

@@ -53,14 +53,15 @@ int main(int argc, char** argv)
         app.add_option("--entry", o.entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")->type_name("<a.b>");
         auto* value = app.add_flag("--value", o.valueOnly, "Show the value alone, without keyword and ';'");
         auto* keywords = app.add_flag("--keywords", o.keywords, "List the keywords of the file or of the entry");
-        o.set = app.add_option("--set", o.newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
-        o.list =
-            app.add_option("--list", o.listed, "Say which entries a file may have: system/controlDict.functions.errors; without a file: which files")
-                ->type_name("<file.a.b>")
-                ->expected(0, 1);
+        o.set =
+            app.add_option("--set", o.newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
+        o.list = app.add_option("--list", o.listed,
+                                "Say which entries a file may have: system/controlDict.functions.errors; without a file: which files")
+                     ->type_name("<file.a.b>")
+                     ->expected(0, 1);
         auto* markdown = app.add_flag("--markdown", o.markdown, "List as a page in Markdown")->needs(o.list);
-        o.makeTemplate =
-            app.add_option("--template", o.asTemplate, "Print a file to fill in, with every entry that it may have")->type_name("<dictionary>");
+        o.makeTemplate = app.add_option("--template", o.asTemplate, "Print a file to fill in, with every entry that it may have")
+                             ->type_name("<dictionary>");
         o.set->excludes(value)->excludes(keywords)->excludes(o.list)->excludes(o.makeTemplate);
         o.makeTemplate->excludes(o.list)->excludes(markdown);
         app.add_option("file", o.file, "Dictionary, relative to the case folder");

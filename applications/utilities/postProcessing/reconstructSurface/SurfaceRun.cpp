@@ -72,8 +72,7 @@ std::string SurfaceRun::output(const std::string& time, const std::string& file)
 SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase, const std::string& time, bool write,
                                       std::vector<double>& colour, std::vector<std::string>& written) const
 {
-    const auto normalise =
-        settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
+    const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
     colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
     SurfaceReport report;
     report.particleVolume = particles.phaseVolume();

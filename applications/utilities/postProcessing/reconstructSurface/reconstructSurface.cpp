@@ -24,8 +24,7 @@ std::vector<std::string> chosenTimes(const sph::Case& folder, const sph::Surface
     for (const auto& time : folder.times())
         if (sph::hasCloud(folder.folder(), time, settings.cloud)) times.push_back(time);
     if (times.empty())
-        throw sph::CaseError(
-            fmt::format("No time folder of {} has a cloud lagrangian/{}", folder.folder().string(), settings.cloud));
+        throw sph::CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", folder.folder().string(), settings.cloud));
     if (options.latestTime) return {times.back()};
     return sph::selectTimes(times, options.times);
 }
@@ -73,8 +72,8 @@ int run(const std::filesystem::path& path, const Options& options)
     {
         const auto dat = folder.folder() / "postProcessing" / "reconstructSurface" / times.front() / "surfaces.dat";
         std::filesystem::create_directories(dat.parent_path());
-        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces",
-                                        sph::list(surfaceRun.phaseNames()), words.area, words.volume);
+        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces", sph::list(surfaceRun.phaseNames()),
+                                        words.area, words.volume);
         table.emplace(dat, std::vector<std::string>{header}, columns(surfaceRun.phaseNames()));
     }
     for (const auto& time : times)

@@ -21,8 +21,7 @@ double number(const std::string& text, const std::string& item)
         value = std::stod(text, &used);
     }
     catch (const std::exception&)
-    {
-    }
+    {}
     if (used != text.size() || text.empty())
         throw CaseError(fmt::format("-time: \"{}\" is neither a time nor a range such as 0.1:0.5", item));
     return value;

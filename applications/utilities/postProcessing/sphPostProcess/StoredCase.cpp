@@ -27,8 +27,7 @@ std::vector<std::string> StoredCase::times() const
 {
     auto times = case_.times();
     std::erase_if(times, [this](const auto& time) { return !hasCloud(case_.folder(), time, cloudName); });
-    if (times.empty())
-        throw CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", case_.folder().string(), cloudName));
+    if (times.empty()) throw CaseError(fmt::format("No time folder of {} has a cloud lagrangian/{}", case_.folder().string(), cloudName));
     return times;
 }
 

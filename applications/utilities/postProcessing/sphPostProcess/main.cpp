@@ -49,8 +49,7 @@ int main(int argc, char** argv)
 {
     Options options;
     return sph::runApplication(
-        "sphPostProcess", argc, argv,
-        "Runs the function objects of system/controlDict on the stored times of a case, into postProcessing.",
+        "sphPostProcess", argc, argv, "Runs the function objects of system/controlDict on the stored times of a case, into postProcessing.",
         [&](CLI::App& app)
         {
             auto* time = app.add_option("--time", options.times, "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");

@@ -203,19 +203,17 @@ void Sweep::reportMistakes(const Run& run, const fs::path& copy, const std::vect
                                              const auto place = placeOf(o, copy);
                                              return place.file == where.file && place.line > 0 && place.line == where.line;
                                          });
-        if (guilty != all.rend())
-            diagnostics.error(guilty->where, fmt::format("{}: {}", guilty->file, what));
+        if (guilty != all.rend()) diagnostics.error(guilty->where, fmt::format("{}: {}", guilty->file, what));
         else
-            diagnostics.error(run.plan.where, fmt::format("with variant {} at n = {}: {}", run.plan.variant,
-                                                          shortestText(run.plan.resolution), mistake));
+            diagnostics.error(run.plan.where,
+                              fmt::format("with variant {} at n = {}: {}", run.plan.variant, shortestText(run.plan.resolution), mistake));
     }
 }
 
 void Sweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
 {
     auto& diagnostics = case_.diagnostics();
-    const auto functions =
-        Dictionary::read(copy, "system/controlDict", std::make_shared<Diagnostics>()).subDictOrEmpty("functions");
+    const auto functions = Dictionary::read(copy, "system/controlDict", std::make_shared<Diagnostics>()).subDictOrEmpty("functions");
     std::vector<std::string> known;
     for (const auto& key : functions.keys())
         if (functions.isDictionary(key) && functions.subDict(key).get("type", "") == "errors") known.push_back(key);
@@ -224,9 +222,8 @@ void Sweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
         const auto& choice = plan_.errors[k];
         if (std::ranges::find(known, choice.function) == known.end())
         {
-            diagnostics.error(choice.whereFunction,
-                              fmt::format("system/controlDict has no function object \"{}\" of type errors. {}", choice.function,
-                                          suggestion(choice.function, "ones", known)));
+            diagnostics.error(choice.whereFunction, fmt::format("system/controlDict has no function object \"{}\" of type errors. {}",
+                                                                choice.function, suggestion(choice.function, "ones", known)));
             continue;
         }
         const auto fields = errorFields(functions.subDict(choice.function));
@@ -234,13 +231,12 @@ void Sweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
             diagnostics.error(choice.whereField, fmt::format("function object {} compares no field \"{}\". {}", choice.function,
                                                              choice.field, suggestion(choice.field, "fields", fields)));
         if (endIsKnown && choice.time && *choice.time > run.endTime && !sameTime(*choice.time, run.endTime))
-            diagnostics.error(choice.whereTime, fmt::format("time {} is after the end of the run, endTime {}",
-                                                            shortestText(*choice.time), shortestText(run.endTime)));
+            diagnostics.error(choice.whereTime, fmt::format("time {} is after the end of the run, endTime {}", shortestText(*choice.time),
+                                                            shortestText(run.endTime)));
         if (endIsKnown && !choice.time && !std::isfinite(run.endTime))
             diagnostics.error(choice.whereTime, "system/controlDict gives no endTime: say which time is meant, as `time 1;`");
         for (std::size_t other = 0; other < k; ++other)
-            if (stemOf(other) == stemOf(k))
-                diagnostics.error(choice.whereField, fmt::format("error {} is asked for twice", titleOf(k)));
+            if (stemOf(other) == stemOf(k)) diagnostics.error(choice.whereField, fmt::format("error {} is asked for twice", titleOf(k)));
     }
 }
 
@@ -264,8 +260,7 @@ void Sweep::takeOldRows()
         for (const auto& choice : plan_.errors)
             for (const auto& row : old)
                 if (row.variant == run.plan.variant && row.resolution == run.plan.resolution && row.inputs == run.inputs &&
-                    row.field == choice.field && row.norm == choice.norm && sameTime(row.time, timeOf(choice, run)) &&
-                    isFinal(row))
+                    row.field == choice.field && row.norm == choice.norm && sameTime(row.time, timeOf(choice, run)) && isFinal(row))
                 {
                     rows.push_back(row);
                     break;

@@ -87,10 +87,9 @@ void Sweep::printPlan() const
     for (const auto& run : runs_)
     {
         std::vector<std::string> sets;
-        for (const auto& o : run.plan.overrides)
-            sets.push_back(fmt::format("{}:{} {}", o.file, o.entry(), shown(o.value)));
-        rows.push_back({run.plan.name(), run.rows.empty() ? "to run" : run.rows.front().status,
-                        fmt::format("{:.4g}", run.spacing), fmt::format("{}", fmt::join(sets, "; "))});
+        for (const auto& o : run.plan.overrides) sets.push_back(fmt::format("{}:{} {}", o.file, o.entry(), shown(o.value)));
+        rows.push_back({run.plan.name(), run.rows.empty() ? "to run" : run.rows.front().status, fmt::format("{:.4g}", run.spacing),
+                        fmt::format("{}", fmt::join(sets, "; "))});
     }
     fmt::print("{}\n", aligned(rows, 4));
     std::fflush(stdout);
@@ -132,8 +131,7 @@ void Sweep::printTable(std::size_t error) const
                          number(r.wallSeconds, "{:.3g}"), number(1e-6 * r.peakMemory, "{:.1f}"), number(r.error, "{:.3e}"),
                          number(r.order, "{:.2f}")});
     }
-    fmt::print("\n{}; * on the Pareto front: nothing has less error at no more processor time\n\n{}", titleOf(error),
-               aligned(cells, 3));
+    fmt::print("\n{}; * on the Pareto front: nothing has less error at no more processor time\n\n{}", titleOf(error), aligned(cells, 3));
 }
 
 void Sweep::draw() const
@@ -143,8 +141,7 @@ void Sweep::draw() const
     for (std::size_t k = 0; k < plan_.errors.size(); ++k)
     {
         auto whole = fs::weakly_canonical(plan_.baseCase);
-        const auto script =
-            gnuplotScript({stemOf(k), fmt::format("{}: {}", whole.filename().string(), titleOf(k)), rowsOf(k), peersOf(k)});
+        const auto script = gnuplotScript({stemOf(k), fmt::format("{}: {}", whole.filename().string(), titleOf(k)), rowsOf(k), peersOf(k)});
         if (script.empty())
         {
             fmt::print("No plot of the {}: no run has an error to show\n", titleOf(k));
@@ -157,12 +154,10 @@ void Sweep::draw() const
         task.folder = outputFolder_;
         task.log = outputFolder_ / log;
         if (const auto outcome = runProcess(task); !outcome.well())
-            throw CaseError(
-                fmt::format("gnuplot could not draw postProcessing/workPrecision/{}: {}; read postProcessing/workPrecision/{}",
-                            file, outcome.inWords(), log));
+            throw CaseError(fmt::format("gnuplot could not draw postProcessing/workPrecision/{}: {}; read postProcessing/workPrecision/{}",
+                                        file, outcome.inWords(), log));
         fs::remove(outputFolder_ / log);
-        for (const char* kind : {"cpuTime", "spacing"})
-            fmt::print("postProcessing/workPrecision/{}.{}.svg, .png\n", stemOf(k), kind);
+        for (const char* kind : {"cpuTime", "spacing"}) fmt::print("postProcessing/workPrecision/{}.{}.svg, .png\n", stemOf(k), kind);
     }
 }
 

@@ -2,10 +2,10 @@
 #include "CaseCopy.hpp"
 #include "DivergedError.hpp"
 #include "OutputFile.hpp"
-#include "stopSignals.hpp"
 #include "Sweep.hpp"
 #include "convergence.hpp"
 #include "csv.hpp"
+#include "stopSignals.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/chrono.h>
@@ -28,8 +28,7 @@ constexpr double progressInterval = 15;   ///< [s] between lines of a run's prog
 constexpr std::streamoff tailSize = 8192; ///< of a log that is looked at [byte]
 
 struct Interrupted
-{
-};
+{};
 
 /// As finely as the system counts; a sum has digits behind that.
 double toMicroseconds(double seconds) { return std::round(1e6 * seconds) / 1e6; }
@@ -183,8 +182,7 @@ std::string Sweep::executeSteps(const Run& run, Cost& cost, std::string& note)
             if (const double now = clock.clockTime(); now - shown >= progressInterval)
             {
                 shown = now;
-                if (const auto progress = progressOf(task.log); !progress.empty())
-                    fmt::print("        {}: {}\n", step.program, progress);
+                if (const auto progress = progressOf(task.log); !progress.empty()) fmt::print("        {}: {}\n", step.program, progress);
                 std::fflush(stdout);
             }
             return interrupted == 0;
@@ -219,8 +217,8 @@ std::string Sweep::readErrors(const Run& run, std::vector<ResultRow>& rows, std:
         const auto line = readErrorLine(folderOf(run), choice, time);
         if (!line)
         {
-            note = fmt::format("postProcessing/{}/*/errors.dat has no {} at time {}: is it sampled then?", choice.function,
-                               choice.field, shortestText(time));
+            note = fmt::format("postProcessing/{}/*/errors.dat has no {} at time {}: is it sampled then?", choice.function, choice.field,
+                               shortestText(time));
             return "failed";
         }
         rows[k].nParticles = line->particles;
@@ -274,8 +272,7 @@ void Sweep::execute(Run& run)
     if (best.peakMemory > 0)
         fmt::print("        {}: {:.3g} s of processor time in {:.3g} s, {:.1f} MB\n", status, best.cpuSeconds, best.wallSeconds,
                    1e-6 * best.peakMemory);
-    else
-        fmt::print("        {}\n", status);
+    else fmt::print("        {}\n", status);
     if (!note.empty()) fmt::print("        {}\n", note);
     if (status != "ok") return;
     for (std::size_t k = 0; k < run.rows.size(); ++k) fmt::print("        {}: {:.4g}\n", titleOf(k), run.rows[k].error);
@@ -288,8 +285,7 @@ int Sweep::run()
     interrupted = 0;
     onStopSignals(interrupt);
     createFolders(outputFolder_);
-    if (keepOld_)
-        fs::copy_file(outputFolder_ / "results.csv", outputFolder_ / "results.old.csv", fs::copy_options::overwrite_existing);
+    if (keepOld_) fs::copy_file(outputFolder_ / "results.csv", outputFolder_ / "results.old.csv", fs::copy_options::overwrite_existing);
 
     for (std::size_t k = 0; k < runs_.size(); ++k)
     {
@@ -305,10 +301,9 @@ int Sweep::run()
         }
         catch (const Interrupted&)
         {
-            throw CaseError(
-                fmt::format("interrupted in {}. What was done before is in postProcessing/workPrecision/results.csv; run "
-                            "workPrecision again to go on",
-                            run.plan.name()));
+            throw CaseError(fmt::format("interrupted in {}. What was done before is in postProcessing/workPrecision/results.csv; run "
+                                        "workPrecision again to go on",
+                                        run.plan.name()));
         }
         writeTable();
         std::fflush(stdout);

@@ -14,10 +14,7 @@ namespace sph
 namespace
 {
 
-bool contains(const std::vector<std::string>& words, const std::string& word)
-{
-    return std::ranges::find(words, word) != words.end();
-}
+bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
 
 /// As sphFoamLike begins, with meshToGhost's walls made on the spot.
 void readAsSolver(const Case& c, CaseCheck& check)
@@ -81,8 +78,7 @@ std::vector<std::string> errorFields(const Dictionary& function)
         const auto field = comparison.get("field", ""), component = comparison.get("component", "");
         if (!field.empty()) fields.push_back(component.empty() ? field : field + "." + component);
     };
-    if (!function.found("fields"))
-        add(function);
+    if (!function.found("fields")) add(function);
     else
         for (const auto& comparison : function.dictionaries("fields")) add(comparison);
     return fields;

@@ -34,7 +34,8 @@ int prepare(const std::filesystem::path& folder, bool full)
     fmt::print("{}", report(geometry, checked, H, full));
     for (const auto& line : theCase.diagnostics().warnings()) fmt::print("\nWarning: {}\n", line);
     std::fflush(stdout);
-    const auto layers = layered ? sph::makeWallLayers(geometry, H, resolution.spacing, theCase.diagnostics()) : std::vector<sph::LayerParticle>{};
+    const auto layers =
+        layered ? sph::makeWallLayers(geometry, H, resolution.spacing, theCase.diagnostics()) : std::vector<sph::LayerParticle>{};
     theCase.diagnostics().throwIfAny();
 
     // Fine enough to look round: a fortieth of the domain, or half a support where that is coarser.
@@ -43,7 +44,8 @@ int prepare(const std::filesystem::path& folder, bool full)
     sph::createFolders(folder / "constant" / "triSurface");
     sph::writeFile(folder / "constant" / "triSurface" / "walls.stl", sph::stlText(geometry, surfaces));
     sph::writeFile(folder / "constant" / "triSurface" / "walls.vtp", sph::vtpText(geometry, surfaces));
-    sph::writeFile(folder / "constant" / "walls", sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
+    sph::writeFile(folder / "constant" / "walls",
+                   sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
     if (layered) sph::writeWallLayers(folder, layers);
     else sph::removeWallLayers(folder);
     fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}\n\nEnd\n",
@@ -57,8 +59,7 @@ int main(int argc, char** argv)
 {
     bool check = false;
     return sph::runApplication(
-        "meshToGhost", argc, argv,
-        "Prepares the walls of constant/geometry for the solver and checks that reflection can represent them.",
+        "meshToGhost", argc, argv, "Prepares the walls of constant/geometry for the solver and checks that reflection can represent them.",
         [&](CLI::App& app) { app.add_flag("--check", check, "Print curvature, gaps, contacts and motion of every wall"); },
         [&](const std::filesystem::path& folder) { return prepare(folder, check); });
 }

@@ -29,7 +29,8 @@ std::string angles(const sph::WallProperties& wall)
     if (!wall.wets) return "-";
     if (wall.contactAngles.empty()) return fmt::format("{:.4g}", wall.contactAngle);
     std::string all;
-    for (const auto& [first, second, angle] : wall.contactAngles) all += fmt::format("{}{} {} {:.4g}", all.empty() ? "" : ", ", first, second, angle);
+    for (const auto& [first, second, angle] : wall.contactAngles)
+        all += fmt::format("{}{} {} {:.4g}", all.empty() ? "" : ", ", first, second, angle);
     return all;
 }
 
@@ -47,17 +48,15 @@ std::string report(const sph::Geometry& g, const sph::GeometryReport& report, do
     std::string periodic;
     for (int k = 0; k < 3; ++k)
         if (g.periodic[k]) periodic += std::string(periodic.empty() ? "" : " ") + "xyz"[k];
-    auto out =
-        fmt::format("Kernel support H = {:.6g} m\n{}-D domain ({:.6g} {:.6g} {:.6g}) ({:.6g} {:.6g} {:.6g}), periodic in ({})\n"
-                    "{} walls of {} shapes, {} with their periodic copies within H\nFluid: {:.4f} +- {:.4f} of the domain\n",
-                    H, g.dimension, g.low.x, g.low.y, g.low.z, g.high.x, g.high.y, g.high.z, periodic, g.walls.size(),
-                    g.originals.size(), g.patches.size(), report.fluidFraction, report.fluidFractionError);
+    auto out = fmt::format("Kernel support H = {:.6g} m\n{}-D domain ({:.6g} {:.6g} {:.6g}) ({:.6g} {:.6g} {:.6g}), periodic in ({})\n"
+                           "{} walls of {} shapes, {} with their periodic copies within H\nFluid: {:.4f} +- {:.4f} of the domain\n",
+                           H, g.dimension, g.low.x, g.low.y, g.low.z, g.high.x, g.high.y, g.high.z, periodic, g.walls.size(),
+                           g.originals.size(), g.patches.size(), report.fluidFraction, report.fluidFractionError);
     if (report.contacts > 0) out += fmt::format("Contacts: {}\n", report.contacts);
     if (g.walls.empty()) return out;
 
     Row head{"wall", "shape", "number", "fluid"};
-    if (full)
-        head.insert(head.end(), {"radius/m", "radius/H", "gap/m", "gap/H", "gap to", "contacts", "angle/deg", "velocity/(m/s)"});
+    if (full) head.insert(head.end(), {"radius/m", "radius/H", "gap/m", "gap/H", "gap to", "contacts", "angle/deg", "velocity/(m/s)"});
     std::vector<Row> rows{head};
     for (std::size_t w = 0; w < g.walls.size(); ++w)
     {
@@ -69,8 +68,8 @@ std::string report(const sph::Geometry& g, const sph::GeometryReport& report, do
             const auto& gap = wall.narrowest;
             row.insert(row.end(), {length(wall.smallestRadius), length(wall.smallestRadius / H), length(gap.width),
                                    std::isfinite(gap.width) ? fmt::format("{:.3g}", gap.width / H) : "> 2",
-                                   gap.wall >= 0 ? g.walls[gap.wall].name : "-", fmt::format("{}", wall.contacts),
-                                   angles(g.walls[w]), motion(g.walls[w])});
+                                   gap.wall >= 0 ? g.walls[gap.wall].name : "-", fmt::format("{}", wall.contacts), angles(g.walls[w]),
+                                   motion(g.walls[w])});
         }
         rows.push_back(row);
     }
