@@ -1,6 +1,6 @@
 #include "ImplicitSolve.hpp"
 #include "DivergedError.hpp"
-#include "reduce.hpp"
+#include "conjugateGradients.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -10,12 +10,11 @@ namespace sph
 
 namespace
 {
-struct Sums
+struct Norms
 {
-    double rz = 0, rr = 0, vv = 0; ///< r.z, r.r and v_1.v_1, weighed by mass
-    Sums& operator+=(const Sums& b)
+    double rr = 0, vv = 0; ///< r.r and v_1.v_1, weighed by mass
+    Norms& operator+=(const Norms& b)
     {
-        rz += b.rz;
         rr += b.rr;
         vv += b.vv;
         return *this;
@@ -89,7 +88,7 @@ template<int dim> std::string ImplicitSolve<dim>::note() const
 
 template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, double deltaT)
 {
-    conjugateGradients(particles, 1, deltaT);
+    solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
     else if (particles.geometry().patches.empty()) addMeanResidual(particles);
     const auto a = particles.store().pointers(Acceleration{});
@@ -120,7 +119,7 @@ template<int dim> void ImplicitSolve<dim>::addMeanResidual(const Particles<dim>&
 
 template<int dim> void ImplicitSolve<dim>::solveSteady(Particles<dim>& particles)
 {
-    conjugateGradients(particles, 0, 1 / particles.settings().integration.theta);
+    solveForChange(particles, 0, 1 / particles.settings().integration.theta);
     const auto v = particles.store().pointers(Velocity{});
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -135,12 +134,12 @@ template<int dim> void ImplicitSolve<dim>::solveSteady(Particles<dim>& particles
 }
 
 /// (inertia - theta dt L - dt^2 K) dv = dt a
-template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& particles, double inertia, double deltaT)
+template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& particles, double inertia, double deltaT)
 {
     auto& store = particles.store();
     const auto& settings = particles.settings().integration;
     const std::size_t n = particles.size();
-    const double* const m = store.component("m", 0);
+    const double* const m = store.component(Mass::info.name, 0);
     const double* const lambda = viscous_ ? store.component(ViscousRate::info.name, 0) : nullptr;
     const double* const kappa = withPressure_ ? store.component(StiffRate::info.name, 0) : nullptr;
     const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{});
@@ -154,11 +153,13 @@ template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& pa
         residual_[c].resize(n);
         dv[c] = change_[c].data();
         r[c] = residual_[c].data();
+#pragma omp parallel for simd schedule(static)
+        for (std::size_t i = 0; i < n; ++i) r[c][i] = deltaT * a[c][i];
     }
     const auto diagonal = [=](std::size_t i) { return inertia + (lambda ? implicit * lambda[i] : 0) + (kappa ? stiff * kappa[i] : 0); };
     const auto applied = [=](int c, std::size_t i)
     { return inertia * p[c][i] - (lambda ? implicit * Lp[c][i] : 0) - (kappa ? stiff * Kp[c][i] : 0); };
-    const auto sums = [&](std::size_t i)
+    const auto norms = [=](std::size_t i)
     {
         double r2 = 0, v2 = 0;
         for (int c = 0; c < dim; ++c)
@@ -166,72 +167,42 @@ template<int dim> void ImplicitSolve<dim>::conjugateGradients(Particles<dim>& pa
             r2 += sqr(r[c][i]);
             v2 += sqr(v[c][i] + dv[c][i]);
         }
-        return Sums{m[i] * r2 / diagonal(i), m[i] * r2 / (inertia > 0 ? 1 : sqr(diagonal(i))), m[i] * v2};
+        return Norms{m[i] * r2 / (inertia > 0 ? 1 : sqr(diagonal(i))), m[i] * v2};
     };
-    Sums now = sum(n,
-                   [&](std::size_t i)
-                   {
-                       for (int c = 0; c < dim; ++c)
-                       {
-                           dv[c][i] = 0;
-                           r[c][i] = deltaT * a[c][i];
-                           p[c][i] = r[c][i] / diagonal(i);
-                       }
-                       return sums(i);
-                   });
-    const double start = now.rz;
-    // Share of the residual: of the velocity, or with pressure, whose forces balance one another, of what they were before.
-    const auto residual = [&] { return withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(now.rr / now.vv); };
-    const auto converged = [&]
-    { return withPressure_ ? now.rz <= sqr(settings.tolerance) * start : now.rr <= sqr(settings.tolerance) * now.vv; };
-    // Infinite forces would be within any share of themselves, and a residual within any share of infinite velocities.
-    const auto finite = [&] { return std::isfinite(now.rz) && std::isfinite(now.rr) && std::isfinite(now.vv); };
-    std::string history;
-    for (iterations_ = 0; !finite() || !converged(); ++iterations_)
+    const auto apply = [&]
     {
-        if (!finite())
-            throw DivergedError(fmt::format(
-                "the implicit {} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step",
-                withPressure_ ? "pressure" : "viscosity", iterations_, history));
-        if (iterations_ == settings.maxIter)
-            throw DivergedError(fmt::format(
-                "the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
-                "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
-                withPressure_ ? "pressure" : "viscosity", iterations_, residual(), withPressure_ ? "forces" : "velocity",
-                settings.tolerance, history));
-        if (iterations_ > 0 && iterations_ % std::max(1, settings.maxIter / 4) == 0)
-            history += fmt::format("; after {} it was {:.3g}", iterations_, residual());
         particles.evaluate(ofSolver);
         // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
         for (const auto& response : {Lp, Kp})
             for (double* component : response)
                 if (component)
                     for (const int i : particles.held()) component[i] = 0;
-        const double pAp = sum(n,
-                               [&](std::size_t i)
-                               {
-                                   double sum = 0;
-                                   for (int c = 0; c < dim; ++c) sum += p[c][i] * applied(c, i);
-                                   return Sums{m[i] * sum};
-                               })
-                               .rz;
-        const double alpha = now.rz / pAp;
-        const Sums next = sum(n,
-                              [&](std::size_t i)
-                              {
-                                  for (int c = 0; c < dim; ++c)
-                                  {
-                                      dv[c][i] += alpha * p[c][i];
-                                      r[c][i] -= alpha * applied(c, i);
-                                  }
-                                  return sums(i);
-                              });
-        const double beta = next.rz / now.rz;
-        now = next;
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n; ++i)
-            for (int c = 0; c < dim; ++c) p[c][i] = r[c][i] / diagonal(i) + beta * p[c][i];
-    }
+    };
+    const char* const what = withPressure_ ? "pressure" : "viscosity";
+    double start = 0;
+    std::string history;
+    const auto done = [&](const ResidualSums<Norms>& now, int iterations)
+    {
+        if (iterations == 0) start = now.rz;
+        const double rr = now.further.rr, vv = now.further.vv;
+        // Infinite forces would be within any share of themselves, and a residual within any share of infinite velocities.
+        if (!(std::isfinite(now.rz) && std::isfinite(rr) && std::isfinite(vv)))
+            throw DivergedError(fmt::format(
+                "the implicit {} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step",
+                what, iterations, history));
+        // Of the velocity, or with pressure, whose forces balance one another, of what they were before.
+        if (withPressure_ ? now.rz <= sqr(settings.tolerance) * start : rr <= sqr(settings.tolerance) * vv) return true;
+        const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
+        if (iterations == settings.maxIter)
+            throw DivergedError(fmt::format(
+                "the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
+                "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
+                what, iterations, residual, withPressure_ ? "forces" : "velocity", settings.tolerance, history));
+        if (iterations > 0 && iterations % std::max(1, settings.maxIter / 4) == 0)
+            history += fmt::format("; after {} it was {:.3g}", iterations, residual);
+        return false;
+    };
+    iterations_ = conjugateGradients(LinearSystem<dim>{n, m, dv, r, p}, diagonal, apply, applied, norms, done);
 }
 
 template<int dim> std::size_t ImplicitSolve<dim>::bytes() const

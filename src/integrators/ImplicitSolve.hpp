@@ -49,7 +49,7 @@ private:
     /// What remains of the residual: a step by it makes all forces what they are at dv, in pairs that cancel.
     void addResidual(const Particles<dim>&);
     void addMeanResidual(const Particles<dim>&);
-    void conjugateGradients(Particles<dim>&, double inertia, double deltaT);
+    void solveForChange(Particles<dim>&, double inertia, double deltaT);
 };
 
 }

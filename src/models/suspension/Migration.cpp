@@ -1,6 +1,8 @@
 #include "Migration.hpp"
 #include "DivergedError.hpp"
 #include "Suspension.hpp"
+#include "ViscosityFlux.hpp"
+#include "conjugateGradients.hpp"
 #include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
@@ -13,14 +15,19 @@ namespace sph
 namespace
 {
 constexpr double hopeless = 1e12; ///< steps that are left: no limit grows as much
-constexpr int mostSteps =
-    1000000; ///< of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand
+/// Of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand.
+constexpr int mostSteps = 1000000;
 
 /// Of phi towards a place without shear stress, within a spacing, and of phi beyond phi_m; farther the cusp is not resolved.
 constexpr double mostRise = 0.3, beyondDensest = 0.01;
-constexpr double shareOfStress =
-    0.4; ///< of the next particle's, below which the stress vanishes beside it: a third where the middle lies between two rows
+/// Of the next particle's, below which the stress vanishes beside it: a third where the middle lies between two rows.
+constexpr double shareOfStress = 0.4;
 constexpr double nextParticle = 1.5; ///< how far it is, at the most [spacings]
+
+/// Of phi_m - phi in a step that solves for J_eta: such steps are of first order in time, and at the start the powder moves fast.
+constexpr double mostChange = 0.01;
+constexpr double tolerance = 1e-6; ///< of the solve, in the preconditioned norm
+constexpr int mostIterations = 1000;
 }
 
 template<int dim>
@@ -34,8 +41,10 @@ Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const Migrat
 template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
 {
     if (place != Place::afterKick) return {};
-    return {{"migrate", "phi += dt dphi/dt, in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
-             completes()}};
+    auto groups = completes();
+    if (steps_.solves) groups.push_back(ofMigrationSolve);
+    const std::string equation = steps_.solves ? "(1 - dt K_eta) dphi = dt dphi/dt" : "phi += dt dphi/dt";
+    return {{"migrate", equation + ", in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups}};
 }
 
 template<int dim> std::vector<std::string> Migration<dim>::completes() const
@@ -51,9 +60,17 @@ template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
     const auto& store = particles.store();
     const double *phi = store.component(PowderFraction::info.name, 0), *gammaDot = store.component(ShearRate::info.name, 0),
                  *slope = store.component(RelativeViscositySlope::info.name, 0);
-    const double fastest = reduce(
-        particles.size(), 0.0, [&](std::size_t i) { return gammaDot[i] * phi[i] * (s.Dc_a2 + s.Deta_a2 * phi[i] * slope[i]); }, Larger{});
-    limit_ = steps_.factor * sqr(0.5 * particles.coefficients().support) / fastest;
+    const double *rate = store.component(PowderRate::info.name, 0), capped = s.phiMax - s.phiCritical;
+    const auto largest = [&](const auto& of) { return reduce(particles.size(), 0.0, of, Larger{}); };
+    const auto byDiffusion = [&](double Deta_a2)
+    {
+        const double D = largest([&](std::size_t i) { return gammaDot[i] * phi[i] * (s.Dc_a2 + Deta_a2 * phi[i] * slope[i]); });
+        return steps_.factor * sqr(0.5 * particles.coefficients().support) / D;
+    };
+    limit_ = byDiffusion(s.Deta_a2);
+    if (!steps_.solves) return;
+    const double fastest = largest([&](std::size_t i) { return std::fabs(rate[i]) / std::max(s.phiMax - phi[i], capped); });
+    limit_ = std::min(byDiffusion(0), std::max(limit_, mostChange / fastest));
 }
 
 template<int dim> void Migration<dim>::complete(Particles<dim>& particles)
@@ -74,6 +91,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
     {
         // What is left is cut into equal parts, so that no last one is a sliver.
         const double parts = std::max(1.0, std::ceil(deltaT / limit_ - 1e-9)), part = deltaT / parts;
+        if (steps_.solves) solve(particles, part);
         particles.holdRate(PowderFraction::info.name, part);
 #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i) phi[i] += part * rate[i];
@@ -86,6 +104,45 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
         deltaT -= part;
         evaluateRates(particles);
     }
+}
+
+template<int dim> void Migration<dim>::solve(Particles<dim>& particles, double deltaT)
+{
+    auto& store = particles.store();
+    const std::size_t n = particles.size();
+    change_.resize(n);
+    residual_.resize(n);
+    double *const rate = store.component(PowderRate::info.name, 0), *const response = store.component(PowderResponse::info.name, 0),
+                  *const p = store.component(PowderChange::info.name, 0);
+    const double* const lambda = store.component(PowderRelaxation::info.name, 0);
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < n; ++i) residual_[i] = deltaT * rate[i];
+    for (const int i : particles.held()) residual_[std::size_t(i)] = 0;
+    const auto apply = [&]
+    {
+        particles.evaluate(ofMigrationSolve);
+        for (const int i : particles.held()) response[i] = 0;
+    };
+    double start = 0;
+    const auto done = [&](const ResidualSums<double>& now, int iterations)
+    {
+        if (iterations == 0) start = now.rz;
+        if (!std::isfinite(now.rz) || iterations == mostIterations)
+            throw DivergedError(
+                fmt::format("the implicit migration of the powder has not converged in {} iterations: the residual is {:.3g} of "
+                            "what it was. Choose a smaller `migrationFactor` in `integration`",
+                            iterations, std::sqrt(now.rz / start)));
+        return now.rz <= sqr(tolerance) * start;
+    };
+    conjugateGradients(
+        LinearSystem<1>{n, store.component(Mass::info.name, 0), {change_.data()}, {residual_.data()}, {p}},
+        [&](std::size_t i) { return 1 + deltaT * lambda[i]; }, apply, [&](int, std::size_t i) { return p[i] - deltaT * response[i]; },
+        [](std::size_t) { return 0.0; }, done);
+    // By fluxes between pairs, so that powder is kept whatever the tolerance.
+    std::copy_n(change_.data(), n, p);
+    particles.evaluate(ofMigrationSolve);
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < n; ++i) rate[i] += response[i];
 }
 
 template<int dim> double Migration<dim>::volume(const Particles<dim>& particles) const

@@ -3,8 +3,16 @@
 ///   mu(phi), gammaDot(v, mu), dphi/dt by the terms of this room;    phi += dt dphi/dt
 ///   dt <= f h^2/max_i D_i,    D = gammaDot phi (D_c a^2 + D_eta a^2 phi 1/mu dmu/dphi)        f = 0.25; unstable from 0.4 in three dimensions
 ///
+/// Near phi_m, D_eta makes D a hundred times what D_c does, and `migration semiImplicit` solves for J_eta at the end of the step,
+///
+///   (1 - dt K) dphi = dt dphi/dt,    K of ViscosityFlux.hpp        dt <= f h^2/max_i (gammaDot phi D_c a^2)
+///
+/// by conjugate gradients in the product sum_i m_i a_i b_i, B held; what is added to phi in the end is of fluxes between pairs, so that powder is
+/// kept whatever their tolerance. Of first order in time: dt is also such that no phi moves farther than a hundredth of the way to phi_m
+/// (max_i |dphi_i/dt| dt/(phi_m - phi_i) <= 0.01, phi_m - phi_c where that is more), unless an explicit step would be longer.
+///
 /// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities
-/// serves four of these steps (`migrationSteps`) within 0.1 % of phi.
+/// serves four explicit steps (`migrationSteps`) within 0.1 % of phi, and one of those that solve.
 #pragma once
 #include "Particles.hpp"
 
@@ -12,12 +20,14 @@ namespace sph
 {
 
 /// The groups of the plan: the gradient's correction, once in a step of the flow, and all rates.
-inline constexpr const char *ofCorrection = "correct the gradient", *ofMigration = "rates of migration";
+inline constexpr const char *ofCorrection = "correct the gradient", *ofMigration = "rates of migration",
+                            *ofMigrationSolve = "response of migration";
 
 struct MigrationSteps
 {
     double factor = 0.25; ///< f
     int most = 4;         ///< to a step of the flow
+    bool solves = false;  ///< for J_eta at the end of a step
 };
 
 template<int dim> class Migration final : public Part<dim>
@@ -44,6 +54,7 @@ public:
     /// of about 2/(1 + n), by itself for n <= 1.
     std::string warning(const Particles<dim>&) override;
     void save(Numbers&) const override;
+    std::size_t bytes() const override { return (change_.capacity() + residual_.capacity()) * sizeof(double); }
 
 private:
     MigrationSteps steps_;
@@ -53,9 +64,12 @@ private:
     bool warned_ = false;
     double leastViscosity_ = 0, largestViscosity_ = 0;
     std::optional<double> startVolume_; ///< of powder at the first start [m^3]
+    Array change_, residual_;           ///< of the owned particles, where J_eta is solved for
 
     void evaluateRates(Particles<dim>&);
     void advance(Particles<dim>&, double deltaT);
+    /// dphi/dt of a step in which J_eta is that of its end. Throws DivergedError where nothing is finite, or no solution is found.
+    void solve(Particles<dim>&, double deltaT);
     double volume(const Particles<dim>&) const;
 };
 

@@ -1,6 +1,7 @@
 #include "suspension.hpp"
 #include "Migration.hpp"
 #include "Suspension.hpp"
+#include "ViscosityFlux.hpp"
 #include "suspensionTerms.hpp"
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,10 @@ const Scalar phi{"phi", units::none, byScene("the field phi of the time folder")
     Deta{"Deta", units::none, required, positive, "D_eta of Phillips' fluxes"},
     diameter{"diameter", units::m, byScene("needed without radius"), positive, "of the powder's particles"},
     radius{"radius", units::m, byScene("needed without diameter"), positive, "of the powder's particles"};
+const Choice migration{"migration",
+                       {{"explicit", "steps as short as J_eta asks for"}, {"semiImplicit", "J_eta at the end of a step, solved for"}},
+                       byScene("semiImplicit where J_eta makes steps 40 times as short as J_c alone, at `phi`; else explicit"),
+                       "how the powder's own steps are taken"};
 const Choice a{"a", {"diameter", "radius"}, required, "what D_c and D_eta multiply the square of: a factor 4 in time"},
     noSteadyState{"noSteadyState", {"refuse", "warn"}, "refuse", "where D_c/D_eta >= 1, and powder migrates until it is packed"},
     shearRate{"shearRate",
@@ -35,7 +40,8 @@ const Scalar subParticleShear{"subParticleShear", units::none, 0.025, nonNegativ
                               "alpha of the shear that a particle's own extent adds, with shearRate stress"},
     migrationFactor{"migrationFactor", units::none, 0.25, positive, "of the limit by migration, h^2/D"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
-const Count migrationSteps{"migrationSteps", 4, atLeast(1).saying("migrationSteps is a number of steps, at least 1, not {}"),
+const Count migrationSteps{"migrationSteps", byScene("4; 1 with migration semiImplicit"),
+                           atLeast(1).saying("migrationSteps is a number of steps, at least 1, not {}"),
                            "steps of the powder's migration to one of the flow, at most"};
 }
 
@@ -150,6 +156,19 @@ void prepare(const Reading& reading)
     settings.state.push_back(powderFraction(settings.coefficients.of<Suspension>()));
 }
 
+/// Near packing J_eta is stiff beside J_c, by 1 + D_eta/D_c phi 1/mu dmu/dphi; a solve takes some ten sums over pairs, and is of first order.
+bool solvesForMigration(const Reading& reading, const Dictionary& integration, const Suspension& s)
+{
+    if (entry::migration.given(integration)) return entry::migration(integration) == "semiImplicit";
+    constexpr double worthSolving = 40;
+    const double phi = s.phi.value_or(0),
+                 stiffness = 1 + s.Deta_a2 / s.Dc_a2 * phi * s.exponent / (s.phiMax - std::min(phi, s.phiCritical));
+    if (reading.paper() || !(stiffness > worthSolving)) return false;
+    reading.settings.reasons.push_back(
+        fmt::format("migration semiImplicit: at phi {:.4g} the diffusion by viscosity is {:.3g} times that by collisions", phi, stiffness));
+    return true;
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -172,12 +191,15 @@ void read(const Reading& reading)
     const std::set<std::string> changed{Velocity::info.name, PowderFraction::info.name};
     const bool corrects = rate != "gradient";
     if (corrects) settings.groups.push_back({ofCorrection, {"gradientCorrection"}});
-    settings.groups.push_back({ofMigration, terms, changed});
-
     const auto integration = dict.subDictOrEmpty("integration");
     MigrationSteps steps;
+    steps.solves = solvesForMigration(reading, integration, numbers);
+    if (steps.solves) terms.insert(terms.end(), {"diffusivityOfViscosity", "viscosityFluxRate"});
+    settings.groups.push_back({ofMigration, terms, changed});
+    if (steps.solves)
+        settings.groups.push_back({ofMigrationSolve, {"viscosityFluxResponse"}, {PowderChange::info.name}, {}, {PowderChange::info.name}});
     steps.factor = entry::migrationFactor(integration) * entry::stepFactor(integration);
-    steps.most = entry::migrationSteps(integration);
+    steps.most = entry::migrationSteps(integration, steps.solves ? 1 : 4);
     settings.shown.insert(settings.shown.end(), {{ShearRate::info.name, ShearRate::info.name}, {DynamicViscosity::info.name, "eta"}});
     settings.parts.push_back(partOf<Migration>(steps, corrects));
 }
@@ -204,7 +226,8 @@ const Model& suspensionModel()
                               {"constant/openings", {{FreeName{"<opening>", "dictionary", ""}, {entry::phi}}}},
                               {"system/sphSchemes", {entry::shearRate, entry::subParticleShear}},
                               {"system/sphSchemes",
-                               {{SubDictionary{"integration", notGiven, ""}, {entry::migrationFactor, entry::migrationSteps}}}}}};
+                               {{SubDictionary{"integration", notGiven, ""},
+                                 {entry::migration, entry::migrationFactor, entry::migrationSteps}}}}}};
     return model;
 }
 

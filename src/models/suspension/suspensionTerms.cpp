@@ -2,6 +2,7 @@
 #include "Krieger.hpp"
 #include "PhillipsFlux.hpp"
 #include "ShearRate.hpp"
+#include "ViscosityFlux.hpp"
 
 namespace sph
 {
@@ -9,7 +10,7 @@ namespace sph
 template<int dim> Catalogue<dim> suspensionTerms()
 {
     return catalogue<dim, Krieger, KriegerSlope, ViscousShearStress, ResolvedShear, SubParticleShear, VelocityGradientShear,
-                     CorrectedGradientShear, PhillipsFlux>();
+                     CorrectedGradientShear, PhillipsFlux, DiffusivityOfViscosity, ViscosityFluxResponse, ViscosityFluxRate>();
 }
 
 template Catalogue<2> suspensionTerms<2>();

@@ -94,7 +94,7 @@ template<int dim> struct Scene
           kernel("wendlandC2", coefficients.support),
           images(geometry, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing)
     {
-        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "ghostWall", "dU", "dUTransport", "phi"};
+        std::set<std::string> given{"positions", "U", "m", "phase", "mu", "ghostWall", "dU", "dUTransport", "phi", "dphi"};
         if (integratedDensity) given.insert("rho");
         catalogue.insert(catalogue.end(), more.begin(), more.end());
         plan.emplace(catalogue, terms, given);

@@ -239,6 +239,8 @@ TEST(Threads, DoNotChangeABitOfMigrationAlone)
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme quasiSteady; }\n";
     files["system/controlDict"] += "maxDeltaT 0.001;\n";
     threadsDoNotChangeABit(files);
+    files["system/sphSchemes"] += "integration { migration semiImplicit; }\n";
+    threadsDoNotChangeABit(files);
 }
 // Conjugate gradients for pressure and viscosity, with surface tension and shifting.
 TEST(Threads, DoNotChangeABitOfAnImplicitStep)

@@ -607,6 +607,23 @@ TEST(Settings, OfASuspensionAreRead)
     EXPECT_TRUE(reading(schemes("")).settings.has("wallVelocity", "reflected"));
 }
 
+// Near packing powder moves by steps that solve, where J_eta is 40 times as stiff as J_c: phi_m - phi < 0.04 here.
+TEST(Settings, OfAPackedSuspensionSolveForItsMigration)
+{
+    const auto solves = [](const Files& files)
+    {
+        const auto r = reading(files);
+        EXPECT_EQ(r.errors, "");
+        return std::ranges::any_of(r.settings.groups, [](const Group& group) { return group.name == ofMigrationSolve; });
+    };
+    const auto at = [](const char* phi) { return edited(suspensionCase(), "constant/transportProperties", "phi 0.4", phi); };
+    EXPECT_FALSE(solves(at("phi 0.4")));
+    EXPECT_TRUE(solves(at("phi 0.67")));
+    EXPECT_FALSE(solves(edited(at("phi 0.67"), "system/sphSchemes", "semiImplicit", "semiImplicit; migration explicit")));
+    EXPECT_FALSE(solves(edited(at("phi 0.67"), "system/sphSchemes", "shifting 2;", "scheme paper;")));
+    EXPECT_TRUE(solves(edited(at("phi 0.4"), "system/sphSchemes", "semiImplicit", "semiImplicit; migration semiImplicit")));
+}
+
 /// n particles of the channel, 400 of which would fill it.
 Files holding(Files files, int n)
 {

@@ -4,6 +4,7 @@
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
+#include "ViscosityFlux.hpp"
 #include <functional>
 #include <numbers>
 
@@ -72,6 +73,63 @@ TEST(PhillipsFlux, IsThePlainSumAndConservesPowder)
 {
     for (const auto& g : {periodicBox(2), channel(2), aroundABall(2, 0.25)}) sumIsPlain<2>(g);
     sumIsPlain<3>(channel(3));
+}
+
+/// The terms of a step that solves for J_eta, in a channel with random velocities.
+template<int dim> Scene<dim> implicitFlux(const Geometry& g, double Dc_a2)
+{
+    auto c = suspension(dim);
+    auto numbers = c.of<Suspension>();
+    numbers.Dc_a2 = Dc_a2;
+    c.set(numbers);
+    Scene<dim> s(g, c,
+                 {"integratedVolume", "gradientNormalisation", "correctedGradientShear", "kriegerSlope", "phillipsFlux",
+                  "diffusivityOfViscosity", "viscosityFluxResponse", "viscosityFluxRate"},
+                 true);
+    set<dim>(s, "phi", [](auto x) { return 0.4 + 0.2 * std::sin(9 * x.x) * std::cos(4 * x.y); });
+    return s;
+}
+// K phi is PhillipsFlux without D_c; it is symmetric in the product with the masses, keeps powder, and its diagonal is what a change of one particle
+// alone makes there.
+template<int dim> void responseIsOfTheFlux(const Geometry& g)
+{
+    auto s = implicitFlux<dim>(g, 0);
+    const double *phi = s.store.component("phi", 0), *m = s.store.component("m", 0), *flux = s.store.component("dphidt", 0),
+                 *response = s.store.component(PowderResponse::info.name, 0), *lambda = s.store.component(PowderRelaxation::info.name, 0);
+    double* const q = s.store.component(PowderChange::info.name, 0);
+    const auto K = [&](const auto& of)
+    {
+        for (std::size_t i = 0; i < s.n; ++i) q[i] = of(i);
+        evaluate(s);
+        return std::vector<double>(response, response + s.n);
+    };
+    const auto first = [](std::size_t i) { return std::sin(0.7 * double(i)); },
+               second = [](std::size_t i) { return std::cos(double(i * i)); };
+    const auto Kphi = K([&](std::size_t i) { return phi[i]; }), K1 = K(first), K2 = K(second);
+    const std::size_t one = s.n / 2;
+    const auto alone = K([&](std::size_t i) { return double(i == one); });
+    Largest largest, worst;
+    double kept = 0, size = 0, a = 0, b = 0;
+    for (std::size_t i = 0; i < s.n; ++i)
+    {
+        largest(flux[i]);
+        worst(Kphi[i] - flux[i]);
+        kept += m[i] * K1[i];
+        size += std::abs(m[i] * K1[i]);
+        a += m[i] * first(i) * K2[i];
+        b += m[i] * second(i) * K1[i];
+    }
+    EXPECT_GT(largest.value(), 0);
+    EXPECT_LT(worst.value(), 1e-12 * largest.value());
+    EXPECT_LT(std::abs(kept), 1e-14 * size);
+    EXPECT_NEAR(a, b, 1e-12 * size);
+    EXPECT_NEAR(alone[one], -lambda[one], 1e-12 * lambda[one]);
+    EXPECT_GT(lambda[one], 0);
+}
+TEST(ViscosityFlux, IsThatPartOfThePhillipsFluxAndSymmetric)
+{
+    for (const auto& g : {periodicBox(2), channel(2), aroundABall(2, 0.25)}) responseIsOfTheFlux<2>(g);
+    responseIsOfTheFlux<3>(channel(3));
 }
 
 /// The largest |dphi/dt| on a lattice with phi a sine of y and phi gammaDot mu^r uniform, over that of J_c alone.
