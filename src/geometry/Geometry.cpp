@@ -12,11 +12,12 @@ namespace sph
 namespace
 {
 
-NearestPatch nearest(const Geometry& g, const Vector<3>& x, NearestPatch best = {})
+NearestPatch nearest(const Geometry& g, const Vector<3>& x, NearestPatch best = {}, int except = -1)
 {
-    if (g.tree) return g.tree->nearest(x, best);
+    if (g.tree) return g.tree->nearest(x, best, except);
     for (int p = 0; p < int(g.patches.size()); ++p)
-        if (const double d = g.patches[std::size_t(p)].shape->foot(x).distance; d < best.distance) best = {d, p};
+        if (p == except) continue;
+        else if (const double d = g.patches[std::size_t(p)].shape->foot(x).distance; d < best.distance) best = {d, p};
     return best;
 }
 
@@ -45,10 +46,10 @@ Vector<3> Geometry::wallVelocity(int wall, const Vector<3>& x) const
     return w.velocity + cross(w.omega, x - w.origin);
 }
 
-NearestFoot nearestFoot(const Geometry& g, const Vector<3>& x)
+NearestFoot nearestFoot(const Geometry& g, const Vector<3>& x, int except)
 {
     NearestFoot found;
-    found.patch = nearest(g, x).patch;
+    found.patch = nearest(g, x, {}, except).patch;
     if (found.patch < 0) found.foot.distance = Box::infinity;
     else found.foot = g.patches[std::size_t(found.patch)].shape->foot(x);
     return found;

@@ -61,32 +61,33 @@ int PatchTree::build(const std::vector<Box>& bounds, int first, int last)
     return index;
 }
 
-void PatchTree::consider(const Numbered& body, const Vector<3>& x, NearestPatch& best)
+void PatchTree::consider(const Numbered& body, const Vector<3>& x, int except, NearestPatch& best)
 {
+    if (body.patch == except) return;
     const double d = body.shape->foot(x).distance;
     if (d < best.distance || (d == best.distance && body.patch < best.patch)) best = {d, body.patch};
 }
 
-void PatchTree::visit(int index, const Vector<3>& x, NearestPatch& best) const
+void PatchTree::visit(int index, const Vector<3>& x, int except, NearestPatch& best) const
 {
     const auto& node = nodes_[index];
     if (node.left < 0)
     {
-        for (int i = node.first; i < node.last; ++i) consider(bodies_[order_[i]], x, best);
+        for (int i = node.first; i < node.last; ++i) consider(bodies_[order_[i]], x, except, best);
         return;
     }
     // A body is at least as far as its bounds; within them it may be at any depth.
     const double toLeft = distanceTo(nodes_[node.left].bounds, x), toRight = distanceTo(nodes_[node.right].bounds, x);
     const bool leftFirst = toLeft <= toRight;
     for (const bool left : {leftFirst, !leftFirst})
-        if (const double d = left ? toLeft : toRight; d <= best.distance || d == 0) visit(left ? node.left : node.right, x, best);
+        if (const double d = left ? toLeft : toRight; d <= best.distance || d == 0) visit(left ? node.left : node.right, x, except, best);
 }
 
-NearestPatch PatchTree::nearest(const Vector<3>& x, NearestPatch best) const
+NearestPatch PatchTree::nearest(const Vector<3>& x, NearestPatch best, int except) const
 {
-    for (const auto& other : others_) consider(other, x, best);
+    for (const auto& other : others_) consider(other, x, except, best);
     if (!nodes_.empty())
-        if (const double d = distanceTo(nodes_.front().bounds, x); d <= best.distance || d == 0) visit(0, x, best);
+        if (const double d = distanceTo(nodes_.front().bounds, x); d <= best.distance || d == 0) visit(0, x, except, best);
     return best;
 }
 

@@ -34,14 +34,14 @@ class PatchTree
     std::vector<Node> nodes_;
 
     int build(const std::vector<Box>&, int first, int last);
-    static void consider(const Numbered&, const Vector<3>& x, NearestPatch& best);
-    void visit(int node, const Vector<3>& x, NearestPatch& best) const;
+    static void consider(const Numbered&, const Vector<3>& x, int except, NearestPatch& best);
+    void visit(int node, const Vector<3>& x, int except, NearestPatch& best) const;
 
 public:
     explicit PatchTree(const std::vector<Patch>&);
 
-    /// The nearer of `best` and the patch of the smallest signed distance from x: of several as near the first.
-    NearestPatch nearest(const Vector<3>& x, NearestPatch best = {}) const;
+    /// The nearer of `best` and the patch of the smallest signed distance from x, one left out: of several as near the first.
+    NearestPatch nearest(const Vector<3>& x, NearestPatch best = {}, int except = -1) const;
 };
 
 }

@@ -41,7 +41,7 @@ struct NearestFoot
     int patch = -1; ///< where there are no walls, or x is NaN
 };
 
-/// The nearest foot of x on the shapes by themselves, at any distance; of patches that are as near the first.
-NearestFoot nearestFoot(const Geometry&, const Vector<3>& x);
+/// The nearest foot of x on the shapes by themselves, one patch left out, at any distance; of patches that are as near the first.
+NearestFoot nearestFoot(const Geometry&, const Vector<3>& x, int except = -1);
 
 }

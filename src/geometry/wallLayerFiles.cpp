@@ -1,4 +1,6 @@
 #include "Cloud.hpp"
+#include "OutputFile.hpp"
+#include "TimeFolder.hpp"
 #include "components.hpp"
 #include "wallLayers.hpp"
 #include <fmt/format.h>
@@ -14,7 +16,6 @@ constexpr auto fieldFolder = "constant/lagrangian/wallLayers/";
 
 void writeWallLayers(const std::filesystem::path& caseFolder, const std::vector<LayerParticle>& layers)
 {
-    removeWallLayers(caseFolder);
     std::array<std::vector<double>, 3> x;
     std::vector<double> wall, factor;
     for (const auto& particle : layers)
@@ -24,8 +25,21 @@ void writeWallLayers(const std::filesystem::path& caseFolder, const std::vector<
         factor.push_back(particle.volumeFactor);
     }
     const FieldView positions{"positions", FieldClass::vector, {x[0].data(), x[1].data(), x[2].data()}};
-    writeCloud(caseFolder / "constant", cloudName, layers.size(), positions,
-               {{"wall", FieldClass::label, {wall.data()}}, {"volumeFactor", FieldClass::scalar, {factor.data()}}}, {});
+    // Whole in a folder of its own before what was there goes.
+    const auto constant = caseFolder / "constant";
+    writeFolder(constant, cloudName,
+                [&](const std::filesystem::path& folder)
+                {
+                    writeCloud(folder, cloudName, layers.size(), positions,
+                               {{"wall", FieldClass::label, {wall.data()}}, {"volumeFactor", FieldClass::scalar, {factor.data()}}}, {});
+                });
+    removeWallLayers(caseFolder);
+    for (const char* part : {"lagrangian", "uniform/lagrangian"})
+    {
+        createFolders(constant / part);
+        std::filesystem::rename(constant / cloudName / part / cloudName, constant / part / cloudName);
+    }
+    std::filesystem::remove_all(constant / cloudName);
 }
 
 void removeWallLayers(const std::filesystem::path& caseFolder)

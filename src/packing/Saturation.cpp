@@ -40,18 +40,8 @@ namespace
 /// Distances to the two nearest patches; infinite where there are fewer.
 std::pair<double, double> twoNearest(const Geometry& g, const Vector<3>& x)
 {
-    double first = Box::infinity, second = Box::infinity;
-    const auto look = [&](const Foot& foot, int)
-    {
-        if (foot.distance < first) second = std::exchange(first, foot.distance);
-        else second = std::min(second, foot.distance);
-    };
-    forEachFootAlone(g, x, g.reach, look);
-    if (second <= g.reach) return {first, second};
-
-    first = second = Box::infinity;
-    forEachFootAlone(g, x, Box::infinity, look);
-    return {first, second};
+    const auto first = nearestFoot(g, x), second = nearestFoot(g, x, first.patch);
+    return {first.foot.distance, second.foot.distance};
 }
 
 double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const Vector<3>& x)

@@ -1,4 +1,5 @@
 /// Walls that reflection cannot represent, runs that blow up, and disks that are full.
+#include "SmallFiles.hpp"
 #include "refusal.hpp"
 #include <csignal>
 #include <fcntl.h>
@@ -6,7 +7,6 @@
 #include <regex>
 #include <sstream>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -206,22 +206,6 @@ TEST(Runs, OfAPhaseWithoutParticles)
     EXPECT_NE(log.find("; oil: no particles"), std::string::npos) << log;
     EXPECT_EQ(log.find("inf"), std::string::npos) << log;
 }
-
-/// Files cannot grow beyond some bytes while it lives: what a full disk does, on any machine.
-class SmallFiles
-{
-    rlimit before_{};
-
-public:
-    explicit SmallFiles(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit small{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~SmallFiles() { setrlimit(RLIMIT_FSIZE, &before_); }
-};
 
 // What cannot be written whole leaves what was there: the particles of the start, the walls, a dictionary.
 TEST(Disk, FullForEveryProgramThatWrites)

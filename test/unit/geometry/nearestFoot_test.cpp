@@ -3,6 +3,7 @@
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <random>
+#include <utility>
 
 using namespace sph;
 using namespace sph::test;
@@ -13,21 +14,29 @@ namespace
 /// The first of the patches that are as near, by a loop over all.
 void expectThatOfALoop(const Geometry& g, const Vector<3>& x)
 {
-    int nearest = -1;
-    double distance = Box::infinity;
+    int nearest = -1, second = -1;
+    double distance = Box::infinity, toSecond = Box::infinity;
     std::vector<int> within, found;
     for (int p = 0; p < int(g.patches.size()); ++p)
     {
         const double d = g.patches[std::size_t(p)].shape->foot(x).distance;
         if (d <= g.reach) within.push_back(p);
-        if (d >= distance) continue;
-        distance = d;
-        nearest = p;
+        if (d < distance)
+        {
+            toSecond = std::exchange(distance, d);
+            second = std::exchange(nearest, p);
+        }
+        else if (d < toSecond)
+        {
+            toSecond = d;
+            second = p;
+        }
     }
     const auto [foot, patch] = nearestFoot(g, x);
     EXPECT_EQ(patch, nearest) << x.x << " " << x.y << " " << x.z;
     EXPECT_EQ(foot.distance, distance);
     if (nearest >= 0) { EXPECT_EQ(foot.normal, g.patches[std::size_t(nearest)].shape->foot(x).normal); }
+    EXPECT_EQ(nearestFoot(g, x, nearest).patch, second) << x.x << " " << x.y << " " << x.z;
     forEachFootAlone(g, x, g.reach, [&](const Foot&, int p) { found.push_back(p); });
     EXPECT_EQ(found, within);
 }

@@ -1,4 +1,6 @@
 /// Layers of wall particles: where they lie, how much of the solid they are, and what has none.
+#include "CaseError.hpp"
+#include "SmallFiles.hpp"
 #include "reading.hpp"
 #include "wallLayers.hpp"
 #include <gtest/gtest.h>
@@ -180,6 +182,30 @@ TEST(WallLayers, ThatCannotBeMadeAreErrorsAtTheirWall)
     const auto sheet = layersOf(square + "walls { sheet { type box; min (0.2 0.3 0); max (0.6 0.4 0); fluid outside; } }", 0.05);
     EXPECT_NE(sheet.errors.find("constant/geometry:2: the box is 0.1 m thick, less than two kernel supports, 0.26 m"), std::string::npos)
         << sheet.errors;
+}
+
+// Layers that cannot be written whole leave those that were there.
+TEST(WallLayers, StayWhereNewOnesCannotBeWritten)
+{
+    const auto folder = std::filesystem::path(testing::TempDir()) / "fullWallLayers";
+    std::filesystem::create_directories(folder / "constant");
+    const auto layers = [](double spacing)
+    { return layersOf(square + "walls { disc { type sphere; centre (0.5 0.5 0); radius 0.2; fluid outside; } }", spacing).particles; };
+    const auto first = layers(0.05), finer = layers(0.01);
+    writeWallLayers(folder, first);
+    {
+        const SmallFiles limit(4096);
+        EXPECT_THROW(writeWallLayers(folder, finer), CaseError);
+    }
+    Diagnostics diagnostics;
+    EXPECT_EQ(readWallLayers(folder, 1, diagnostics).size(), first.size());
+    EXPECT_TRUE(diagnostics.ok());
+    std::size_t entries = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "constant")) ++entries;
+    EXPECT_EQ(entries, 2u) << "only lagrangian and uniform are there";
+    writeWallLayers(folder, finer);
+    EXPECT_EQ(readWallLayers(folder, 1, diagnostics).size(), finer.size());
+    std::filesystem::remove_all(folder);
 }
 
 // What is written is read again, to the bit; damaged files are errors that name them.

@@ -44,10 +44,11 @@ int prepare(const std::filesystem::path& folder, bool full)
     sph::createFolders(folder / "constant" / "triSurface");
     sph::writeFile(folder / "constant" / "triSurface" / "walls.stl", sph::stlText(geometry, surfaces));
     sph::writeFile(folder / "constant" / "triSurface" / "walls.vtp", sph::vtpText(geometry, surfaces));
-    sph::writeFile(folder / "constant" / "walls",
-                   sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
     if (layered) sph::writeWallLayers(folder, layers);
     else sph::removeWallLayers(folder);
+    // Last: with its stamp it says that all else belongs to the present geometry.
+    sph::writeFile(folder / "constant" / "walls",
+                   sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
     fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}\n\nEnd\n",
                layered ? fmt::format(", constant/lagrangian/wallLayers: {} particles", layers.size()) : "");
     return 0;
