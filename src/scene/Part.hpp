@@ -66,6 +66,8 @@ public:
     virtual std::vector<Stage<dim>> stages(Place) { return {}; }
     /// Before particles are sorted: takes away and adds, and returns how many there are now.
     virtual std::size_t exchange(Particles<dim>&, std::size_t owned) { return owned; }
+    /// Positions are new and particles have not been sorted: before an evaluation between two of those.
+    virtual void moved(Particles<dim>&) {}
     /// After they have been sorted and lists are there.
     virtual void sorted(Particles<dim>&) {}
     /// After each change of the arrays.

@@ -215,7 +215,11 @@ template<int dim> Vector<dim> Particles<dim>::position(std::size_t i) const
 template<int dim> void Particles<dim>::evaluate()
 {
     if (travelled_ > 0.5 * skin_) rebuild();
-    else images_.move(store_);
+    else
+    {
+        for (const auto& part : parts_) part->moved(*this);
+        images_.move(store_);
+    }
     evaluateFirst();
 }
 

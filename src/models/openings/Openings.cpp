@@ -14,7 +14,7 @@ namespace sph
 
 namespace
 {
-/// Room beyond twice the support, for what particles travel before lists are rebuilt [spacings].
+/// Room beyond twice the support, and beyond the support on either side of a plane, for what particles travel before lists are rebuilt [spacings].
 constexpr double spareDepth = 1;
 /// Of (rho/rho_0)^n, which a pressure far below 0 would make negative.
 constexpr double leastRatio = 1e-3;
@@ -220,31 +220,36 @@ template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
-template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
+template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i, bool predicted)
 {
-    const auto x = store.pointers(Position{});
-    double* const holder = store.component(Holder::info.name, 0);
-    const double* const m = store.component(Mass::info.name, 0);
-    const auto pass = [&](int gate, double sign, std::size_t i)
+    double& holder = store.component(Holder::info.name, 0)[i];
+    const int before = int(holder), now = holderOf(x_i);
+    const auto pass = [&](int gate, double sign)
     {
         if (gate == 0) return;
         auto& to = gates_[std::size_t(gate) - 1];
-        to.mass += sign * m[i];
+        to.mass += sign * store.component(Mass::info.name, 0)[i];
         for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountOf(store, *counted_[q], i, predicted);
     };
+    if (counts_ && before != now)
+    {
+        pass(before, 1);
+        pass(now, -1);
+    }
+    holder = now;
+    return now;
+}
+
+template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
+{
+    const auto x = store.pointers(Position{});
     const bool starts = !restored_ && !counts_;
     std::vector<int> kept, takenBy(starts ? owned : 0, 0);
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto x_i = in3D(at<dim>(x, i));
-        const int before = int(holder[i]), now = holderOf(x_i);
-        if (counts_ && before != now)
-        {
-            pass(before, 1, i);
-            pass(now, -1, i);
-        }
-        holder[i] = now;
+        const int now = assign(store, i, x_i, predicted);
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
         if (starts) takenBy[i] = gone ? now : now == 0 ? farBeyond(x_i) : 0;
@@ -338,25 +343,47 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
 {
     const auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
+    const double reach = coefficients_.support + spareDepth * coefficients_.spacing;
+    close_.clear();
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(at<dim>(x, i));
+        if (holder[i] > 0 || std::ranges::any_of(gates_, [&](const Gate& gate) { return std::fabs(gate.opening.distance(x_i)) < reach; }))
+            close_.push_back(int(i));
+    }
+    list(store);
+}
+
+template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predicted)
+{
+    const auto x = store.pointers(Position{});
+    for (const int i : close_) assign(store, std::size_t(i), in3D(at<dim>(x, std::size_t(i))), predicted);
+    list(store);
+}
+
+template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
+{
+    const auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
     held_.clear();
     for (auto& gate : gates_)
     {
         gate.near.clear();
         gate.held = 0;
     }
-    for (std::size_t i = 0; i < owned; ++i)
+    for (const int i : close_)
     {
-        const auto x_i = in3D(at<dim>(x, i));
+        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
         if (holder[i] > 0)
         {
-            held_.push_back(int(i));
+            held_.push_back(i);
             ++gates_[std::size_t(holder[i]) - 1].held;
-            impose(store, i, x_i);
+            impose(store, std::size_t(i), x_i);
             continue;
         }
         for (auto& gate : gates_)
             if (const double s = gate.opening.distance(x_i); s >= 0 && s < coefficients_.support && belongs(gate, x_i))
-                gate.near.push_back(int(i));
+                gate.near.push_back(i);
     }
 }
 

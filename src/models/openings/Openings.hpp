@@ -9,9 +9,10 @@
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///
 /// An inlet that has a pressure p_in moves by the balance of forces on the plug of length l that it holds, and not faster than its velocity,
-/// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle that passes an inlet's plane is free, and lines are filled up from behind; one
-/// that passes an outlet's is held, and taken away at the end. That happens when neighbour lists are rebuilt. What is packed further beyond a
-/// plane than is held there is taken away at the start.
+/// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle is free from the evaluation on that finds it past an inlet's plane, and held from that
+/// on which finds it past an outlet's. Lines are filled up from behind, and what comes to the end of an outlet is taken away, when neighbour lists are
+/// rebuilt: both out of the scene's sight, so that when this happens decides nothing. What is packed further beyond a plane than is held there is taken away
+/// at the start.
 ///
 /// Counts what passes, and what is taken away at the start: what is free has grown by the one less the other, to round-off. Powder that migrates
 /// between held and free particles counts too.
@@ -65,6 +66,8 @@ public:
     std::size_t exchange(FieldStore<dim>&, std::size_t owned, bool predicted = false);
     /// After they are sorted: finds those that are held, and those that are near.
     void locate(FieldStore<dim>&, std::size_t owned);
+    /// Between two sortings, at new positions: what has passed a plane since is held, or free.
+    void follow(FieldStore<dim>&, bool predicted);
     /// Indices of the particles that are held.
     std::span<const int> held() const { return held_; }
     /// After an evaluation: takes from held particles what would move or change them, and keeps what goes into them by a kick.
@@ -103,8 +106,8 @@ private:
     bool integrates_ = false;              ///< density evolves
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
-    double depth_; ///< of the held particles beyond a plane [m]
-    std::vector<int> held_;
+    double depth_;                                              ///< of the held particles beyond a plane [m]
+    std::vector<int> close_, held_;                             ///< close_: all that may come near or be held before the next sorting
     double startMass_ = 0;                                      ///< of what is free and what is taken away, at the first start [kg]
     std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
     bool restored_ = false, counts_ = false;                    ///< counts_: who is held is known from before
@@ -119,6 +122,10 @@ private:
     bool inSight(const Gate&, const Vector<3>& x) const;
     int holderOf(const Vector<3>& x) const;
     int farBeyond(const Vector<3>& x) const;
+    /// Who holds a particle at x_i from now on; counts what passes. Returns 1 + the opening, or 0.
+    int assign(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i, bool predicted);
+    /// Of `close_`: those that are held, and those that are near.
+    void list(FieldStore<dim>&);
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
     void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;

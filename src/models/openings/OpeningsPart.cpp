@@ -26,6 +26,12 @@ template<int dim> std::size_t OpeningsPart<dim>::exchange(Particles<dim>& partic
     return openings_.exchange(particles.store(), owned, particles.predicted());
 }
 
+template<int dim> void OpeningsPart<dim>::moved(Particles<dim>& particles)
+{
+    openings_.follow(particles.store(), particles.predicted());
+    particles.hold({openings_.held().begin(), openings_.held().end()});
+}
+
 template<int dim> void OpeningsPart<dim>::sorted(Particles<dim>& particles)
 {
     openings_.locate(particles.store(), particles.size());

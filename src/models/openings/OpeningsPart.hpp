@@ -15,6 +15,7 @@ public:
 
     std::vector<Stage<dim>> stages(Place) override;
     std::size_t exchange(Particles<dim>&, std::size_t owned) override;
+    void moved(Particles<dim>&) override;
     void sorted(Particles<dim>&) override;
     void holdRate(Particles<dim>&, const std::string& field, double deltaT) override;
     std::string introduction() const override;

@@ -4,6 +4,7 @@
 #include "Duct.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace sph::test
 {
@@ -159,6 +160,57 @@ TEST(Openings, TakeAwayWhatHasLeft)
     EXPECT_EQ(scene.owned, 20u + 60u);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).mass), 1e-14);
     EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-14);
+}
+
+// What passes a plane is free, or held, at once, whenever lists are rebuilt: every step, or every seventh, with a row passing every twentieth.
+TEST(Openings, LetPassAtTheMomentOfPassing)
+{
+    struct Duct
+    {
+        Scene scene;
+        std::vector<Opening> both = []
+        {
+            auto gate = gateOf(0.3);
+            gate.velocity = 0.5;
+            return std::vector{gate, outlet(0)};
+        }();
+        Openings<2> openings{both, scene.geometry, scene.c, scene.evolving, {}};
+        Duct()
+        {
+            scene.fill(0, 1, 0.5, 0.2);
+            scene.exchange(openings);
+        }
+        void step(bool sorts)
+        {
+            scene.drift(0.01);
+            if (sorts) scene.exchange(openings);
+            else openings.follow(scene.store, false);
+            openings.drive(scene.store, 0.01);
+        }
+        std::multiset<double> free()
+        {
+            std::multiset<double> x;
+            for (std::size_t i = 0; i < scene.owned; ++i)
+                if (scene.store.component("heldBy", 0)[i] == 0) x.insert(scene.store.component("positions", 0)[i]);
+            return x;
+        }
+    };
+    Duct always, seldom;
+    for (int step = 1; step <= 100; ++step)
+    {
+        always.step(true);
+        seldom.step(step % 7 == 0);
+        EXPECT_EQ(always.free(), seldom.free()) << "step " << step;
+        for (int k = 0; k < 2; ++k)
+        {
+            const auto a = always.openings.flows().at(std::size_t(k)), b = seldom.openings.flows().at(std::size_t(k));
+            EXPECT_NEAR(a.mass, b.mass, 1e-15);
+            EXPECT_NEAR(a.amounts.at(0), b.amounts.at(0), 1e-15);
+            EXPECT_NEAR(a.flowRate, b.flowRate, 1e-14);
+        }
+    }
+    EXPECT_GT(always.openings.flows().at(0).mass, 0.8);
+    EXPECT_LT(always.openings.flows().at(1).mass, -0.8);
 }
 
 // A domain that goes on beyond what is held: the rest of the duct is emptied at the start, which counts as taken away and not as passed.
