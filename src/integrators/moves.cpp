@@ -50,7 +50,8 @@ template<int dim> void kickCarried(Particles<dim>& p, double deltaT)
     forEachKicked(p,
                   [&](const Evolving& q)
                   {
-                      if (q.value.name != Velocity::info.name) advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
+                      if (q.value.name != Velocity::info.name && q.value.name != Density::info.name)
+                          advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
                   });
 }
 

@@ -11,7 +11,7 @@ template<int dim> void drift(Particles<dim>&, double deltaT);
 template<int dim> void driftByKick(Particles<dim>&, double deltaT);
 /// q += dt dq/dt
 template<int dim> void kick(Particles<dim>&, double deltaT);
-/// q += dt dq/dt of what particles carry, but not of their velocities
+/// q += dt dq/dt of what particles carry, but not of their velocities, nor of their densities: who rests is not compressed
 template<int dim> void kickCarried(Particles<dim>&, double deltaT);
 /// v += dt dv/dt by what acts once in a step of several parts
 template<int dim> void kickSlowly(Particles<dim>&, double deltaT);

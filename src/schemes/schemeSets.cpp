@@ -28,7 +28,11 @@ const std::vector<Set>& sets()
         {"enclosed", "one liquid that turns between walls",
          "resolution { support 3.2; } shifting 8; backgroundPressure 0; integration { scheme symplecticEuler; }"},
         {"bed", "one liquid that travels through a bed of grains", "transportVelocity 1; integration { scheme symplecticEuler; }"},
-        {"paper", "what Barker et al. (2012) printed", ""}};
+        {"paper", "what Barker et al. (2012) printed", ""},
+        {"paperPowder",
+         "what Kauzlaric et al. (2011) printed of powder in a binder, eqs. (3.1) to (3.8), and the walls of Morris et al. (1997); their kernel is not",
+         "resolution { kernel cubicSpline; support 2.4; } density continuity; continuityForm mass; volume continuity; pressureGradient massWeighted; "
+         "viscosity clearyMonaghan; shearRate gradient; powderFraction ofDensity; walls layers; wallVelocity morris;"}};
     return all;
 }
 

@@ -14,6 +14,10 @@ const Choice density{"density",
                      {{"numberDensity", "rho = m sigma"}, {"continuity", "integrated"}},
                      "numberDensity",
                      "where the density comes from"},
+    continuityForm{"continuityForm",
+                   {{"volume", "pairs by the neighbour's volume"}, {"mass", "by its mass: Kauzlaric et al. (2011), eq. (3.1)"}},
+                   "volume",
+                   "of the continuity equation"},
     volume{"volume", {{"numberDensity", "V = 1/sigma"}, {"continuity", "V = m/rho"}}, byScene("as density"), "of the sums over neighbours"},
     normalisation{"normalisation",
                   {{"secondMoment", "gradients are exact for linear fields on the mean"}, "none"},
@@ -115,7 +119,9 @@ void read(const Reading& reading)
     if (!integrated && volume == "continuity")
         entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
-    reading.select(integrated ? "continuity" : "summedDensity");
+    const bool byMass = reading.choose(entry::continuityForm) == "mass";
+    if (!integrated && byMass) entry::continuityForm.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
+    reading.select(!integrated ? "summedDensity" : byMass ? "massContinuity" : "continuity");
     if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
@@ -134,13 +140,14 @@ const Model& densityModel()
                              densityTerms<2>(),
                              densityTerms<3>(),
                              prepare,
-                             {{"density", [](const Settings& s) { return s.integratedDensity && !s.integration.predicts; },
+                             {{"density",
+                               [](const Settings& s) { return s.integratedDensity && s.integration.moves && !s.integration.predicts; },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
                                "predictorCorrector"}},
                              {},
                              {{"system/sphSchemes",
-                               {entry::density, entry::volume, entry::normalisation, entry::densityDiffusion, entry::densityDiffusionForm,
-                                entry::densityRelaxation}}}};
+                               {entry::density, entry::continuityForm, entry::volume, entry::normalisation, entry::densityDiffusion,
+                                entry::densityDiffusionForm, entry::densityRelaxation}}}};
     return model;
 }
 

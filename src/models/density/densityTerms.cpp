@@ -10,7 +10,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> densityTerms()
 {
-    return catalogue<dim, NumberDensity, SummedDensity, Continuity, IntegratedVolume, DensityDiffusion, DensityRelaxation,
+    return catalogue<dim, NumberDensity, SummedDensity, Continuity, MassContinuity, IntegratedVolume, DensityDiffusion, DensityRelaxation,
                      RenormalisedDensityGradient, RenormalisedDiffusion>();
 }
 

@@ -52,6 +52,21 @@ struct MonaghanPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (i.p + j.p) * ij.gradW; }
 };
 
+/// Of p/rho^2 of both, Monaghan (1992), as eq. (3.2) of Kauzlaric et al. (2011):
+///
+///   dv_i/dt = -sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) gradW_ij
+///
+/// p [Pa], rho [kg/m^3], m [kg]. With V = m/rho and equal masses the sum of Hu & Adams (2006). Conserves linear and angular momentum exactly; with the
+/// continuity equation by mass it is the gradient of an energy. Verified by test/unit/plan (plain loop).
+struct MassWeightedPressure
+{
+    static constexpr auto name = "massWeightedPressure";
+    using Adds = Acceleration;
+    using Reads = Fields<Pressure, Density, Mass>;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -j.m * (i.p / sqr(i.rho) + j.p / sqr(j.rho)) * ij.gradW; }
+};
+
 /// Of differences, dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij: no force where the pressure is uniform, however the particles
 /// lie. The forms above leave p times the disorder of the particles, which keep themselves in order by it; with this one particle
 /// shifting has to. Does not conserve momentum exactly. In Taylor-Green's vortices (tutorials/verification) it is what the error hangs on: 12 %

@@ -33,9 +33,14 @@ const Choice a{"a", {"diameter", "radius"}, required, "what D_c and D_eta multip
     shearRate{"shearRate",
               {{"stress", "|tau|/mu, smooth where the shear rate is not"},
                {"correctedGradient", "of a gradient exact for linear flow"},
-               {"gradient", "as in the paper"}},
-              byScene("stress; gradient with scheme paper"),
-              "what powder migrates by"};
+               {"gradient", "Kauzlaric et al. (2011), eq. (3.5)"}},
+              "stress",
+              "what powder migrates by"},
+    powderFraction{"powderFraction",
+                   {{"atRest", "phi = rho_0 V_phi/m, as in time folders"},
+                    {"ofDensity", "phi = rho V_phi/m: Kauzlaric et al. (2011), eq. (3.8)"}},
+                   "atRest",
+                   "what viscosity and fluxes make of the powder's volume V_phi in a particle"};
 const Scalar subParticleShear{"subParticleShear", units::none, 0.025, nonNegative,
                               "alpha of the shear that a particle's own extent adds, with shearRate stress"},
     migrationFactor{"migrationFactor", units::none, 0.25, positive, "of the limit by migration, h^2/D"},
@@ -176,7 +181,7 @@ void read(const Reading& reading)
     if (!c.has<Suspension>()) return;
     const auto& dict = reading.schemes;
     auto numbers = c.of<Suspension>();
-    const auto rate = reading.choose(entry::shearRate, reading.paper() ? "gradient" : "stress");
+    const auto rate = reading.choose(entry::shearRate);
     std::vector<std::string> terms;
     if (rate == "stress")
     {
@@ -185,9 +190,10 @@ void read(const Reading& reading)
         terms.push_back(alpha > 0 ? "subParticleShear" : "resolvedShear");
     }
     else terms.push_back(rate == "gradient" ? "velocityGradientShear" : "correctedGradientShear");
-    terms.push_back("phillipsFlux");
+    const std::string of = reading.choose(entry::powderFraction) == "ofDensity" ? "OfDensity" : "";
+    terms.insert(terms.end(), {"kriegerSlope" + of, "phillipsFlux" + of});
     c.set(numbers);
-    reading.select("krieger");
+    reading.select("krieger" + of);
     const std::set<std::string> changed{Velocity::info.name, PowderFraction::info.name};
     const bool corrects = rate != "gradient";
     if (corrects) settings.groups.push_back({ofCorrection, {"gradientCorrection"}});
@@ -216,7 +222,9 @@ const Model& suspensionModel()
                              suspensionTerms<3>(),
                              prepare,
                              {{"viscosity", [](const Settings& s) { return suspends(s) && s.has("viscosity", "none"); },
-                               "none leaves out the viscosity that powder migrates by; take harmonic or cleary"}},
+                               "none leaves out the viscosity that powder migrates by; take harmonic or cleary"},
+                              {"scheme", [](const Settings& s) { return suspends(s) && s.has("scheme", "paper"); },
+                               "paper is Barker et al. (2012), who have no powder; take paperPowder, Kauzlaric et al. (2011)"}},
                              {},
                              {{"constant/transportProperties",
                                {{entry::suspension,
@@ -224,7 +232,7 @@ const Model& suspensionModel()
                                   entry::radius, entry::a, entry::noSteadyState}}},
                                "what moves relative to the flow; without the file there is nothing of it"},
                               {"constant/openings", {{FreeName{"<opening>", "dictionary", ""}, {entry::phi}}}},
-                              {"system/sphSchemes", {entry::shearRate, entry::subParticleShear}},
+                              {"system/sphSchemes", {entry::shearRate, entry::subParticleShear, entry::powderFraction}},
                               {"system/sphSchemes",
                                {{SubDictionary{"integration", notGiven, ""},
                                  {entry::migration, entry::migrationFactor, entry::migrationSteps}}}}}};

@@ -9,8 +9,9 @@ namespace sph
 
 template<int dim> Catalogue<dim> suspensionTerms()
 {
-    return catalogue<dim, Krieger, KriegerSlope, ViscousShearStress, ResolvedShear, SubParticleShear, VelocityGradientShear,
-                     CorrectedGradientShear, PhillipsFlux, DiffusivityOfViscosity, ViscosityFluxResponse, ViscosityFluxRate>();
+    return catalogue<dim, Krieger, KriegerSlope, KriegerOfDensity, KriegerSlopeOfDensity, ViscousShearStress, ResolvedShear,
+                     SubParticleShear, VelocityGradientShear, CorrectedGradientShear, PhillipsFlux, PhillipsFluxOfDensity,
+                     DiffusivityOfViscosity, ViscosityFluxResponse, ViscosityFluxRate>();
 }
 
 template Catalogue<2> suspensionTerms<2>();

@@ -11,6 +11,7 @@ namespace entry
 const Choice viscosity{"viscosity",
                        {{"newtonian", "the whole stress, mu (grad v + (grad v)^T)"},
                         {"harmonic", "div(mu grad v), harmonic mean of a pair"},
+                        {"clearyMonaghan", "as harmonic, by the product of the volumes: Kauzlaric et al. (2011), eq. (3.4)"},
                         {"cleary", "the whole stress, along the line of centres"},
                         "none"},
                        byScene("newtonian between phases of unequal mu, else harmonic where a phase has mu"),
@@ -34,16 +35,19 @@ void read(const Reading& reading)
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
     const bool unequal = std::any_of(c.viscosity.begin(), c.viscosity.end(), [&](double mu) { return mu != c.viscosity[0]; });
     const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : unequal && !reading.paper() ? "newtonian" : "harmonic");
-    const bool variable = settings.variableViscosity, central = form == "cleary";
-    if (form == "harmonic" || form == "newtonian") reading.select(variable ? "harmonicViscosity" : "singlePhaseViscosity");
+    const bool variable = settings.variableViscosity, central = form == "cleary", product = form == "clearyMonaghan";
+    const std::string kind = central    ? variable ? "cleary" : "singlePhaseCleary"
+                             : product  ? variable ? "clearyMonaghan" : "singlePhaseClearyMonaghan"
+                             : variable ? "harmonic"
+                                        : "singlePhase";
+    if (form != "none") reading.select(kind + "Viscosity");
     if (form == "newtonian")
     {
         reading.select(variable ? "viscousGradient" : "singlePhaseViscousGradient");
         reading.select(variable ? "transposedViscosity" : "singlePhaseTransposedViscosity");
     }
-    if (central) reading.select(variable ? "clearyViscosity" : "singlePhaseClearyViscosity");
     if (settings.multiphase() && form != "none") reading.select("viscosityOfPhase");
-    const std::string name = central ? variable ? "cleary" : "singlePhaseCleary" : variable ? "harmonicViscous" : "singlePhaseViscous";
+    const std::string name = central ? kind : kind + "Viscous";
     if (settings.integration.solves && form != "none")
     {
         settings.integration.responses.push_back(name + "Response");

@@ -8,9 +8,11 @@ namespace sph
 template<int dim> Catalogue<dim> viscosityTerms()
 {
     return catalogue<dim, SinglePhaseViscosity, HarmonicViscosity, SinglePhaseResponse, HarmonicResponse, SinglePhaseRate, HarmonicRate,
-                     SinglePhaseClearyViscosity, ClearyViscosity, SinglePhaseClearyResponse, ClearyResponse, SinglePhaseClearyRate,
-                     ClearyRate, ViscousGradientOfPhases, TransposedViscosity, SinglePhaseViscousGradient, SinglePhaseTransposedViscosity,
-                     ViscosityOfPhase, ArtificialViscosity>();
+                     SinglePhaseClearyMonaghanViscosity, ClearyMonaghanViscosity, SinglePhaseClearyMonaghanResponse, ClearyMonaghanResponse,
+                     SinglePhaseClearyMonaghanRate, ClearyMonaghanRate, SinglePhaseClearyViscosity, ClearyViscosity,
+                     SinglePhaseClearyResponse, ClearyResponse, SinglePhaseClearyRate, ClearyRate, ViscousGradientOfPhases,
+                     TransposedViscosity, SinglePhaseViscousGradient, SinglePhaseTransposedViscosity, ViscosityOfPhase,
+                     ArtificialViscosity>();
 }
 
 template Catalogue<2> viscosityTerms<2>();

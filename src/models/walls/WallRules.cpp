@@ -14,6 +14,7 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     const auto& c = particles.coefficients();
     if (filters_) images.setRule(Velocity{}, std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c, varies));
     else if (velocity == "freeSlip") images.setRule(Velocity{}, std::make_unique<SlippingVelocity<dim>>(geometry));
+    else if (velocity == "morris") images.setRule(Velocity{}, std::make_unique<LimitedVelocity<dim>>(geometry));
     else images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
     else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));

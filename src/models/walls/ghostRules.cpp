@@ -11,6 +11,12 @@ template<int dim> Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, 
 
 template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const { return -r.ratio * dv; }
 
+template<int dim> Vector<dim> LimitedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
+{
+    constexpr double beta = 1.5;
+    return -std::fmin(r.ratio, beta - 1) * dv;
+}
+
 template<int dim>
 SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c, bool varies)
     : geometry_(geometry),
@@ -86,6 +92,8 @@ template class DetachingPressure<2>;
 template class DetachingPressure<3>;
 template class HydrostaticPressure<2>;
 template class HydrostaticPressure<3>;
+template class LimitedVelocity<2>;
+template class LimitedVelocity<3>;
 template class ReflectedVelocity<2>;
 template class ReflectedVelocity<3>;
 template class SecondOrderVelocity<2>;

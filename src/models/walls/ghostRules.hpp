@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// v_g = v_w - q (v - v_w): no slip, first printed order; 2 v_w - v, the paper's rule, in a mirror, and that of Morris et al. (1997) in layers.
+/// v_g = v_w - q (v - v_w): no slip, first printed order; 2 v_w - v, the paper's rule, in a mirror, and in layers that of Morris et al. (1997) but for their limit.
 template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -15,6 +15,16 @@ template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 public:
     explicit ReflectedVelocity(const Geometry& g) : geometry_(g) {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
+};
+
+/// v_g = v_w - min(q, beta - 1) (v - v_w), beta = 1.5, in layers: Morris et al. (1997) as printed, who limit beta = 1 + d_g/d so that a particle close to
+/// the wall sees no large velocity behind it. On a lattice every row within a support of the wall is limited, and the fluid slips
+/// (neighbours/WallLayers.hpp). Of first order.
+template<int dim> class LimitedVelocity final : public ReflectedVelocity<dim>
+{
+public:
+    using ReflectedVelocity<dim>::ReflectedVelocity;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 

@@ -12,7 +12,10 @@ namespace entry
 {
 const Choice wallVelocity{
     "wallVelocity",
-    {{"secondOrder", "no slip, from the momentum balance at the wall"}, {"reflected", "no slip, first order in the distance"}, "freeSlip"},
+    {{"secondOrder", "no slip, from the momentum balance at the wall"},
+     {"reflected", "no slip, first order in the distance"},
+     {"morris", "Morris et al. (1997) with their limit of 1.5, for walls layers"},
+     "freeSlip"},
     byScene("secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; else reflected"),
     "of what lies behind a wall"},
     wallPressure{"wallPressure",
@@ -88,6 +91,9 @@ const Model& wallsModel()
         prepare,
         {{"wallVelocity", [](const Settings& s) { return s.has("walls", "layers") && s.has("wallVelocity", "freeSlip"); },
           "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected"},
+         {"wallVelocity", [](const Settings& s) { return s.has("wallVelocity", "morris") && !s.has("walls", "layers"); },
+          "morris limits the velocity of a particle of the wall that lies deeper than that of the fluid before it; mirror images lie as deep: take reflected, "
+          "or walls layers"},
          {"wallVelocity",
           [](const Settings& s) { return s.has("wallVelocity", "secondOrder") && (!viscous(s) || !s.has("pressureGradient", "huAdams")); },
           "secondOrder needs viscosity in all phases and pressureGradient huAdams; take reflected"},

@@ -586,7 +586,7 @@ TEST(Settings, OfASuspensionAreRead)
     const auto& s = r.settings.coefficients.of<Suspension>();
     EXPECT_NEAR(s.Dc_a2, 0.4 * 0.05 * 0.05, 1e-15);
     EXPECT_NEAR(s.phiCritical, 0.99 * 0.68, 1e-15);
-    EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"subParticleShear", "phillipsFlux"}));
+    EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"subParticleShear", "kriegerSlope", "phillipsFlux"}));
     EXPECT_TRUE(selects(r.settings, "harmonicViscosity"));
     EXPECT_TRUE(selects(r.settings, "harmonicViscousRate"));
     EXPECT_TRUE(r.settings.has("wallVelocity", "reflected"));
@@ -601,7 +601,7 @@ TEST(Settings, OfASuspensionAreRead)
 
     const auto schemes = [](const std::string& words) { return edited(suspensionCase(), "system/sphSchemes", "shifting 2;", words); };
     EXPECT_EQ(migrationTerms(reading(schemes("shearRate gradient;")))[0], "velocityGradientShear");
-    EXPECT_EQ(migrationTerms(reading(schemes("scheme paper;")))[0], "velocityGradientShear");
+    expectError(schemes("scheme paper;"), "paper is Barker et al. (2012), who have no powder; take paperPowder");
     EXPECT_EQ(migrationTerms(reading(schemes("shearRate correctedGradient;")))[0], "correctedGradientShear");
     EXPECT_EQ(migrationTerms(reading(schemes("subParticleShear 0;")))[0], "resolvedShear");
     EXPECT_TRUE(reading(schemes("")).settings.has("wallVelocity", "reflected"));
@@ -653,7 +653,8 @@ TEST(Settings, SetsOfWordsGoTogether)
                                                                                {channelCase(), "paper"},
                                                                                {dropCase(), "twoPhase"},
                                                                                {layers, "twoPhase"},
-                                                                               {suspensionCase(), "suspension"}})
+                                                                               {suspensionCase(), "suspension"},
+                                                                               {suspensionCase(), "paperPowder"}})
         EXPECT_EQ(reading(by(files, set)).errors, "") << set;
     const auto suspension = reading(by(suspensionCase(), "suspension"));
     EXPECT_EQ(suspension.settings.resolution.kernel, "quinticSpline");
@@ -669,6 +670,43 @@ TEST(Settings, SetsOfWordsGoTogether)
     EXPECT_TRUE(mixed.settings.integratedDensity);
     expectError(by(channelCase(), "freesurface"), "Did you mean \"freeSurface\"?");
     expectError(by(dropCase(), "freeSurface"), "scheme freeSurface:1: ");
+}
+
+// `scheme paperPowder;` is eqs. (3.1) to (3.8) of Kauzlaric et al. (2011) term by term; words of the file override, and creeping flow of particles at
+// rest needs no velocities of the middle of a step.
+TEST(Settings, ThePowdersPaperIsTakenTermByTerm)
+{
+    const auto by = [](const std::string& words)
+    {
+        auto files = suspensionCase();
+        files["system/sphSchemes"] = "scheme paperPowder;\nresolution { spacing 0.05; }\n" + words;
+        return files;
+    };
+    const auto r = reading(by(""));
+    EXPECT_EQ(r.errors, "");
+    for (const char* term :
+         {"massContinuity", "massWeightedPressure", "tait", "clearyMonaghanViscosity", "integratedVolume", "kriegerOfDensity"})
+        EXPECT_TRUE(selects(r.settings, term)) << term;
+    EXPECT_FALSE(selects(r.settings, "gradientNormalisation"));
+    EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"velocityGradientShear", "kriegerSlopeOfDensity", "phillipsFluxOfDensity"}));
+    EXPECT_TRUE(r.settings.has("walls", "layers"));
+    EXPECT_TRUE(r.settings.has("wallVelocity", "morris"));
+    EXPECT_EQ(r.settings.integration.scheme, "predictorCorrector");
+    EXPECT_EQ(r.settings.resolution.kernel, "cubicSpline");
+    EXPECT_EQ(r.settings.coefficients.exponent[0], 7);
+
+    const auto other = reading(by("walls reflected; wallVelocity reflected; shearRate stress; continuityForm volume;"));
+    EXPECT_EQ(other.errors, "");
+    EXPECT_TRUE(selects(other.settings, "continuity"));
+    EXPECT_EQ(migrationTerms(other)[0], "subParticleShear");
+    expectError(by("walls reflected;"), "mirror images lie as deep: take reflected, or walls layers");
+    expectError(by("density numberDensity; volume numberDensity;"), "goes with `density continuity;`: no density is integrated");
+
+    const auto creeping = reading(by("integration { scheme quasiSteady; }"));
+    EXPECT_EQ(creeping.errors, "");
+    EXPECT_EQ(creeping.settings.integration.responses, (std::vector<std::string>{"clearyMonaghanViscousResponse"}));
+    EXPECT_TRUE(selects(creeping.settings, "clearyMonaghanViscousRate"));
+    expectError(by("integration { scheme semiImplicit; }"), "continuity needs velocities of the middle of a step");
 }
 
 // A liquid that fills half of its space has a free surface; one that fills it, comes in through openings, or has words of its own, is left as it is.

@@ -555,18 +555,20 @@ TEST(Step, ShiftingInImplicitStepsHasALimit)
     EXPECT_GT(largest.value(), 1e-4 * 0.05);
 }
 
-/// Between plates at y = 0 and 1, with powder that varies across where `phi` is given.
+/// Between plates at y = 0 and 1, with powder, and an integrated density, that vary across where they are given.
 std::unique_ptr<AnySimulation> suspensionBetweenPlates(const Settings& settings, const Geometry& geometry,
-                                                       const std::function<double(double)>& phi = {})
+                                                       const std::function<double(double)>& phi = {},
+                                                       const std::function<double(double)>& rho = {})
 {
     auto cloud = vortex(false);
     for (auto& u : cloud.fields["U"].component) std::fill(u.begin(), u.end(), 0);
-    if (phi)
-    {
-        auto& field = cloud.fields["phi"].component;
-        field.resize(1);
-        for (const double y : cloud.y) field[0].push_back(phi(y));
-    }
+    for (const auto& [name, value] : {std::pair{"phi", phi}, {"rho", rho}})
+        if (value)
+        {
+            auto& field = cloud.fields[name].component;
+            field.resize(1);
+            for (const double y : cloud.y) field[0].push_back(value(y));
+        }
     return makeSimulation(settings, geometry, cloud, {});
 }
 Geometry plates()
@@ -579,11 +581,11 @@ Geometry plates()
     repeatPeriodically(g, 0.2);
     return g;
 }
-Settings suspensionSettings(const std::string& integrator)
+Settings suspensionSettings(const std::string& integrator, const std::string& words = "")
 {
     auto files = suspensionCase();
     files["system/sphSchemes"] =
-        "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme " + integrator + "; }\n";
+        "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme " + integrator + "; }\n" + words;
     const TestCase folder(files);
     const Case c(folder.folder());
     auto settings = readSettings(c, plates());
@@ -601,6 +603,24 @@ TEST(Suspension, BeginsWithTheVelocitiesOfCreepingFlow)
     const double mu = 10 * std::pow(1 - 0.4 / 0.68, -1.82), offMiddle = 1 - 1.0 / 400;
     EXPECT_NEAR(simulation->summary().maxSpeed, 1000 / (8 * mu) * offMiddle, 5e-3 * 1000 / (8 * mu));
     EXPECT_NEAR(simulation->summary().columns.at("maxViscosity"), mu, 1e-10);
+}
+
+// Particles at rest are not compressed, whatever the sums over their velocities say: an integrated density stays what it was.
+TEST(Suspension, OfCreepingFlowKeepsItsDensity)
+{
+    const auto settings = suspensionSettings("quasiSteady", "density continuity; densityDiffusion 0.1;");
+    const auto g = plates();
+    const auto simulation = suspensionBetweenPlates(
+        settings, g, [](double y) { return 0.3 + 0.3 * y * y; }, [](double y) { return 1000 + y; });
+    const auto densities = [&]
+    {
+        const double* const rho = simulation->field("rho").component[0];
+        return std::vector<double>(rho, rho + simulation->size());
+    };
+    const auto before = densities();
+    EXPECT_GT(*std::ranges::max_element(before), 1000.9);
+    for (int k = 0; k < 5; ++k) simulation->step(0, std::min(simulation->stepLimit().deltaT, 0.1));
+    EXPECT_EQ(densities(), before);
 }
 
 // Powder is exchanged by pairs: what a particle loses another one has, to round-off, however many steps, sub-steps and rebuilds; phi changes.

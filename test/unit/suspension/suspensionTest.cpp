@@ -27,19 +27,25 @@ template<int dim> void set(Scene<dim>& s, const char* field, const std::function
 }
 template<int dim> void evaluate(Scene<dim>& s) { s.plan->evaluate(s.store, s.images, s.lists, s.kernel); }
 
-template<int dim> void sumIsPlain(Geometry g)
+/// `of`: the fraction is that of the density, phi = rho V_phi/m, or that at rest.
+template<int dim> void sumIsPlain(Geometry g, const std::string& of)
 {
-    // Velocities are random, so that gammaDot is; masses differ by 5 %.
+    // Velocities are random, so that gammaDot is; masses differ by 5 %, densities by 3 %.
     const auto c = suspension(dim);
-    Scene<dim> s(g, c, {"integratedVolume", "gradientNormalisation", "correctedGradientShear", "kriegerSlope", "phillipsFlux"}, true);
+    Scene<dim> s(g, c, {"integratedVolume", "gradientNormalisation", "correctedGradientShear", "kriegerSlope" + of, "phillipsFlux" + of},
+                 true);
     set<dim>(s, "phi", [](auto x) { return 0.4 + 0.2 * std::sin(9 * x.x) * std::cos(4 * x.y); });
     evaluate(s);
     s.refresh(ShearRate{});
     s.refresh(PowderFraction{});
     s.refresh(Volume{});
     s.refresh(GradientScale{});
-    const double *phi = s.store.component("phi", 0), *gammaDot = s.store.component("gammaDot", 0), *V = s.store.component("V", 0),
-                 *N = s.store.component("gradientScale", 0), *m = s.store.component("m", 0), *rate = s.store.component("dphidt", 0);
+    s.refresh(Density{});
+    std::vector<double> phi(s.images.nullParticle());
+    for (std::size_t i = 0; i < phi.size(); ++i)
+        phi[i] = s.store.component("phi", 0)[i] * (of.empty() ? 1 : s.store.component("rho", 0)[i] / c.restDensity[0]);
+    const double *gammaDot = s.store.component("gammaDot", 0), *V = s.store.component("V", 0), *N = s.store.component("gradientScale", 0),
+                 *m = s.store.component("m", 0), *rate = s.store.component("dphidt", 0);
     const auto& k = c.of<Suspension>();
     const auto B = [&](std::size_t i) { return gammaDot[i] * sqr(phi[i]) * k.exponent / (k.phiMax - std::min(phi[i], k.phiCritical)); };
     Largest largest, worst;
@@ -71,8 +77,11 @@ template<int dim> void sumIsPlain(Geometry g)
 // grain, whose ghosts weigh less than their sources.
 TEST(PhillipsFlux, IsThePlainSumAndConservesPowder)
 {
-    for (const auto& g : {periodicBox(2), channel(2), aroundABall(2, 0.25)}) sumIsPlain<2>(g);
-    sumIsPlain<3>(channel(3));
+    for (const char* of : {"", "OfDensity"})
+    {
+        for (const auto& g : {periodicBox(2), channel(2), aroundABall(2, 0.25)}) sumIsPlain<2>(g, of);
+        sumIsPlain<3>(channel(3), of);
+    }
 }
 
 /// The terms of a step that solves for J_eta, in a channel with random velocities.
@@ -259,6 +268,13 @@ TEST(Krieger, IsCappedWithoutAJumpOfTheViscosityOrItsSlope)
     EXPECT_NEAR(mu(at(phi_c + step)) / mu(at(phi_c - step)), 1 + 2 * step * 1.82 / 0.02, 1e-9);
     EXPECT_NEAR(slope(at(phi_c + step)), slope(at(phi_c - step)), 1e-3);
     EXPECT_NEAR(mu(at(0.68)) / mu(at(phi_c)), std::exp(1.82), 1e-12) << "finite at phi_m";
+    const KriegerOfDensity muOfDensity(c);
+    const KriegerSlopeOfDensity slopeOfDensity(c);
+    for (const double phi : {0.34, 0.66}) // 3 % denser than at rest, 800 kg/m^3: either side of phi_c
+    {
+        EXPECT_NEAR(muOfDensity(OwnValues<KriegerOfDensity, 2>{phi, 824}), mu(at(1.03 * phi)), 1e-10);
+        EXPECT_NEAR(slopeOfDensity(OwnValues<KriegerOfDensity, 2>{phi, 824}), slope(at(1.03 * phi)), 1e-12);
+    }
     for (const double phi : {0.2, 0.65, 0.67, 0.7}) // the slope is that of the viscosity, on both branches
         EXPECT_NEAR((mu(at(phi + 1e-6)) - mu(at(phi - 1e-6))) / 2e-6 / mu(at(phi)), slope(at(phi)), 1e-6 * slope(at(phi)));
 }

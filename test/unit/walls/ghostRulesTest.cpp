@@ -42,12 +42,13 @@ TEST(GhostVelocity, ChangeIsTheLinearPart)
     SecondOrderVelocity<2> second(w.geometry, w.store, w.coefficients, false);
     second.bind();
     const ReflectedVelocity<2> reflected(w.geometry);
+    const LimitedVelocity<2> limited(w.geometry);
     const SlippingVelocity<2> slipping(w.geometry);
     auto at = w.at(0.07);
     at.weight = 0.6;
     const Vector<2> v{0.7, -0.2}, dv{0.03, 0.05};
     for (const GhostVelocity<2>* rule : {static_cast<const GhostVelocity<2>*>(&second), static_cast<const GhostVelocity<2>*>(&reflected),
-                                         static_cast<const GhostVelocity<2>*>(&slipping)})
+                                         static_cast<const GhostVelocity<2>*>(&limited), static_cast<const GhostVelocity<2>*>(&slipping)})
         EXPECT_LT(mag((*rule)(v + dv, 0, at, true) - (*rule)(v, 0, at, true) - rule->change(dv, at)), 1e-15);
 }
 
@@ -59,6 +60,20 @@ TEST(GhostVelocity, ReflectedContinuesShear)
     const double d = 0.07, s = 11;
     EXPECT_NEAR(rule({0.5 + s * d, 0.2}, 0, w.at(d), true).x, 0.5 - s * d, 1e-15);
     EXPECT_NEAR(rule({0.5 + s * d, 0.2}, 0, w.at(d), true).y, -0.2, 1e-15);
+}
+
+// By hand: v_i - v_g = beta (v_i - v_w), beta = min(1.5, 1 + d_g/d).
+TEST(GhostVelocity, OfMorrisIsLimited)
+{
+    const MovingWall w;
+    const LimitedVelocity<2> rule(w.geometry);
+    auto at = w.at(0.06);
+    for (const auto& [ghost, beta] : {std::pair{0.015, 1.25}, {0.03, 1.5}, {0.06, 1.5}, {0.18, 1.5}})
+    {
+        at.ratio = ghost / 0.06;
+        const Vector<2> v{0.7, -0.4}, v_w{0.5, 0};
+        EXPECT_LT(mag(v - rule(v, 0, at, true) - beta * (v - v_w)), 1e-15) << ghost;
+    }
 }
 
 // v = v_w + s y - g y^2/(2 nu), the steady flow along a wall, has v(-d) = 2 v_w - v(d) - g d^2/nu: the second-order rule gives
