@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// phi = rho_0 V_phi/m: the fluid is incompressible, and what its density wavers by is no powder. On moving particles the better one (../README.md).
+/// phi = rho_0 V_phi/m: the fluid is incompressible, and what its density wavers by is no powder.
 struct FractionAtRest
 {
     template<class... Other> using Reads = Fields<PowderFraction, Other...>;
@@ -15,7 +15,9 @@ struct FractionAtRest
     double operator()(const auto& i) const { return i.phi; }
 };
 
-/// phi = rho V_phi/m, as Kauzlaric et al. (2011) have it in eqs. (3.6) and (3.8), with m = 1.
+/// phi = rho V_phi/m, as Kauzlaric et al. (2011) have it in eqs. (3.6) and (3.8), with m = 1. Particles at rest do not tell the two apart; where they move,
+/// disordered and strained by 20 (`moving` of tutorials/powderMoulding/channel9, phi_0 against the steady profile), 9, 19, 39 across have 0.37, 0.21, 0.24 %
+/// of error, and 0.44, 0.29, 0.25 % with the other.
 struct FractionOfDensity
 {
     template<class... Other> using Reads = Fields<PowderFraction, Density, Other...>;

@@ -12,9 +12,9 @@ set key bottom center
 set ylabel 'phi'
 plot [-1:1] phi(abs(x)) lc 'black' title 'exact', \
     for [n in "9 19 39"] file('suite', n) using ($1/h - 1):2 with points pt (n eq '9' ? 7 : n eq '19' ? 5 : 1) ps (n eq '39' ? 0.6 : 1) lc rgb '#0060ad' title 'suite, '.n.' across', \
-    for [n in "9 19"] file('paper', n) using ($1/h - 1):2 with points pt (n eq '9' ? 6 : 4) ps 1 lc rgb '#d95319' title 'paper, '.n.' across'
+    for [n in "9 19"] file('paper', n) using ($1/h - 1):2 with points pt (n eq '9' ? 6 : 4) ps 1 lc rgb '#d95319' title 'as printed, '.n.' across'
 set ylabel 'gammaDot [1/s]'
 set key top center
 plot [-1:1] gammaDot(abs(x)) lc 'black' title 'exact', \
     for [n in "9 19 39"] file('suite', n) using ($1/h - 1):6 with points pt (n eq '9' ? 7 : n eq '19' ? 5 : 1) ps (n eq '39' ? 0.6 : 1) lc rgb '#0060ad' title 'suite, '.n.' across', \
-    for [n in "9 19"] file('paper', n) using ($1/h - 1):6 with points pt (n eq '9' ? 6 : 4) ps 1 lc rgb '#d95319' title 'paper, '.n.' across'
+    for [n in "9 19"] file('paper', n) using ($1/h - 1):6 with points pt (n eq '9' ? 6 : 4) ps 1 lc rgb '#d95319' title 'as printed, '.n.' across'
