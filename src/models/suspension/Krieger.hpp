@@ -9,51 +9,41 @@
 /// from 0.97 on the plane channel does not feel it at 9 and 19 particles across, 0.95 costs 0.01 of phi in the middle at 39. Momentum and
 /// migration read the same mu and the same slope. Verified by test/unit/suspension (hand values; continuity of both).
 #pragma once
-#include "Named.hpp"
+#include "Coefficients.hpp"
 #include "Suspension.hpp"
-#include "fractions.hpp"
-#include <cmath>
+#include "fieldTags.hpp"
 
 namespace sph
 {
 
-template<class Fraction> struct KriegersViscosity
+struct Krieger
 {
+    static constexpr auto name = "krieger";
     using Provides = DynamicViscosity;
-    using ReadsOwn = typename Fraction::template Reads<>;
-    Fraction fraction;
+    using ReadsOwn = Fields<PowderFraction>;
     double mu_0, phi_m, c, phi_c;
 
-    explicit KriegersViscosity(const Coefficients& k)
-        : fraction(k),
-          mu_0(k.viscosity[0]),
-          phi_m(k.of<Suspension>().phiMax),
-          c(k.of<Suspension>().exponent),
-          phi_c(k.of<Suspension>().phiCritical)
+    explicit Krieger(const Coefficients& k)
+        : mu_0(k.viscosity[0]), phi_m(k.of<Suspension>().phiMax), c(k.of<Suspension>().exponent), phi_c(k.of<Suspension>().phiCritical)
     {}
     auto operator()(const auto& i) const
     {
-        const double phi = fraction(i), below = std::fmin(phi, phi_c), beyond = std::fmax(0.0, phi - phi_c);
+        const double below = std::fmin(i.phi, phi_c), beyond = std::fmax(0.0, i.phi - phi_c);
         return mu_0 * std::pow(1 - below / phi_m, -c) * std::exp(c * beyond / (phi_m - phi_c));
     }
 };
 
-template<class Fraction> struct KriegersSlope
+struct KriegerSlope
 {
+    static constexpr auto name = "kriegerSlope";
     using Provides = RelativeViscositySlope;
-    using ReadsOwn = typename Fraction::template Reads<>;
-    Fraction fraction;
+    using ReadsOwn = Fields<PowderFraction>;
     double phi_m, c, phi_c;
 
-    explicit KriegersSlope(const Coefficients& k)
-        : fraction(k), phi_m(k.of<Suspension>().phiMax), c(k.of<Suspension>().exponent), phi_c(k.of<Suspension>().phiCritical)
+    explicit KriegerSlope(const Coefficients& k)
+        : phi_m(k.of<Suspension>().phiMax), c(k.of<Suspension>().exponent), phi_c(k.of<Suspension>().phiCritical)
     {}
-    auto operator()(const auto& i) const { return c / (phi_m - std::fmin(fraction(i), phi_c)); }
+    auto operator()(const auto& i) const { return c / (phi_m - std::fmin(i.phi, phi_c)); }
 };
-
-using Krieger = Named<"krieger", KriegersViscosity<FractionAtRest>>;
-using KriegerSlope = Named<"kriegerSlope", KriegersSlope<FractionAtRest>>;
-using KriegerOfDensity = Named<"kriegerOfDensity", KriegersViscosity<FractionOfDensity>>;
-using KriegerSlopeOfDensity = Named<"kriegerSlopeOfDensity", KriegersSlope<FractionOfDensity>>;
 
 }

@@ -1,6 +1,5 @@
 #include "suspensionTerms.hpp"
-#include "Krieger.hpp"
-#include "PhillipsFlux.hpp"
+#include "OfDensity.hpp"
 #include "ShearRate.hpp"
 #include "ViscosityFlux.hpp"
 

@@ -1,11 +1,23 @@
 /// Acceleration by viscosity. The mean viscosity of a pair is a policy: harmonic between phases, one constant in a single phase.
 #pragma once
 #include "Coefficients.hpp"
-#include "Named.hpp"
 #include "fieldTags.hpp"
+#include <algorithm>
 
 namespace sph
 {
+
+/// A sum under the name of a term.
+template<std::size_t n> struct TermName
+{
+    char text[n];
+    constexpr TermName(const char (&of)[n]) { std::copy_n(of, n, text); }
+};
+template<TermName term, class Sum> struct Named : Sum
+{
+    static constexpr auto name = term.text;
+    using Sum::Sum;
+};
 
 /// One viscosity everywhere: no field, no column.
 struct UniformViscosity
@@ -37,43 +49,40 @@ struct ViscosityOfPhase
     auto operator()(const auto& i) const { return mu[int(i.phase)]; }
 };
 
-/// What a pair's viscosity is multiplied by [m^6]: V_i^2 + V_j^2 of Hu & Adams (2006),
-struct SquaresOfVolumes
-{
-    static double of(const auto& i, const auto& j) { return sqr(i.V) + sqr(j.V); }
-};
-/// or 2 V_i V_j of Cleary & Monaghan (1999). The two differ by (V_i - V_j)^2.
-struct ProductOfVolumes
-{
-    static double of(const auto& i, const auto& j) { return 2 * i.V * j.V; }
-};
-
 /// Hu & Adams (2006), eq. (10) of Barker et al. (2012):
 ///
 ///   dv_i/dt = 1/m_i sum_j mu_ij (V_i^2 + V_j^2) (dW_ij/dr)/r_ij v_ij
 ///
-/// and Cleary & Monaghan (1999), eq. (3.4) of Kauzlaric et al. (2011), with mu_ij = 2 mu_i mu_j/(mu_i + mu_j) and V = m/rho:
-///
-///   dv_i/dt = -sum_j m_j 4 mu_i mu_j/(mu_i + mu_j) w_ij/(rho_i rho_j) v_ij,    w = -(dW/dr)/r
-///
 /// mu [Pa s] mean dynamic viscosity of the pair, V = 1/sigma [m^3], v_ij = v_i - v_j [m/s]. Conserves linear momentum exactly.
 /// With a normalised gradient (KernelMoment.hpp) a parabola is differentiated exactly: order 2 in plane Poiseuille flow, verified by
 /// tutorials/verification/planePoiseuille; without, the paper's scheme, it is 4 % low at any resolution.
-template<class MeanViscosity, class Volumes = SquaresOfVolumes> struct MorrisSum
+template<class MeanViscosity> struct MorrisSum
 {
     using ReadsOwn = Fields<Mass>;
     MeanViscosity mean;
 
     explicit MorrisSum(const Coefficients& c) : mean(c) {}
     /// What a pair's velocity difference is multiplied by [1/s]: negative.
-    auto rate(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * mean(i, j) * Volumes::of(i, j) * ij.dWdrOverR; }
+    auto rate(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * mean(i, j) * (sqr(i.V) + sqr(j.V)) * ij.dWdrOverR; }
 };
 
-template<class MeanViscosity, class Volumes = SquaresOfVolumes> struct MorrisViscosity : MorrisSum<MeanViscosity, Volumes>
+/// Cleary & Monaghan (1999), eq. (3.4) of Kauzlaric et al. (2011), there with V = m/rho:
+///
+///   dv_i/dt = 1/m_i sum_j 2 mu_ij V_i V_j (dW_ij/dr)/r_ij v_ij
+///           = -sum_j m_j 4 mu_i mu_j/(mu_i + mu_j) w_ij/(rho_i rho_j) v_ij,    w = -(dW/dr)/r, of the harmonic mean
+///
+/// The sum above less mu_ij (V_i - V_j)^2. Conserves linear momentum exactly. Verified by test/unit/plan (plain loop).
+template<class MeanViscosity> struct ClearyMonaghanSum : MorrisSum<MeanViscosity>
+{
+    using MorrisSum<MeanViscosity>::MorrisSum;
+    auto rate(const auto& ij, const auto& i, const auto& j) const { return 2 / i.m * this->mean(i, j) * i.V * j.V * ij.dWdrOverR; }
+};
+
+template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisViscosity : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
-    using MorrisSum<MeanViscosity, Volumes>::MorrisSum;
+    using Sum<MeanViscosity>::Sum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.v - j.v); }
 };
 
@@ -106,24 +115,25 @@ template<class MeanViscosity> struct CentralViscosity : CentralSum<MeanViscosity
 
 using SinglePhaseViscosity = Named<"singlePhaseViscosity", MorrisViscosity<UniformViscosity>>;
 using HarmonicViscosity = Named<"harmonicViscosity", MorrisViscosity<HarmonicMean>>;
-using SinglePhaseClearyMonaghanViscosity = Named<"singlePhaseClearyMonaghanViscosity", MorrisViscosity<UniformViscosity, ProductOfVolumes>>;
-using ClearyMonaghanViscosity = Named<"clearyMonaghanViscosity", MorrisViscosity<HarmonicMean, ProductOfVolumes>>;
+using SinglePhaseClearyMonaghanViscosity =
+    Named<"singlePhaseClearyMonaghanViscosity", MorrisViscosity<UniformViscosity, ClearyMonaghanSum>>;
+using ClearyMonaghanViscosity = Named<"clearyMonaghanViscosity", MorrisViscosity<HarmonicMean, ClearyMonaghanSum>>;
 using SinglePhaseClearyViscosity = Named<"singlePhaseClearyViscosity", CentralViscosity<UniformViscosity>>;
 using ClearyViscosity = Named<"clearyViscosity", CentralViscosity<HarmonicMean>>;
 
 /// What an implicit step asks of viscosity (integrators/ImplicitSolve): the same sum over a change of the velocity,
-template<class MeanViscosity, class Volumes = SquaresOfVolumes> struct MorrisResponse : MorrisSum<MeanViscosity, Volumes>
+template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisResponse : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
-    using MorrisSum<MeanViscosity, Volumes>::MorrisSum;
+    using Sum<MeanViscosity>::Sum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.dv - j.dv); }
 };
 using SinglePhaseResponse = Named<"singlePhaseViscousResponse", MorrisResponse<UniformViscosity>>;
 using HarmonicResponse = Named<"harmonicViscousResponse", MorrisResponse<HarmonicMean>>;
 using SinglePhaseClearyMonaghanResponse =
-    Named<"singlePhaseClearyMonaghanViscousResponse", MorrisResponse<UniformViscosity, ProductOfVolumes>>;
-using ClearyMonaghanResponse = Named<"clearyMonaghanViscousResponse", MorrisResponse<HarmonicMean, ProductOfVolumes>>;
+    Named<"singlePhaseClearyMonaghanViscousResponse", MorrisResponse<UniformViscosity, ClearyMonaghanSum>>;
+using ClearyMonaghanResponse = Named<"clearyMonaghanViscousResponse", MorrisResponse<HarmonicMean, ClearyMonaghanSum>>;
 template<class MeanViscosity> struct CentralResponse : CentralSum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
@@ -136,17 +146,17 @@ using ClearyResponse = Named<"clearyResponse", CentralResponse<HarmonicMean>>;
 
 /// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
 /// centres it is (d + 2)/d times that, the mean over directions.
-template<class MeanViscosity, class Volumes = SquaresOfVolumes> struct MorrisRate : MorrisSum<MeanViscosity, Volumes>
+template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisRate : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<>;
     using Provides = ViscousRate;
-    using MorrisSum<MeanViscosity, Volumes>::MorrisSum;
+    using Sum<MeanViscosity>::Sum;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j) * (ij.r > 0); }
 };
 using SinglePhaseRate = Named<"singlePhaseViscousRate", MorrisRate<UniformViscosity>>;
 using HarmonicRate = Named<"harmonicViscousRate", MorrisRate<HarmonicMean>>;
-using SinglePhaseClearyMonaghanRate = Named<"singlePhaseClearyMonaghanViscousRate", MorrisRate<UniformViscosity, ProductOfVolumes>>;
-using ClearyMonaghanRate = Named<"clearyMonaghanViscousRate", MorrisRate<HarmonicMean, ProductOfVolumes>>;
+using SinglePhaseClearyMonaghanRate = Named<"singlePhaseClearyMonaghanViscousRate", MorrisRate<UniformViscosity, ClearyMonaghanSum>>;
+using ClearyMonaghanRate = Named<"clearyMonaghanViscousRate", MorrisRate<HarmonicMean, ClearyMonaghanSum>>;
 template<class MeanViscosity> struct CentralRate : MorrisRate<MeanViscosity>
 {
     using MorrisRate<MeanViscosity>::MorrisRate;

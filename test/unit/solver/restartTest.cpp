@@ -112,6 +112,18 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
     files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
+TEST(Restart, OfASuspensionAsPrinted)
+{
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "quasiSteady"})
+    {
+        SCOPED_TRACE(integrator);
+        auto files = suspensionCase();
+        files["system/sphSchemes"] =
+            "scheme paperPowder;\nresolution { spacing 0.05; }\nintegration { scheme " + std::string(integrator) + "; }\n";
+        files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
+        restartEqualsTheWhole(files, "0.08", "0.04", 2);
+    }
+}
 TEST(Restart, OfWallsByLayers)
 {
     auto channel = channelCase(), grain = grainCase(), powder = suspensionCase(), open = openCase();

@@ -626,10 +626,15 @@ TEST(Suspension, OfCreepingFlowKeepsItsDensity)
 // Powder is exchanged by pairs: what a particle loses another one has, to round-off, however many steps, sub-steps and rebuilds; phi changes.
 TEST(Suspension, KeepsItsPowder)
 {
-    for (const char* integrator :
-         {"semiImplicit", "quasiSteady", "predictorCorrector", "quasiSteady; migration semiImplicit; migrationSteps 4"})
+    const std::string printed = "scheme paperPowder; walls reflected; wallVelocity reflected;";
+    for (const auto& [integrator, words] : {std::pair{"semiImplicit", std::string()},
+                                            {"quasiSteady", std::string()},
+                                            {"predictorCorrector", std::string()},
+                                            {"quasiSteady; migration semiImplicit; migrationSteps 4", std::string()},
+                                            {"quasiSteady", printed},
+                                            {"predictorCorrector", printed}})
     {
-        const auto settings = suspensionSettings(integrator);
+        const auto settings = suspensionSettings(integrator, words);
         const auto g = plates();
         const auto simulation = suspensionBetweenPlates(settings, g, [](double y) { return 0.3 + 0.3 * y * y; });
         const double least = simulation->summary().columns.at("minPhi");

@@ -1,7 +1,6 @@
 /// Powder in a suspension: what its fluxes conserve and where they end, which shear rates are exact, and the capped viscosity.
-#include "Krieger.hpp"
 #include "Largest.hpp"
-#include "PhillipsFlux.hpp"
+#include "OfDensity.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
 #include "ViscosityFlux.hpp"
