@@ -194,7 +194,8 @@ void read(const Reading& reading)
     terms.insert(terms.end(), {"kriegerSlope" + of, "phillipsFlux" + of});
     c.set(numbers);
     reading.select("krieger" + of);
-    const std::set<std::string> changed{Velocity::info.name, PowderFraction::info.name};
+    std::set<std::string> changed{Velocity::info.name, PowderFraction::info.name};
+    if (!of.empty() && settings.integratedDensity) changed.insert(Density::info.name); // by the kick
     const bool corrects = rate != "gradient";
     if (corrects) settings.groups.push_back({ofCorrection, {"gradientCorrection"}});
     const auto integration = dict.subDictOrEmpty("integration");
