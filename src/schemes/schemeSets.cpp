@@ -32,7 +32,7 @@ const std::vector<Set>& sets()
         {"paperPowder",
          "what Kauzlaric et al. (2011) printed of powder in a binder, eqs. (3.1) to (3.8), and the walls of Morris et al. (1997); their kernel is not",
          "resolution { kernel cubicSpline; support 2.4; } density continuity; continuityForm mass; volume continuity; pressureGradient massWeighted; "
-         "viscosity clearyMonaghan; shearRate gradient; powderFraction ofDensity; walls layers; wallVelocity morris;"}};
+         "viscosity clearyMonaghan; shearRate gradient; powderFraction ofDensity; walls layers; wallVelocity morris; integration { migration explicit; }"}};
     return all;
 }
 

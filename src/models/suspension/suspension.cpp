@@ -168,7 +168,7 @@ bool solvesForMigration(const Reading& reading, const Dictionary& integration, c
     constexpr double worthSolving = 40;
     const double phi = s.phi.value_or(0),
                  stiffness = 1 + s.Deta_a2 / s.Dc_a2 * phi * s.exponent / (s.phiMax - std::min(phi, s.phiCritical));
-    if (reading.paper() || !(stiffness > worthSolving)) return false;
+    if (!(stiffness > worthSolving)) return false;
     reading.settings.reasons.push_back(
         fmt::format("migration semiImplicit: at phi {:.4g} the diffusion by viscosity is {:.3g} times that by collisions", phi, stiffness));
     return true;

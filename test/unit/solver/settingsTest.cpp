@@ -620,7 +620,6 @@ TEST(Settings, OfAPackedSuspensionSolveForItsMigration)
     EXPECT_FALSE(solves(at("phi 0.4")));
     EXPECT_TRUE(solves(at("phi 0.67")));
     EXPECT_FALSE(solves(edited(at("phi 0.67"), "system/sphSchemes", "semiImplicit", "semiImplicit; migration explicit")));
-    EXPECT_FALSE(solves(edited(at("phi 0.67"), "system/sphSchemes", "shifting 2;", "scheme paper;")));
     EXPECT_TRUE(solves(edited(at("phi 0.4"), "system/sphSchemes", "semiImplicit", "semiImplicit; migration semiImplicit")));
 }
 
