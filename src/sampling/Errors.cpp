@@ -69,16 +69,16 @@ void Errors::readComparison(const Dictionary& d)
     if (type == "csv")
     {
         auto csv = CsvReference(reference, context_.output.caseFolder(context_.name));
-        comparisons_.push_back(FieldComparison(
-            d, context_,
+        compareField(
+            d,
             [csv](const Vector<3>& x, double t) -> std::optional<Vector<3>>
             {
                 const auto value = csv(x, t);
                 return value ? std::optional(Vector<3>{*value, 0, 0}) : std::nullopt;
             },
-            csv.rows()));
+            csv.rows());
     }
-    if (type == "expression") comparisons_.push_back(FieldComparison(d, context_, readExpressionReference(reference)));
+    if (type == "expression") compareField(d, readExpressionReference(reference));
     if (!type) leaveRest();
     if (type != "formula") return;
 
@@ -94,15 +94,21 @@ void Errors::readComparison(const Dictionary& d)
     }
     const auto exact = readFormula(name, reference, entry::field(d));
     const auto component = readComponent(d);
-    comparisons_.push_back(FieldComparison(d, context_,
-                                           [=](const Vector<3>& x, double t) -> std::optional<Vector<3>>
-                                           {
-                                               const auto v = exact(x, t);
-                                               return component == "y"   ? Vector<3>{v.y, 0, 0}
-                                                      : component == "z" ? Vector<3>{v.z, 0, 0}
-                                                      : component == "x" ? Vector<3>{v.x, 0, 0}
-                                                                         : v;
-                                           }));
+    compareField(d,
+                 [=](const Vector<3>& x, double t) -> std::optional<Vector<3>>
+                 {
+                     const auto v = exact(x, t);
+                     return component == "y"   ? Vector<3>{v.y, 0, 0}
+                            : component == "z" ? Vector<3>{v.z, 0, 0}
+                            : component == "x" ? Vector<3>{v.x, 0, 0}
+                                               : v;
+                 });
+}
+
+void Errors::compareField(const Dictionary& d, ReferenceField reference, const std::vector<Vector<3>>& rows)
+{
+    fields_.emplace_back(d, context_, std::move(reference), rows);
+    comparisons_.push_back(fields_.back());
 }
 
 void Errors::eachList(const std::function<void(const std::string&, std::vector<double>&)>& f) const
@@ -112,6 +118,7 @@ void Errors::eachList(const std::function<void(const std::string&, std::vector<d
         const auto lists = measures_[m].lists();
         for (std::size_t k = 0; k < lists.size(); ++k) f(fmt::format("{}.{}", m, k), *lists[k]);
     }
+    for (std::size_t k = 0; k < fields_.size(); ++k) f(fmt::format("mean.{}", k), fields_[k].history());
 }
 
 Histories Errors::histories() const

@@ -27,12 +27,14 @@ class Errors : public FunctionObject
     FunctionContext context_;
     std::vector<std::function<std::optional<ErrorRow>(const ParticleView&)>> comparisons_;
     std::vector<Measure> measures_;
+    std::vector<FieldComparison> fields_; ///< those of the comparisons, for their histories
     std::optional<OutputTable> table_;
     std::string report_;
 
-    /// Calls f(name, list) for each list of each measure.
+    /// Calls f(name, list) for each list of each measure, and for the means over time of each field.
     void eachList(const std::function<void(const std::string&, std::vector<double>&)>& f) const;
     void readComparison(const Dictionary&);
+    void compareField(const Dictionary&, ReferenceField, const std::vector<Vector<3>>& rows = {});
 
 public:
     static EntryList entries();

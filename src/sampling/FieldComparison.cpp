@@ -3,6 +3,7 @@
 #include "Measurement.hpp"
 #include "SampledField.hpp"
 #include "VolumeMean.hpp"
+#include "components.hpp"
 #include "contains.hpp"
 #include "sharedEntries.hpp"
 #include "words.hpp"
@@ -27,6 +28,8 @@ const Choice component{"component",
            {"particles", {"rows", "the rows of a csv reference, all of the same weight, where the field is interpolated"}},
            "particles",
            "where to compare"};
+const Scalar meanFrom{"meanFrom", units::s, notGiven, anyNumber,
+                      "with `points rows`: compare the mean over all times from this one on, of what flutters about a steady state"};
 const Scalar scale{"scale", Unit{units::none, "of the field"}, byScene("the same norm of the reference"), positive,
                    "what relative errors are divided by"};
 const Switch removeMean{"removeMean", false, "compare up to a constant, as for a pressure without a level"};
@@ -41,15 +44,9 @@ std::string readComponent(const Dictionary& d) { return entry::component.ifGiven
 
 EntryList FieldComparison::entries()
 {
-    return {entry::field,
-            entry::component,
-            entry::norm,
-            entry::scale,
-            entry::points,
-            entry::phaseAlone,
-            {entry::region, {entry::min, entry::max}},
-            entry::cellMeans,
-            entry::removeMean};
+    return {entry::field,     entry::component, entry::norm,       entry::scale,
+            entry::points,    entry::meanFrom,  entry::phaseAlone, {entry::region, {entry::min, entry::max}},
+            entry::cellMeans, entry::removeMean};
 }
 
 FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& context, ReferenceField reference,
@@ -70,7 +67,12 @@ FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& con
         const auto region = entry::region(d);
         region_ = Box{entry::min(region), entry::max(region)};
     }
-    if (entry::points(d) == "particles") return;
+    meanFrom_ = entry::meanFrom.ifGiven(d);
+    if (entry::points(d) == "particles")
+    {
+        if (meanFrom_) entry::meanFrom.error(d, "goes with `points rows;` alone: particles do not stay at a place");
+        return;
+    }
     rows_ = rows;
     if (rows.empty()) entry::points.error(d, "only a reference of type csv has rows");
     if (mag(cell_) > 0) entry::cellMeans.error(d, "cellMeans goes with `points particles;` alone: a row has no cell");
@@ -143,12 +145,28 @@ std::vector<FieldComparison::Sample> FieldComparison::atRows(const ParticleView&
     return samples;
 }
 
+/// In place of the values those of the mean over time, with them.
+void FieldComparison::takeMean(std::vector<Sample>& samples) const
+{
+    auto& sums = *sums_;
+    sums.resize(1 + 3 * samples.size()); // rows are always the same
+    const double times = ++sums[0];
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+            double& value = samples[k].value.*coordinates[c];
+            value = (sums[1 + 3 * k + c] += value) / times;
+        }
+}
+
 std::optional<ErrorRow> FieldComparison::operator()(const ParticleView& view) const
 {
+    if (meanFrom_ && view.time < *meanFrom_) return {};
     const SampledField field(view, field_, where_);
     const int only = component(field);
     auto samples = rows_.empty() ? atParticles(view, field, only) : atRows(view, field, only);
     if (samples.empty()) return {};
+    if (meanFrom_) takeMean(samples);
 
     const auto meanOf = [&](Vector<3> Sample::*of)
     { return sum(samples.size(), [&](std::size_t i) { return VolumeMean<Vector<3>>::of(samples[i].volume, samples[i].*of); }).value(); };

@@ -3,6 +3,7 @@
 #include "FunctionContext.hpp"
 #include "Norms.hpp"
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace sph
@@ -33,7 +34,10 @@ class FieldComparison
     std::optional<Box> region_;
     Location where_;
     ReferenceField reference_;
-    std::vector<Vector<3>> rows_; ///< empty: particles
+    std::vector<Vector<3>> rows_;    ///< empty: particles
+    std::optional<double> meanFrom_; ///< [s]
+    std::shared_ptr<std::vector<double>> sums_ =
+        std::make_shared<std::vector<double>>(); ///< how many, and over them the components of each row
 
     struct Sample
     {
@@ -45,15 +49,18 @@ class FieldComparison
     std::optional<Vector<3>> referenceAt(const Vector<3>&, const ParticleView&) const;
     std::vector<Sample> atParticles(const ParticleView&, const SampledField&, int component) const;
     std::vector<Sample> atRows(const ParticleView&, const SampledField&, int component) const;
+    void takeMean(std::vector<Sample>&) const;
 
 public:
     static EntryList entries();
     /// `rows`: where the reference has its own values, which `points rows` asks for; empty of a formula.
     FieldComparison(const Dictionary&, const FunctionContext&, ReferenceField, const std::vector<Vector<3>>& rows = {});
 
-    /// Nothing where no point has a reference at this time. Throws CaseError if the view has no such field. NaN where there is no
+    /// Nothing where no point has a reference at this time, or before `meanFrom`. Throws CaseError if the view has no such field. NaN where there is no
     /// particle around a row.
     std::optional<ErrorRow> operator()(const ParticleView&) const;
+    /// What a restart goes on from; shared by all copies.
+    std::vector<double>& history() const { return *sums_; }
 };
 
 /// `norm relative|absolute;`, relative by default.

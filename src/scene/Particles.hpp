@@ -82,8 +82,8 @@ private:
     const Catalogue<dim>& catalogue_;
     Coefficients coefficients_;
     Plan<dim> plan_;
-    std::map<std::string, std::unique_ptr<Plan<dim>>>
-        alone_; ///< by operation that accelerates: an evaluation of it and what it reads; empty until asked for
+    /// By operation that accelerates: an evaluation of it and what it reads; empty until asked for.
+    std::map<std::string, std::unique_ptr<Plan<dim>>> alone_;
     FieldStore<dim> store_;
     Images<dim> images_;
     LeakGuard<dim> leakGuard_;

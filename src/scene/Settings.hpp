@@ -69,8 +69,8 @@ struct Settings
     std::vector<std::string> carriers{Velocity::info.name}; ///< fields that particles drift by
     std::map<std::string, FieldClass> fieldClasses;         ///< of all fields that the models know, in this scene or not
     Names apart; ///< where forces add to another field than the whole acceleration: somebody wants their sum by itself
-    std::map<std::string, std::string>
-        absent; ///< fields of models that the scene does not have, and what to say where a dictionary gives one
+    /// Fields of models that the scene does not have, and what to say where a dictionary gives one.
+    std::map<std::string, std::string> absent;
 
     Leaked leaked = Leaked::putBack; ///< what becomes of particles in a solid
     bool variableViscosity = false;  ///< viscosity is a field

@@ -26,7 +26,7 @@ const std::vector<Set>& sets()
          "resolution { kernel quinticSpline; support 2.6; } shifting 2; integration { scheme semiImplicit; }"},
         {"channel", "one liquid that creeps or flows along walls", "integration { scheme implicit; }"},
         {"enclosed", "one liquid that turns between walls",
-         "resolution { support 3.2; } shifting 8; backgroundPressure 0; integration { scheme symplecticEuler; }"},
+         "resolution { support 3.2; } shifting 4; shiftingSpeed largest; backgroundPressure 0; integration { scheme symplecticEuler; }"},
         {"bed", "one liquid that travels through a bed of grains", "transportVelocity 1; integration { scheme symplecticEuler; }"},
         {"paper", "what Barker et al. (2012) printed", ""},
         {"paperPowder",

@@ -183,6 +183,56 @@ TEST(Errors, canBeTakenAtTheRowsOfATable)
     EXPECT_TRUE(std::isnan(std::stod(other.rowsOf(far, text).at(0)[3])));
 }
 
+// A field that swings by 0.3 about 2 x + y: nothing before `meanFrom`, then the error of the mean over all times since, also after a restart.
+TEST(Errors, canBeThatOfTheMeanOverTime)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+    const std::string text = "field U; component x; norm absolute; points rows; meanFrom 1;\nreference { type csv; file \"table.csv\"; "
+                             "columns { coordinate y; value v; } origin (0.5 0 0); }";
+    struct Run : ErrorsCase
+    {
+        std::unique_ptr<Errors> errors;
+        Run(const Particles& particles, const std::string& text)
+        {
+            folder.write("table.csv", "y,v\n0.2,1\n0.5,2\n0.8,1.8\n");
+            errors = make(particles, text);
+        }
+        void at(double seconds, double swing, Particles& particles)
+        {
+            particles.setU([=](Vector<3> x) { return Vector<3>{2 * x.x + x.y + swing, 0, 0}; });
+            auto view = particles.view();
+            view.time = seconds;
+            errors->execute(view);
+        }
+        std::vector<double> L1()
+        {
+            std::vector<double> all;
+            for (const auto& row : folder.rows("postProcessing/errors/0/errors.dat")) all.push_back(std::stod(row[2]));
+            return all;
+        }
+    };
+    Run first(particles, text), second(particles, text);
+    ASSERT_EQ(first.mistakes, "");
+    first.at(0.9, 7, particles);
+    first.at(1, 0.3, particles);
+    first.at(1.1, -0.3, particles);
+    ASSERT_EQ(first.L1().size(), 2u);
+    EXPECT_NEAR(first.L1()[0], (0.5 + 0.2 + 0.3) / 3, 1e-12);
+    EXPECT_NEAR(first.L1()[1], 0.7 / 3, 1e-12);
+
+    second.errors->restore(first.errors->histories());
+    second.at(1.2, 0.6, particles);
+    second.at(1.3, -0.6, particles);
+    ASSERT_EQ(second.L1().size(), 2u);
+    EXPECT_NEAR(second.L1()[0], (0.4 + 0.3 + 0.2) / 3, 1e-12);
+    EXPECT_NEAR(second.L1()[1], 0.7 / 3, 1e-12);
+
+    ErrorsCase refused;
+    refused.folder.write("table.csv", "y,v\n0,1\n1,2\n");
+    refused.make(two(), "field U; component x; meanFrom 1;\n" + std::string(zeroToFour));
+    EXPECT_EQ(refused.mistakes, "system/controlDict:1: goes with `points rows;` alone: particles do not stay at a place");
+}
+
 TEST(Errors, onlyTablesHaveRows)
 {
     ErrorsCase c;
