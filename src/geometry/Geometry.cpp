@@ -16,8 +16,7 @@ NearestPatch nearest(const Geometry& g, const Vector<3>& x, NearestPatch best = 
 {
     if (g.tree) return g.tree->nearest(x, best, except);
     for (int p = 0; p < int(g.patches.size()); ++p)
-        if (p == except) continue;
-        else if (const double d = g.patches[std::size_t(p)].shape->foot(x).distance; d < best.distance) best = {d, p};
+        if (const double d = g.patches[std::size_t(p)].shape->foot(x).distance; p != except && d < best.distance) best = {d, p};
     return best;
 }
 

@@ -12,8 +12,8 @@ template<int components> struct LinearSystem
 {
     std::size_t n;
     const double* weight; ///< w
-    std::array<double*, components> x, r,
-        p; ///< r holds b before and what is left of it, b - A x, afterwards; p is the direction that A is applied to
+    /// r holds b before and what is left of it, b - A x, afterwards; p is the direction that A is applied to.
+    std::array<double*, components> x, r, p;
 };
 
 /// r.z of the residual, z = r/diagonal, and whatever else of each iterate is asked for.

@@ -220,9 +220,9 @@ template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
-template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i, bool predicted)
+template<int dim>
+int Openings<dim>::assign(const FieldStore<dim>& store, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted)
 {
-    double& holder = store.component(Holder::info.name, 0)[i];
     const int before = int(holder), now = holderOf(x_i);
     const auto pass = [&](int gate, double sign)
     {
@@ -243,13 +243,14 @@ template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, std::size_t 
 template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
 {
     const auto x = store.pointers(Position{});
+    double* const holder = store.component(Holder::info.name, 0);
     const bool starts = !restored_ && !counts_;
     std::vector<int> kept, takenBy(starts ? owned : 0, 0);
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto x_i = in3D(at<dim>(x, i));
-        const int now = assign(store, i, x_i, predicted);
+        const int now = assign(store, holder[i], i, x_i, predicted);
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
         if (starts) takenBy[i] = gone ? now : now == 0 ? farBeyond(x_i) : 0;
@@ -357,7 +358,8 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
 template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predicted)
 {
     const auto x = store.pointers(Position{});
-    for (const int i : close_) assign(store, std::size_t(i), in3D(at<dim>(x, std::size_t(i))), predicted);
+    double* const holder = store.component(Holder::info.name, 0);
+    for (const int i : close_) assign(store, holder[i], std::size_t(i), in3D(at<dim>(x, std::size_t(i))), predicted);
     list(store);
 }
 

@@ -123,7 +123,7 @@ private:
     int holderOf(const Vector<3>& x) const;
     int farBeyond(const Vector<3>& x) const;
     /// Who holds a particle at x_i from now on; counts what passes. Returns 1 + the opening, or 0.
-    int assign(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i, bool predicted);
+    int assign(const FieldStore<dim>&, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted);
     /// Of `close_`: those that are held, and those that are near.
     void list(FieldStore<dim>&);
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
