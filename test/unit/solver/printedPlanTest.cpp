@@ -185,6 +185,18 @@ TEST(PrintedPlan, IsWhatRunsInASuspensionWithOpenings)
     EXPECT_GE(ran.groups.at("response").at("harmonicViscousResponse"), steps);
 }
 
+// The same where the flux by viscosity is solved for: its operator runs at least once for the iteration and once for the fluxes.
+TEST(PrintedPlan, IsWhatRunsWhereMigrationIsSolvedFor)
+{
+    const int steps = 5;
+    auto files = openCase();
+    files["system/sphSchemes"] += "integration { migration semiImplicit; }\n";
+    const auto ran = printsWhatRuns<2>(files, steps);
+    EXPECT_EQ(ran.stages.at("migrate"), steps);
+    EXPECT_GE(ran.groups.at("response of migration").at("viscosityFluxResponse"), 2 * steps);
+    EXPECT_EQ(ran.groups.at("rates of migration").at("viscosityFluxRate"), ran.groups.at("rates of migration").at("phillipsFlux"));
+}
+
 TEST(PrintedPlan, IsWhatRunsInAnImplicitDrop)
 {
     auto files = dropCase();
