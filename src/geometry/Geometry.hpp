@@ -5,12 +5,20 @@
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sph
 {
+
+/// What is small in a mesh: facets that stand for a curved surface, and radii that reflection cannot represent.
+struct FacetScale
+{
+    double spacing = 0; ///< of particles [m]
+    double support = 0; ///< H [m]
+};
 
 /// What the physics needs to know of a wall besides its shape.
 struct WallProperties
@@ -34,11 +42,17 @@ struct WallProperties
     Location where;
 };
 
-/// One smooth surface of a wall.
+class TriangleMesh;
+
+/// One surface of a wall, smooth or a mesh.
 struct Patch
 {
     std::shared_ptr<const Shape> shape;
     int wall; ///< index into Geometry::walls
+    /// The same of each region of a mesh; empty of what is all one wall.
+    std::vector<int> walls = {};
+    const TriangleMesh* mesh = nullptr; ///< the shape, where it is one; from repeatPeriodically
+    int wallAt(int region) const { return walls.empty() ? wall : walls[std::size_t(region)]; }
 };
 
 /// A particle that lies in the solid (wallLayers.hpp).
@@ -61,6 +75,8 @@ struct Geometry
     std::vector<Patch> originals;          ///< as given, before repetition
     std::vector<Patch> patches;            ///< all periodic copies that lie within `reach` of the domain
     double reach = 0;                      ///< [m]
+    std::filesystem::path folder;          ///< of the case, where prepared meshes lie
+    FacetScale facetScale{};               ///< for what is small in meshes
     std::vector<LayerParticle> layers;     ///< of one period, where walls are layers of particles; empty where they reflect
     std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
     std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
@@ -80,6 +96,9 @@ struct Geometry
     {
         return mayBeCovered(patch) ? footOfGhostInUnion(patch, x, source) : patches[std::size_t(patch)].shape->foot(x);
     }
+
+    /// Share of a foot of `source` on a face of the patch that bounds the fluid; less where other solids cover it.
+    double exposureOfFace(int patch, const Vector<3>& source, const Foot& f) const { return exposure(patch, source, f); }
 
     /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count
     /// too.
@@ -131,9 +150,11 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///
 /// Mistakes go to the dictionary's Diagnostics; unused entries are the caller's to report. Patches are repeated over the periodic
 /// directions as far as `reach` [m] outside the domain.
+///
+/// Meshes (type triSurface) are read as meshToGhost has prepared them in `folder`, that of the case.
 Geometry readGeometry(const Dictionary&, double reach);
 /// The same as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
-Geometry readGeometry(const Dictionary&, const Resolution&, double supports);
+Geometry readGeometry(const Dictionary&, const Resolution&, double supports, const std::filesystem::path& folder = {});
 /// What the solver's images reach, skin included.
 inline constexpr double supportsOfSolver = 1.5;
 /// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.

@@ -1,4 +1,5 @@
 #include "GeometryCheck.hpp"
+#include "TriangleMesh.hpp"
 #include "closestApproach.hpp"
 #include "components.hpp"
 #include "fluidFraction.hpp"
@@ -113,6 +114,7 @@ class Check
         for (int p = 0; p < int(g_.patches.size()); ++p)
         {
             const auto& shape = *g_.patches[p].shape;
+            if (g_.patches[p].mesh) continue; // its facets need no radius
             auto& wall = report_.walls[g_.patches[p].wall];
             const auto note = [&](double radius, const Vector<3>& at)
             {
@@ -191,6 +193,11 @@ class Check
         for (int p = 0; p < int(g_.patches.size()); ++p)
         {
             const int w = g_.patches[p].wall;
+            if (g_.patches[p].mesh)
+            {
+                motionOfMesh(g_.patches[p]);
+                continue;
+            }
             if (g_.walls[w].velocity == Vector<3>{} && g_.walls[w].omega == Vector<3>{}) continue;
             Vector<3> worst;
             double fastest = 0, into = 0;
@@ -203,14 +210,37 @@ class Check
                 into = normal;
                 worst = x;
             }
-            if (into > slidingTolerance * fastest)
-                diagnostics_.error(
-                    g_.walls[w].where,
-                    fmt::format(
-                        "wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
-                        "only along them, as of a belt or a shaft, is possible",
-                        g_.walls[w].name, into, text(g_, worst)));
+            if (into > slidingTolerance * fastest) movesThroughItself(w, into, worst);
         }
+    }
+
+    void movesThroughItself(int w, double into, const Vector<3>& at)
+    {
+        diagnostics_.error(
+            g_.walls[w].where,
+            fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
+                        "only along them, as of a belt or a shaft, is possible",
+                        g_.walls[w].name, into, text(g_, at)));
+    }
+
+    /// Facets stand for a curved surface: each may be turned against it by half an edge.
+    void motionOfMesh(const Patch& patch)
+    {
+        const auto& body = patch.mesh->body();
+        std::map<int, std::pair<double, Vector<3>>> worst; // of each wall, share of its speed
+        for (const auto& f : body.facets())
+        {
+            const int w = patch.wallAt(f.region);
+            Vector<3> middle;
+            for (const int p : f.points) middle += body.points()[std::size_t(p)] / 3;
+            const auto x = middle - patch.mesh->local({});
+            const auto v = g_.wallVelocity(w, x);
+            const double through = std::abs(dot(v, f.normal));
+            const double allowed = std::max(slidingTolerance, f.planar ? 0.0 : std::sin(body.mostTurned())) * mag(v);
+            if (auto& most = worst[w]; through > allowed && through > most.first) most = {through, x};
+        }
+        for (const auto& [w, found] : worst)
+            if (found.first > 0) movesThroughItself(w, found.first, found.second);
     }
 
     /// In the domain, and not on a far side that repeats the near one.
@@ -227,6 +257,7 @@ class Check
 
     void pair(int p, int q)
     {
+        if (g_.patches[p].mesh || g_.patches[q].mesh) return; // what meets at any angle, and its gaps are in the mesh's own report
         const auto &a = *g_.patches[p].shape, &b = *g_.patches[q].shape;
         static const TriangleSurface none;
         const bool bothBalls = isBall(a, g_.dimension) && isBall(b, g_.dimension);

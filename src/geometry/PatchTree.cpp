@@ -10,12 +10,6 @@ namespace sph
 namespace
 {
 
-double distanceTo(const Box& b, const Vector<3>& x)
-{
-    const auto outside = [](double low, double q, double high) { return std::max({0.0, low - q, q - high}); };
-    return mag(Vector<3>{outside(b.low.x, x.x, b.high.x), outside(b.low.y, x.y, b.high.y), outside(b.low.z, x.z, b.high.z)});
-}
-
 /// Twice the middle; 0 along directions without end.
 double middle(const Box& b, double Vector<3>::*c) { return std::isfinite(b.low.*c) && std::isfinite(b.high.*c) ? b.low.*c + b.high.*c : 0; }
 

@@ -40,6 +40,7 @@ struct Foot
     On on = On::face; ///< what the nearest place is a part of
     /// Share of the foot that bounds the fluid: 0 where it lies in another solid. From Geometry::foot; a shape knows no other solids.
     double exposure = 1;
+    int region = 0; ///< of the mesh whose surface it lies on
 };
 
 /// From 0 at s = 0 to 1 at s = 1, flat beyond both.
@@ -66,6 +67,9 @@ struct Box
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     Vector<3> low{-infinity, -infinity, -infinity}, high{infinity, infinity, infinity};
 };
+
+/// 0 within the box [m].
+double distanceTo(const Box&, const Vector<3>&);
 
 enum class FluidSide
 {

@@ -1,4 +1,6 @@
 #include "Walls.hpp"
+#include "MappedFile.hpp"
+#include "TriangleMesh.hpp"
 #include "components.hpp"
 #include "readShapes.hpp"
 #include "readSpace.hpp"
@@ -43,6 +45,11 @@ void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesy
             start != std::string::npos && (line.compare(start, 8, "#include") == 0 || line.compare(start, 9, "#sinclude") == 0);
         const auto open = line.find('"'), close = line.rfind('"');
         if (includes && close > open) addFile(hash, file.parent_path() / line.substr(open + 1, close - open - 1), seen);
+        // `file "rocks.stl";` of a mesh: a file in constant/triSurface, whatever is in it.
+        std::error_code unknown;
+        if (const auto mesh = close > open ? file.parent_path() / "triSurface" / line.substr(open + 1, close - open - 1) : "";
+            !includes && !mesh.empty() && std::filesystem::is_regular_file(mesh, unknown))
+            hash.add(std::string(MappedFile(mesh).text()));
     }
 }
 
@@ -68,6 +75,12 @@ std::string anglesText(const WallProperties& wall)
 
 std::string patchText(const Patch& patch, const Geometry& g)
 {
+    if (asMesh(*patch.shape))
+    {
+        std::string regions;
+        for (const int w : patch.walls) regions += " " + g.walls[std::size_t(w)].name;
+        return fmt::format("    {{ wall {}; type triSurface; regions ({} ); }}\n", g.walls[std::size_t(patch.wall)].name, regions);
+    }
     const auto d = patch.shape->description();
     auto line = fmt::format("    {{ wall {}; type {};", g.walls[patch.wall].name, d.type);
     for (const auto& [key, value] : d.vectors) line += fmt::format(" {} {};", key, text(withinDomain(value, g)));
@@ -107,13 +120,18 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
         out += " }\n";
     }
     out += "}\n\npatches\n(\n";
-    for (const auto& patch : g.originals) out += patchText(patch, g);
+    // The bodies of a mesh are one entry.
+    for (std::size_t k = 0; k < g.originals.size(); ++k)
+        if (const auto& patch = g.originals[k]; k == 0 || !asMesh(*patch.shape) || patch.wall != g.originals[k - 1].wall)
+            out += patchText(patch, g);
     return out + ");\n";
 }
 
-Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
+Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const std::filesystem::path& folder)
 {
     Geometry g;
+    g.folder = folder;
+    g.facetScale = {resolution.spacing, resolution.H()};
     readSpace(dict, g);
     checkFit(g, resolution, dict.diagnostics());
     g.reach = std::max(supportsOfSolver * resolution.H(), dict.get("reach", units::m));
@@ -136,6 +154,25 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution)
         if (found == names.end())
         {
             if (patch.found("wall")) patch.error("wall", fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
+            continue;
+        }
+        if (isMesh(patch))
+        {
+            const auto mesh = readMesh(name, g, dict.diagnostics());
+            if (!mesh) continue;
+            Patch each{nullptr, int(found - names.begin()), {}};
+            for (const auto& region : patch.get<std::vector<std::string>>("regions"))
+                if (const auto at = std::find(names.begin(), names.end(), region); at != names.end())
+                    each.walls.push_back(int(at - names.begin()));
+            if (each.walls.size() != mesh->regions.size())
+                patch.error("regions", fmt::format("must name a wall for each of the {} regions of {}: run meshToGhost again",
+                                                   mesh->regions.size(), wallMeshFile(name)));
+            else
+                for (const auto& body : mesh->bodies)
+                {
+                    each.shape = body;
+                    g.originals.push_back(each);
+                }
             continue;
         }
         for (auto& shape : readShapes(patch, g)) g.originals.push_back({std::move(shape), int(found - names.begin())});

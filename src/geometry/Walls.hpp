@@ -10,7 +10,8 @@
 ///     patches    ( { wall floor; type plane; point (0 0 0); normal (0 1 0); } ... )
 ///
 /// Patches are single shapes in the words of constant/geometry, before periodic repetition; boxes with fluid inside and beds of
-/// spheres are taken apart. Surfaces that meshToGhost prepares in another way have their own entry beside `patches`.
+/// spheres are taken apart. A mesh is one entry, `{ wall rocks; type triSurface; regions (rocks rocks.top); }`: its facets are in constant/wallMeshes/rocks,
+/// and `regions` are the walls of its regions.
 #pragma once
 #include "Geometry.hpp"
 #include <filesystem>
@@ -25,9 +26,9 @@ std::string geometryStamp(const std::filesystem::path& caseFolder, double spacin
 /// Text of constant/walls for geometry.originals, with geometry.reach.
 std::string wallsText(const Geometry&, const std::string& stamp);
 
-/// Reads constant/walls. Patches are repeated as far as the solver needs them, or as far as the file says where that is more. Throws CaseError
+/// Reads constant/walls, and the meshes in `folder`, that of the case. Patches are repeated as far as the solver needs them, or as far as the file says where that is more. Throws CaseError
 /// where particles of this resolution do not fit the domain.
-Geometry readWalls(const Dictionary&, const Resolution&);
+Geometry readWalls(const Dictionary&, const Resolution&, const std::filesystem::path& folder = {});
 
 /// The stamp in constant/walls, for comparison with geometryStamp.
 std::string wallsStamp(const Dictionary&);

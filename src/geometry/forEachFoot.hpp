@@ -2,6 +2,7 @@
 #pragma once
 #include "Geometry.hpp"
 #include "PatchGrid.hpp"
+#include "TriangleMesh.hpp"
 #include <span>
 
 namespace sph
@@ -12,7 +13,14 @@ namespace sph
 template<class F> void forEachFoot(const Geometry& g, std::span<const int> near, const Vector<3>& x, double reach, const F& f)
 {
     for (const int p : near)
-        if (const Foot foot = g.foot(p, x); foot.distance <= reach && foot.exposure > 0) f(foot, p);
+        if (const auto* mesh = g.patches[std::size_t(p)].mesh)
+            mesh->body().forEachFoot(mesh->local(x), std::min(reach, g.reach),
+                                     [&](Foot foot)
+                                     {
+                                         if (g.mayBeCovered(p)) foot.exposure = g.exposureOfFace(p, x, foot);
+                                         if (foot.exposure > 0) f(foot, p);
+                                     });
+        else if (const Foot foot = g.foot(p, x); foot.distance <= reach && foot.exposure > 0) f(foot, p);
 }
 
 /// The same of all patches that the geometry's own grid knows, for reach up to Geometry::reach.

@@ -16,6 +16,8 @@ const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max"
 const ListOf<std::string> periodic{"periodic", std::vector<std::string>{}, "directions x, y, z in which the domain repeats"};
 const SubDictionary walls{"walls", notGiven, "the walls"};
 const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
+const SubDictionary regions{"regions", notGiven, "of a mesh: walls of their own, by the names of the regions in its file"};
+const FreeName region{"<region>", "dictionary", "a region of the mesh"};
 const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
                           between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"),
                           "of two phases, through the first of them"};
@@ -125,6 +127,37 @@ EntryList geometryEntries()
 
 namespace
 {
+
+/// The wall itself, and one for each region of its mesh that has properties of its own: "<wall>.<region>".
+void readMeshWall(const Dictionary& dict, Geometry& g)
+{
+    if (g.dimension == 2)
+        return shapeType().error(dict, "a mesh is a surface in space, and a 2-D scene does not vary with z: use planes and circles");
+    const auto name = dict.keyword();
+    const auto mesh = readMesh(name, g, dict.diagnostics());
+    if (!mesh) return;
+    Patch patch{nullptr, int(g.walls.size()), {}};
+    g.walls.push_back(readWallProperties(dict, g.dimension, true));
+    const auto regions = entry::regions(dict);
+    for (const auto& region : mesh->regions)
+        if (regions.isDictionary(region))
+        {
+            patch.walls.push_back(int(g.walls.size()));
+            auto wall = readWallProperties(regions.subDict(region), g.dimension, true);
+            wall.name = name + "." + region;
+            g.walls.push_back(wall);
+        }
+        else patch.walls.push_back(patch.wall);
+    for (const auto& key : regions.keys())
+        if (std::ranges::find(mesh->regions, key) == mesh->regions.end())
+            regions.error(key, fmt::format("region \"{}\" is unknown. {}", key, suggestion(key, "regions of this mesh", mesh->regions)));
+    for (auto& body : mesh->bodies)
+    {
+        patch.shape = std::move(body);
+        g.originals.push_back(patch);
+    }
+}
+
 void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
 {
     const auto walls = entry::walls(dict);
@@ -136,6 +169,11 @@ void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
             continue;
         }
         const auto wall = walls.subDict(name);
+        if (isMesh(wall))
+        {
+            readMeshWall(wall, g);
+            continue;
+        }
         auto shapes = readShapes(wall, g);
         g.walls.push_back(readWallProperties(wall, g.dimension, isSingleShape(wall)));
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
@@ -148,15 +186,18 @@ Geometry readGeometry(const Dictionary& dict, double reach)
 {
     Geometry g;
     g.reach = reach;
+    g.facetScale = {reach / 3, reach};
     readSpace(dict, g);
     readWallsAndRepeat(dict, g);
     return g;
 }
 
-Geometry readGeometry(const Dictionary& dict, const Resolution& resolution, double supports)
+Geometry readGeometry(const Dictionary& dict, const Resolution& resolution, double supports, const std::filesystem::path& folder)
 {
     Geometry g;
     g.reach = supports * resolution.H();
+    g.folder = folder;
+    g.facetScale = {resolution.spacing, resolution.H()};
     readSpace(dict, g);
     checkFit(g, resolution, dict.diagnostics());
     readWallsAndRepeat(dict, g);

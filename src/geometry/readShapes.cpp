@@ -6,6 +6,7 @@
 #include "SolidBox.hpp"
 #include "Sphere.hpp"
 #include "Torus.hpp"
+#include "TriangleMesh.hpp"
 #include "components.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -224,6 +225,9 @@ Shapes spheres(const Dictionary& wall, const Geometry& g)
     return shapes;
 }
 
+/// Read by readMesh, with its regions.
+Shapes triSurface(const Dictionary&, const Geometry&) { return {}; }
+
 /// A surface that ends the fluid cannot have a copy of itself beside it.
 void checkPeriodicity(const Dictionary& wall, const Geometry& g, const Shape& shape)
 {
@@ -267,11 +271,24 @@ const std::vector<ShapeType>& catalogue()
         {{"torus", "in 3-D"}, torus, {centre, axis, ringRadius, tubeRadius, fluid}},
         {{"ellipsoid", "axes along x, y and z; in 2-D an ellipse"}, ellipsoid, {centre, semiAxes, fluid}},
         {{"sphereBed", "equal spheres in the fluid, on all points of a lattice"}, sphereBed, {lattice, radius, period, latticeOrigin}},
-        {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}}};
+        {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}},
+        {{"triSurface", "a closed surface of triangles from a file; in 3-D"}, triSurface, {}}};
     return types;
 }
 
 }
+
+std::optional<PreparedMesh> readMesh(const std::string& wall, const Geometry& g, Diagnostics& diagnostics)
+{
+    const auto before = diagnostics.errors();
+    const auto surface = readWallMesh(g.folder, wall, diagnostics);
+    if (diagnostics.errors() != before) return {};
+    PreparedMesh mesh{surface.regions, {}};
+    for (auto& body : bodiesOf(surface, g.facetScale)) mesh.bodies.push_back(std::make_shared<TriangleMesh>(std::move(body)));
+    return mesh;
+}
+
+bool isMesh(const Dictionary& wall) { return shapeType().is(wall, "triSurface"); }
 
 bool isSingleShape(const std::string& type) { return type != "sphereBed" && type != "spheres"; }
 

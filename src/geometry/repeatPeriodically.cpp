@@ -1,6 +1,7 @@
 #include "Geometry.hpp"
 #include "PatchGrid.hpp"
 #include "PatchTree.hpp"
+#include "TriangleMesh.hpp"
 #include "components.hpp"
 #include <algorithm>
 
@@ -61,6 +62,28 @@ std::vector<Patch> withoutTwins(std::vector<Patch> patches, double tolerance)
 
 }
 
+namespace
+{
+
+/// Facets of a mesh that lie in other solids as a whole.
+std::vector<char> facetsInOthers(const Geometry& g, int patch)
+{
+    const auto& mesh = *g.patches[std::size_t(patch)].mesh;
+    const auto& body = mesh.body();
+    const auto offset = -mesh.local({});
+    std::vector<char> covered, hidden;
+    for (const auto& x : body.points()) covered.push_back(g.isCovered(patch, x + offset));
+    for (const auto& f : body.facets())
+        hidden.push_back(std::ranges::all_of(f.points, [&](int p) { return covered[std::size_t(p)]; }) &&
+                         g.isCovered(patch, (body.points()[std::size_t(f.points[0])] + body.points()[std::size_t(f.points[1])] +
+                                             body.points()[std::size_t(f.points[2])]) /
+                                                    3 +
+                                                offset));
+    return hidden;
+}
+
+}
+
 void repeatPeriodically(Geometry& g, double reach)
 {
     const Box domain{g.low, g.high};
@@ -83,16 +106,26 @@ void repeatPeriodically(Geometry& g, double reach)
                     const Vector<3> by{i * g.length(0), k * g.length(1), l * g.length(2)};
                     auto shape = moved ? std::shared_ptr<const Shape>(original.shape->shifted(by)) : original.shape;
                     const bool isRepeated = g.periodic[0] || g.periodic[1] || g.periodic[2];
-                    if (!isRepeated || shape->distanceTo(flat) <= reach) copies.push_back({std::move(shape), original.wall});
+                    if (!isRepeated || shape->distanceTo(flat) <= reach)
+                        copies.push_back({std::move(shape), original.wall, original.walls});
                 }
     }
     const double size = std::max({g.length(0), g.length(1), g.dimension == 3 ? g.length(2) : 0.0});
     g.patches = withoutTwins(std::move(copies), 1e-9 * size);
+    for (auto& patch : g.patches) patch.mesh = asMesh(*patch.shape);
     g.reach = reach;
     sinkIntoPlanes(g);
     g.grid = std::make_shared<PatchGrid>(g, reach);
     g.tree = std::make_shared<PatchTree>(g.patches);
     g.coverers = findCoverers(g);
+    for (int p = 0; p < int(g.patches.size()); ++p)
+    {
+        auto& patch = g.patches[std::size_t(p)];
+        if (!patch.mesh || !g.mayBeCovered(p)) continue;
+        auto mesh = patch.mesh->withHidden(facetsInOthers(g, p));
+        patch.mesh = mesh.get();
+        patch.shape = std::move(mesh);
+    }
 }
 
 }

@@ -1,4 +1,5 @@
 #include "wallSurfaces.hpp"
+#include "TriangleMesh.hpp"
 #include <fmt/format.h>
 #include <iterator>
 
@@ -15,7 +16,11 @@ std::vector<TriangleSurface> wallSurfaces(const Geometry& g, double margin, doub
         within.high.z = 0.5 * size;
     }
     std::vector<TriangleSurface> surfaces(g.walls.size());
-    for (const auto& patch : g.patches) append(surfaces[patch.wall], triangulate(*patch.shape, within, size));
+    for (const auto& patch : g.patches)
+        if (patch.mesh)
+            for (std::size_t region = 0; region < std::max<std::size_t>(1, patch.walls.size()); ++region)
+                append(surfaces[std::size_t(patch.wallAt(int(region)))], cropped(patch.mesh->region(int(region)), within));
+        else append(surfaces[patch.wall], triangulate(*patch.shape, within, size));
     return surfaces;
 }
 

@@ -50,7 +50,7 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
                                                    if (foot.distance > c.spacing) return;
                                                    const auto relative =
                                                        in3D(v_i) -
-                                                       particles.geometry().wallVelocity(patch.wall,
+                                                       particles.geometry().wallVelocity(patch.wallAt(foot.region),
                                                                                          in3D(x_i) - foot.distance * foot.normal);
                                                    const double normal = dot(relative, foot.normal);
                                                    larger(speeds.through, std::fabs(normal));

@@ -19,9 +19,20 @@ Images<dim>::Images(const Geometry& geometry, double reach, double spacing, doub
 {}
 
 /// The foot of what is mirrored: of the source itself, or of its image so far.
-template<int dim> Foot Images<dim>::footOf(const Entry& e, int reflection, const Vector<3>& x, const Vector<3>& source) const
+template<int dim> Foot Images<dim>::footOf(Mirror& mirror, int reflection, const Vector<3>& x, const Vector<3>& source) const
 {
-    const int p = e.patch[reflection];
+    const int p = mirror.patch;
+    if (const auto* mesh = meshOf(p))
+    {
+        Foot f = mesh->body().mirror(mirror.facet, mesh->local(x), mesh->hidden());
+        if (geometry_->mayBeCovered(p))
+        {
+            int facet = mirror.facet;
+            f.exposure =
+                geometry_->exposureOfFace(p, source, reflection == 0 ? f : mesh->body().mirror(facet, mesh->local(source), mesh->hidden()));
+        }
+        return f;
+    }
     return reflection == 0 ? geometry_->foot(p, x) : geometry_->footOfGhost(p, x, source);
 }
 
@@ -52,12 +63,12 @@ template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
     return by;
 }
 
-template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, Feet* feet, double* share) const
+template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share) const
 {
     const auto source = in3D(x);
-    for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r)
+    for (int r = 0; r < e.reflections; ++r)
     {
-        const Foot f = footOf(e, r, in3D(x), source);
+        const Foot f = footOf(mirrors[r], r, in3D(x), source);
         feet[r] = {in<dim>(f.normal), f.distance, volumeFactor(f)};
         if (share) *share *= faceShare(f, spacing_);
         x = in<dim>(mirrorImage(in3D(x), f));
@@ -65,102 +76,146 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Vector<dim> x, 
     return x + period(e);
 }
 
-template<int dim> bool Images<dim>::mirrorsAgain(const Entry& twice, int patch) const
+template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch) const
 {
-    if (patch != twice.patch[0]) return false;
+    if (patch != twice[0].patch) return false;
     const auto normal = [&](int p) { return geometry_->patches[std::size_t(p)].shape->foot({}).normal; };
     const auto isPlane = [&](int p)
     {
         const auto& shape = *geometry_->patches[std::size_t(p)].shape;
         return std::isinf(shape.smallestRadius()) && !shape.hasEdges();
     };
-    if (!isPlane(twice.patch[0]) || !isPlane(twice.patch[1])) return false;
+    if (!isPlane(twice[0].patch) || !isPlane(twice[1].patch)) return false;
     // From about 75 degrees on two reflections fill the corner. Planes that all but face one another are a slit, whose third image is far.
-    const double cosine = -dot(normal(twice.patch[0]), normal(twice.patch[1]));
+    const double cosine = -dot(normal(twice[0].patch), normal(twice[1].patch));
     return cosine > 0.26 && cosine < 0.97;
 }
 
-template<int dim> void Images<dim>::reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x)
+template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x)
 {
-    struct Ghost
-    {
-        Entry entry;
-        Vector<dim> x;
-        int wallReflections;
-        double speed; ///< over that of its source
-    };
     fastest_ = 1;
     if (geometry_->patches.empty() || layers_) return;
 
     const std::size_t chunkSize = 1024;
-    std::vector<std::vector<Entry>> found((owned_ + chunkSize - 1) / chunkSize);
+    struct Made
+    {
+        std::vector<Entry> entries;
+        std::vector<Mirror> mirrors;
+    };
+    std::vector<Made> made((owned_ + chunkSize - 1) / chunkSize);
     double fastest = 1;
 #pragma omp parallel for schedule(dynamic) reduction(max : fastest)
-    for (std::size_t chunk = 0; chunk < found.size(); ++chunk)
+    for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
     {
         std::vector<Ghost> ghosts;
         for (std::size_t i = chunk * chunkSize; i < std::min(owned_, (chunk + 1) * chunkSize); ++i)
         {
             Vector<dim> x_i;
             fetch(x_i, [&](int c) { return x[c][i]; });
-            Entry self{int(i), {}, {}};
-            self.patch.fill(-1);
-            ghosts.assign(1, {self, x_i, 0, 1});
-            // Each ghost is mirrored in the walls that its own chain has not used yet: box corners, and the pinch between grains.
+            ghosts.assign(1, {{int(i), {}}, {}, x_i, 1});
+            // Each ghost is mirrored once more: box corners, and the pinch between grains.
             for (std::size_t g = 0; g < ghosts.size(); ++g)
             {
                 const Ghost from = ghosts[g];
-                if (from.wallReflections == mostReflections) continue;
                 for (int p : grid_.near(in3D(from.x)))
-                {
-                    const bool again = from.wallReflections == 2 && mirrorsAgain(from.entry, p);
-                    const bool used = std::find(from.entry.patch.begin(), from.entry.patch.end(), p) != from.entry.patch.end();
-                    if (!again && (used || from.wallReflections == dim)) continue;
-                    Ghost next = from;
-                    next.entry.patch[from.wallReflections] = p;
-                    const Foot f = footOf(next.entry, from.wallReflections, in3D(from.x), in3D(x_i));
-                    const bool onFluidSide = from.wallReflections == 0 || f.distance > 0;
-                    const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
-                    if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) continue;
-                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
-                    ++next.wallReflections;
-                    next.speed *= speedOf(f);
-                    if (from.wallReflections > 0 && geometry_->mayBeCovered(p) &&
-                        !fillsCorner(next.entry, from.wallReflections, in3D(next.x), in3D(x_i)))
-                        continue;
-                    // Walls at right angles give the same corner image in either order; at 60 degrees a third reflection does.
-                    const bool twin =
-                        std::any_of(ghosts.begin() + 1, ghosts.end(),
-                                    [&](const Ghost& other)
-                                    {
-                                        return (again ? other.wallReflections == 3
-                                                      : std::is_permutation(other.entry.patch.begin(), other.entry.patch.end(),
-                                                                            next.entry.patch.begin())) &&
-                                               mag(other.x - next.x) < 0.25 * spacing_;
-                                    });
-                    if (twin) continue;
-                    ghosts.push_back(next);
-                    fastest = std::max(fastest, next.speed);
-                }
+                    if (meshOf(p)) reflectInMesh(from, p, in3D(x_i), ghosts);
+                    else reflectInShape(from, p, in3D(x_i), ghosts);
             }
-            for (std::size_t g = 1; g < ghosts.size(); ++g) found[chunk].push_back(ghosts[g].entry);
+            for (std::size_t g = 1; g < ghosts.size(); ++g)
+            {
+                const auto& [entry, mirrors, _, speed] = ghosts[g];
+                made[chunk].entries.push_back(entry);
+                made[chunk].mirrors.insert(made[chunk].mirrors.end(), mirrors.begin(), mirrors.begin() + entry.reflections);
+                fastest = std::max(fastest, speed);
+            }
         }
     }
     fastest_ = fastest;
-    for (const auto& f : found) entries.insert(entries.end(), f.begin(), f.end());
+    for (const auto& [entries, mirrors] : made)
+    {
+        entries_.insert(entries_.end(), entries.begin(), entries.end());
+        mirrors_.insert(mirrors_.end(), mirrors.begin(), mirrors.end());
+    }
 }
 
-/// Whether an image mirrored once more fills what the two solids leave: it lies in one of them, and they meet sharply enough.
-template<int dim> bool Images<dim>::fillsCorner(const Entry& e, int last, const Vector<3>& x, const Vector<3>& source) const
+/// In each wall that the chain has not used yet, as often as there are dimensions.
+template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, const Vector<3>& source, std::vector<Ghost>& ghosts) const
 {
-    const int p = e.patch[last], q = e.patch[last - 1];
+    const int before = from.entry.reflections;
+    const bool again = before == 2 && mirrorsAgain(from.mirrors, p);
+    const bool used = std::any_of(from.mirrors.begin(), from.mirrors.begin() + before, [&](const Mirror& m) { return m.patch == p; });
+    if (!again && (used || before >= dim)) return;
+    Ghost next = from;
+    next.mirrors[std::size_t(before)] = {p};
+    const Foot f = footOf(next.mirrors[std::size_t(before)], before, in3D(from.x), source);
+    const bool onFluidSide = before == 0 || f.distance > 0;
+    const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
+    if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) return;
+    next.x = in<dim>(mirrorImage(in3D(from.x), f));
+    ++next.entry.reflections;
+    next.speed *= speedOf(f);
+    if (before > 0 && geometry_->mayBeCovered(p) && !fillsCorner(p, from.mirrors[std::size_t(before) - 1].patch, in3D(next.x), source))
+        return;
+    const bool twin =
+        again ? std::any_of(ghosts.begin() + 1, ghosts.end(),
+                            [&](const Ghost& other) { return other.entry.reflections == 3 && mag(other.x - next.x) < 0.25 * spacing_; })
+              : isTwin(next, ghosts);
+    if (!twin) ghosts.push_back(next);
+}
+
+/// Walls at right angles give the same corner image in either order; at 60 degrees a third reflection does.
+template<int dim> bool Images<dim>::isTwin(const Ghost& next, const std::vector<Ghost>& ghosts) const
+{
+    const auto count = next.entry.reflections;
+    return std::any_of(ghosts.begin() + 1, ghosts.end(),
+                       [&](const Ghost& other)
+                       {
+                           return other.entry.reflections == count &&
+                                  std::is_permutation(other.mirrors.begin(), other.mirrors.begin() + count, next.mirrors.begin()) &&
+                                  mag(other.x - next.x) < 0.25 * spacing_;
+                       });
+}
+
+/// In every face that owns the place where the image comes to lie, or soon will: in one body as often as it takes to fill its edges and corners.
+template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, const Vector<3>& source, std::vector<Ghost>& ghosts) const
+{
+    const int before = from.entry.reflections;
+    if (before == mostReflections) return;
+    // The pinch between two bodies is filled by as many images as that of two spheres.
+    const auto last = from.mirrors.begin() + before;
+    const bool goesOn = before > 0 && (last - 1)->patch == p;
+    const bool used = std::any_of(from.mirrors.begin(), last, [&](const Mirror& m) { return m.patch == p; });
+    if (!goesOn && (used || before >= dim)) return;
+    const auto* mesh = meshOf(p);
+    const auto x = mesh->local(in3D(from.x));
+    mesh->body().forEachMirror(x, reach_, before == 0 ? 0.5 * spacing_ : 0, spacing_, mesh->hidden(),
+                               [&](int facet, Foot f)
+                               {
+                                   if (before > 0 && f.distance <= 0) return;
+                                   if (volumeFactor(f) <= 0 || (before == 0 && !mesh->body().sees(x, facet))) return;
+                                   Ghost next = from;
+                                   next.mirrors[std::size_t(before)] = {p, facet};
+                                   next.x = in<dim>(mirrorImage(in3D(from.x), f));
+                                   ++next.entry.reflections;
+                                   next.speed *= speedOf(f);
+                                   if (before > 0 && !goesOn && geometry_->mayBeCovered(p) &&
+                                       !fillsCorner(p, (last - 1)->patch, in3D(next.x), source))
+                                       return;
+                                   if (!goesOn && isTwin(next, ghosts)) return;
+                                   ghosts.push_back(next);
+                               });
+}
+
+/// Whether an image mirrored once more, in `p` after `q`, fills what the two solids leave: it lies in one of them, and they meet sharply enough.
+template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x, const Vector<3>& source) const
+{
     const auto& near = geometry_->coverers[std::size_t(p)];
     if (std::find(near.begin(), near.end(), q) == near.end()) return true;
     if (dot(geometry_->foot(p, source).normal, geometry_->foot(q, source).normal) > mostAlignedNormals) return false;
     return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 
-template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const
+template<int dim> void Images<dim>::shift(const std::array<double*, dim>& x)
 {
     for (int c = 0; c < dim; ++c)
     {
@@ -176,14 +231,21 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
               {
                   if (d == c) high = q;
               });
-        const std::size_t before = entries.size();
-        const auto consider = [&](Entry e)
+        const std::size_t before = entries_.size();
+        const auto consider = [&](Entry e, std::size_t firstMirror)
         {
             Feet feet[mostReflections];
+            Mirrors mirrors{};
+            std::copy_n(mirrors_.begin() + long(firstMirror), e.reflections, mirrors.begin());
             Vector<dim> x_i;
             fetch(x_i, [&](int d) { return x[d][e.source]; });
+            const auto add = [&](const Entry& shifted)
+            {
+                entries_.push_back(shifted);
+                mirrors_.insert(mirrors_.end(), mirrors.begin(), mirrors.begin() + e.reflections);
+            };
             double q = 0;
-            store(place(e, x_i, feet),
+            store(place(e, mirrors.data(), x_i, feet),
                   [&](int d, double a)
                   {
                       if (d == c) q = a;
@@ -191,22 +253,23 @@ template<int dim> void Images<dim>::shift(std::vector<Entry>& entries, const std
             if (q < low + reach_)
             {
                 e.shift[c] = 1;
-                entries.push_back(e);
+                add(e);
             }
             if (q > high - reach_)
             {
                 e.shift[c] = -1;
-                entries.push_back(e);
+                add(e);
             }
         };
         for (std::size_t i = 0; i < owned_; ++i)
-            if (x[c][i] < low + reach_ || x[c][i] > high - reach_)
-            {
-                Entry e{int(i), {}, {}};
-                e.patch.fill(-1);
-                consider(e);
-            }
-        for (std::size_t k = 0; k < before; ++k) consider(entries[k]);
+            if (x[c][i] < low + reach_ || x[c][i] > high - reach_) consider({int(i), {}}, 0);
+        std::size_t mirror = 0;
+        for (std::size_t k = 0; k < before; ++k)
+        {
+            const Entry e = entries_[k];
+            consider(e, mirror);
+            mirror += e.reflections;
+        }
     }
 }
 
@@ -214,11 +277,13 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
 {
     owned_ = owned;
     entries_.clear();
+    mirrors_.clear();
     const auto x = store.pointers(Position{});
-    reflect(entries_, x);
-    shift(entries_, x);
+    reflect(x);
+    shift(x);
     // Vectors that grow by themselves double: of many images that is more than a field.
     if (entries_.capacity() > entries_.size() + entries_.size() / 10) entries_.shrink_to_fit();
+    if (mirrors_.capacity() > mirrors_.size() + mirrors_.size() / 10) mirrors_.shrink_to_fit();
     const auto resize = [](auto& v, std::size_t n)
     {
         if (n > v.capacity()) v.reserve(n + n / 20);
@@ -229,7 +294,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     for (const auto& e : entries_)
     {
         firstFoot_[k++] = unsigned(feet);
-        for (int p : e.patch) feet += p >= 0;
+        feet += e.reflections;
     }
     resize(feet_, feet);
     store.resize(nullParticle() + 1, owned_);
@@ -246,23 +311,18 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
         const Entry& e = entries_[k];
-        Feet none[mostReflections];
-        Feet* const feet = e.ghost() ? feet_.data() + firstFoot_[k] : none;
+        Feet* const feet = feet_.data() + firstFoot_[k];
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return x[c][e.source]; });
         double w = 1;
-        sph::store(place(e, x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][owned_ + k] = q; });
+        sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr),
+                   [&](int c, double q) { x[c][owned_ + k] = q; });
         if (weight)
         {
-            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) w *= feet[r].weight;
+            for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
             weight[owned_ + k] = w;
         }
-        if (wall)
-        {
-            double behind = 0;
-            for (int r = 0; r < mostReflections && e.patch[r] >= 0; ++r) behind = 1 + geometry_->patches[e.patch[r]].wall;
-            wall[owned_ + k] = behind;
-        }
+        if (wall) wall[owned_ + k] = e.ghost() ? 1 + wallOf(mirrors_[firstFoot_[k] + e.reflections - 1u]) : 0;
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });
@@ -281,7 +341,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 template<int dim> std::size_t Images<dim>::bytes() const
 {
     return (layers_ ? layers_->bytes() : 0) + entries_.capacity() * sizeof(Entry) + feet_.capacity() * sizeof(Feet) +
-           firstFoot_.capacity() * sizeof(unsigned);
+           mirrors_.capacity() * sizeof(Mirror) + firstFoot_.capacity() * sizeof(unsigned);
 }
 
 template class Images<2>;

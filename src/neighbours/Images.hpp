@@ -2,8 +2,8 @@
 ///
 ///   x' = mirror_n(... mirror_1(x)) + shift
 ///
-/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first,
-/// then shifted by periods. Terms see one
+/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first, in
+/// the faces of one mesh as often as its edges need (FacetBody.hpp), then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
 ///   owned | periodic images of the fluid and wall ghosts | null particle
@@ -15,6 +15,7 @@
 #include "FieldStore.hpp"
 #include "GhostRules.hpp"
 #include "PatchGrid.hpp"
+#include "TriangleMesh.hpp"
 #include "WallLayers.hpp"
 #include "forEachFoot.hpp"
 #include <map>
@@ -93,22 +94,37 @@ public:
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }
 
 private:
-    static constexpr int mostReflections = 3;
+    static constexpr int mostReflections = 9;
     struct Entry
     {
         int source;
-        std::array<int, mostReflections> patch; ///< -1 from the first that is not used
         std::array<signed char, dim> shift;
+        unsigned char reflections = 0;
         /// Of the particle that `source` counts among its own: 0 this rank, k the k-th of those that it exchanges with. In the padding.
         unsigned char rank = 0;
-        bool ghost() const { return patch[0] >= 0; }
+        bool ghost() const { return reflections > 0; }
     };
-    static_assert(sizeof(Entry) == 20);
-    /// Foot points of one image as last moved; images mirrored once need one, which is most of them.
+    static_assert(sizeof(Entry) <= 12);
+    /// One face that an image was mirrored in.
+    struct Mirror
+    {
+        int patch, facet = -1; ///< the facet of a mesh that the image lies behind now
+        bool operator==(const Mirror&) const = default;
+    };
+    using Mirrors = std::array<Mirror, mostReflections>;
+    /// A foot point of one image as last moved; images mirrored once need one, which is most of them.
     struct Feet
     {
         Vector<dim> normal;
         double distance, weight;
+    };
+    /// One image while images are made.
+    struct Ghost
+    {
+        Entry entry;
+        Mirrors mirrors;
+        Vector<dim> x;
+        double speed; ///< over that of its source
     };
 
     const Geometry* geometry_;
@@ -119,18 +135,28 @@ private:
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0;
     std::vector<Entry> entries_;
-    std::vector<Feet> feet_; ///< of all ghosts, as many for each as it has reflections, in order
+    std::vector<Mirror> mirrors_; ///< of all ghosts, as many for each as it has reflections, in order
+    std::vector<Feet> feet_;      ///< likewise
     std::vector<unsigned> firstFoot_;
 
-    /// Multiplies `share` by that of the image in each face that it was mirrored in.
-    Vector<dim> place(const Entry&, Vector<dim> x, Feet* feet, double* share = nullptr) const;
-    Foot footOf(const Entry&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
+    int wallOf(const Mirror& m) const
+    {
+        const auto& patch = geometry_->patches[std::size_t(m.patch)];
+        return patch.walls.empty() ? patch.wall : patch.wallAt(meshOf(m.patch)->body().facets()[std::size_t(m.facet)].region);
+    }
+    const TriangleMesh* meshOf(int patch) const { return geometry_->patches[std::size_t(patch)].mesh; }
+    /// Where the image of x lies. Multiplies `share` by that of the image in each face that it was mirrored in.
+    Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
+    Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
     double speedOf(const Foot&) const;
-    bool fillsCorner(const Entry&, int last, const Vector<3>& x, const Vector<3>& source) const;
-    void reflect(std::vector<Entry>& entries, const std::array<double*, dim>& x);
+    bool fillsCorner(int patch, int before, const Vector<3>& x, const Vector<3>& source) const;
+    void reflect(const std::array<double*, dim>& x);
+    void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
+    void reflectInMesh(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
+    bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
-    bool mirrorsAgain(const Entry& twice, int patch) const;
-    void shift(std::vector<Entry>& entries, const std::array<double*, dim>& x) const;
+    bool mirrorsAgain(const Mirrors& twice, int patch) const;
+    void shift(const std::array<double*, dim>& x);
     Vector<dim> period(const Entry&) const;
 };
 
@@ -161,16 +187,16 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
             [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
             constexpr bool turned = F::info.image == Image::mirrored || F::info.image == Image::interface;
             const bool straight = turned ? F::info.image == Image::interface && images.continuesInterfaces_ : !rule;
-            const int reflections = straight ? 0 : mostReflections;
+            const int reflections = straight ? 0 : e.reflections;
             if constexpr (!turned) fetch(x, [&](int c) { return position[c][e.source]; });
-            for (int r = 0; r < reflections && e.patch[r] >= 0; ++r)
+            for (int r = 0; r < reflections; ++r)
             {
                 if constexpr (turned) q = mirrored(q, feet[r].normal);
                 else
                 {
                     const auto foot = x - feet[r].distance * feet[r].normal;
                     const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal,
-                                                     images.geometry_->patches[e.patch[r]].wall, in3D(foot)};
+                                                     images.wallOf(images.mirrors_[images.firstFoot_[k] + std::size_t(r)]), in3D(foot)};
                     x = foot - feet[r].distance * feet[r].normal;
                     if constexpr (ofGradient) q = gradientBeyond(*rule, q, reflection);
                     else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);

@@ -73,7 +73,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         if (-f.distance > std::max(closest, found.depth))
         {
             found.depth = -f.distance;
-            found.wall = geometry_.patches[std::size_t(p)].wall;
+            found.wall = geometry_.patches[std::size_t(p)].wallAt(f.region);
         }
         if (f.exposure <= 0)
         {

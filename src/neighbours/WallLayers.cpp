@@ -27,7 +27,7 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
                          [&](const Foot& foot, int k)
                          {
                              if (foot.distance == 0 || p.walls == dim) return;
-                             walls_.push_back({k, geometry.patches[std::size_t(k)].wall, foot, x - foot.distance * foot.normal});
+                             walls_.push_back({k, geometry.patches[std::size_t(k)].wallAt(foot.region), foot, x - foot.distance * foot.normal});
                              ++p.walls;
                          });
         if (p.walls == 0)

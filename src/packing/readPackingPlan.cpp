@@ -118,7 +118,7 @@ PackingPlan readPackingPlan(const Case& c)
     plan.spacingAt = resolution.where;
 
     const auto geometry = c.dictionary("constant/geometry");
-    plan.geometry = readGeometry(geometry, resolution, reachPerSupport);
+    plan.geometry = readGeometry(geometry, resolution, reachPerSupport, c.folder());
     if (wallsAreLayers(schemes)) plan.geometry.layers = makeWallLayers(plan.geometry, plan.support, spacing, c.diagnostics());
     if (c.diagnostics().ok()) plan.bedPeriod = bedPeriod(geometry);
     const auto g = c.dictionaryIfPresent("constant/g");

@@ -131,10 +131,10 @@ template<int dim> double EnergyBalance<dim>::walls(const Particles<dim>& particl
                                                {
                                                    if (foot.distance > c.spacing) return; // the row at the wall
                                                    larger(here.fastest,
-                                                          mag(geometry.wallVelocity(patch.wall,
+                                                          mag(geometry.wallVelocity(patch.wallAt(foot.region),
                                                                                     in3D(at(i)) - foot.distance * foot.normal)));
                                                    if (c.wallTension.empty()) return;
-                                                   const auto of = c.wallTension.begin() + long(std::size_t(patch.wall) * n);
+                                                   const auto of = c.wallTension.begin() + long(std::size_t(patch.wallAt(foot.region)) * n);
                                                    const auto [least, most] = std::minmax_element(of, of + long(n));
                                                    here.wetting += (*most - *least) * V[i] / c.spacing;
                                                });

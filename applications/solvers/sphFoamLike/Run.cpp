@@ -76,7 +76,7 @@ Geometry Run::loadGeometry(const Case& theCase)
     if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
         theCase.diagnostics().error({"constant/walls", 0},
                                     "does not belong to the present constant/geometry and resolution: run meshToGhost again");
-    auto geometry = readWalls(dict, resolution);
+    auto geometry = readWalls(dict, resolution, theCase.folder());
     if (wallsAreLayers(schemes)) geometry.layers = readWallLayers(theCase.folder(), geometry.walls.size(), theCase.diagnostics());
     return geometry;
 }

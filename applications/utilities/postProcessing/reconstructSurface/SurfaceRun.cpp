@@ -40,7 +40,7 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     const auto geometryDict = folder.dictionary("constant/geometry");
     const auto dict = folder.dictionaryIfPresent("system/reconstructSurfaceDict");
     const auto resolution = readResolution(folder.dictionary("system/sphSchemes"));
-    geometry_ = readGeometry(geometryDict, resolution, 3 / resolution.support);
+    geometry_ = readGeometry(geometryDict, resolution, 3 / resolution.support, folder.folder());
     scene_ = describe(folder, resolution.spacing, geometry_.dimension);
     folder.diagnostics().throwIfAny();
     settings_ = readSurfaceSettings(dict, scene_, geometry_);

@@ -15,8 +15,8 @@ namespace
 Geometry loadGeometry(const Case& c)
 {
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
-    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), resolution);
-    return readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver);
+    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), resolution, c.folder());
+    return readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver, c.folder());
 }
 
 }

@@ -26,7 +26,7 @@ void readAsSolver(const Case& c, CaseCheck& check)
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
     check.spacing = resolution.spacing;
     const auto dict = c.dictionary("constant/geometry");
-    const auto geometry = readGeometry(dict, resolution, supportsOfSolver);
+    const auto geometry = readGeometry(dict, resolution, supportsOfSolver, c.folder());
     dict.reportUnused();
     const auto settings = readSettings(c, geometry);
     const FunctionObjects functions(control.subDictOrEmpty("functions"), geometry, settings.coefficients.phases, time);

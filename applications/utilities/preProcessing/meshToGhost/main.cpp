@@ -26,7 +26,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     theCase.diagnostics().throwIfAny();
 
     const double H = resolution.H();
-    const auto geometry = sph::readGeometry(source, resolution, 1);
+    const auto geometry = sph::readGeometry(source, resolution, 1, folder);
     source.reportUnused();
     theCase.diagnostics().throwIfAny();
 

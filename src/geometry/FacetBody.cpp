@@ -1,0 +1,491 @@
+#include "FacetBody.hpp"
+#include "components.hpp"
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <unordered_map>
+
+namespace sph
+{
+
+namespace
+{
+
+constexpr double degree = std::numbers::pi / 180;
+/// Neighbours that turn by less are one plane; binary STL has seven digits.
+constexpr double flatAngle = 0.05 * degree;
+/// Small facets that turn by more than this against one another make an edge.
+constexpr double sharpAngle = 30 * degree;
+/// Of one smooth patch, facets turned by more than this against one another compete for what is behind them: both sides of a ridge that ends.
+constexpr double rivalAngle = 35 * degree;
+const double rivalCosine = std::cos(rivalAngle);
+/// Facets wider than this many spacings stand for themselves.
+constexpr double widestSmooth = 3;
+/// In hollows as tight as the support only facets below a spacing stand for the curve: others, for themselves, fill what lies behind its centre.
+constexpr double widestInHollow = 1;
+
+/// Largest distance of a particle over a hollow's radius for which its image has the volume factor of eq. (18).
+constexpr double mostCurved = 0.6;
+
+double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(mag(cross(a, b)), dot(a, b)); }
+
+}
+
+FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, const FacetScale& scale) : scale_(scale)
+{
+    std::unordered_map<int, int> pointOf;
+    std::vector<std::array<int, 3>> triangles;
+    for (const int f : chosen)
+    {
+        std::array<int, 3> t{};
+        for (int k = 0; k < 3; ++k)
+        {
+            const int p = surface.triangles[std::size_t(f)][std::size_t(k)];
+            const auto [at, isNew] = pointOf.try_emplace(p, int(points_.size()));
+            if (isNew) points_.push_back(surface.points[std::size_t(p)]);
+            t[std::size_t(k)] = at->second;
+        }
+        triangles.push_back(t);
+    }
+    tree_ = FacetTree(points_, triangles);
+    for (const int t : tree_.order())
+    {
+        Facet f{};
+        f.points = triangles[std::size_t(t)];
+        f.region = surface.region[std::size_t(chosen[std::size_t(t)])];
+        const auto &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
+        f.normal = unitVector(cross(b - a, c - a));
+        volume_ += dot(a, cross(b, c)) / 6;
+        facets_.push_back(f);
+    }
+    join();
+    classify();
+    numberPatches();
+    averageNormals();
+    std::vector<Vector<3>> normals;
+    std::vector<int> patch;
+    std::vector<char> creased;
+    for (const auto& f : facets_)
+    {
+        normals.push_back(f.normal);
+        patch.push_back(f.patch);
+        creased.push_back(f.isCreased());
+    }
+    tree_.annotate(normals, patch, creased);
+}
+
+/// Who is across each edge.
+void FacetBody::join()
+{
+    std::unordered_map<std::uint64_t, std::pair<int, int>> open;
+    const auto key = [](int a, int b) { return std::uint64_t(unsigned(a)) << 32 | unsigned(b); };
+    for (int t = 0; t < int(facets_.size()); ++t)
+        for (int k = 0; k < 3; ++k)
+        {
+            auto& f = facets_[std::size_t(t)];
+            const int from = f.points[std::size_t((k + 1) % 3)], to = f.points[std::size_t((k + 2) % 3)];
+            f.across[std::size_t(k)] = t;
+            if (const auto other = open.find(key(to, from)); other != open.end())
+            {
+                const auto [u, l] = other->second;
+                f.across[std::size_t(k)] = u;
+                facets_[std::size_t(u)].across[std::size_t(l)] = t;
+                open.erase(other);
+            }
+            else open.emplace(key(from, to), std::pair{t, k});
+        }
+}
+
+void FacetBody::classify()
+{
+    pointNormals_.assign(points_.size(), {});
+    const auto altitude = [&](const Facet& f, int k)
+    {
+        const auto along = corner(f, (k + 2) % 3) - corner(f, (k + 1) % 3);
+        return mag(cross(along, corner(f, k) - corner(f, (k + 1) % 3))) / mag(along);
+    };
+    for (auto& f : facets_)
+        for (int k = 0; k < 3; ++k)
+        {
+            const auto &p = corner(f, k), &q = corner(f, (k + 1) % 3), &r = corner(f, (k + 2) % 3);
+            pointNormals_[std::size_t(f.points[std::size_t(k)])] += angleBetween(q - p, r - p) * f.normal;
+
+            const Facet& g = facets_[std::size_t(f.across[std::size_t(k)])];
+            int opposite = 0;
+            while (g.across[std::size_t(opposite)] != int(&f - facets_.data()) ||
+                   std::ranges::find(f.points, g.points[std::size_t(opposite)]) != f.points.end())
+                if (++opposite == 2) break;
+            const double turn = angleBetween(f.normal, g.normal);
+            const bool convex = dot(f.normal, corner(g, opposite) - q) < 0;
+            auto& kind = f.edges[std::size_t(k)];
+            kind = EdgeKind::flat;
+            if (turn < flatAngle) continue;
+            const double first = altitude(f, k), second = altitude(g, opposite), curvature = 3 * turn / (first + second);
+            const bool tight = !convex && curvature * scale_.support > 1;
+            const bool smooth = turn < sharpAngle && std::max(first, second) < (tight ? widestInHollow : widestSmooth) * scale_.spacing;
+            kind = smooth ? EdgeKind::smooth : convex ? EdgeKind::convex : EdgeKind::concave;
+            if (smooth) smallestRadius_ = std::min(smallestRadius_, 1 / curvature);
+        }
+    for (auto& n : pointNormals_) n = mag(n) > 0 ? unitVector(n) : n;
+}
+
+/// Facets joined by flat and smooth edges.
+void FacetBody::numberPatches()
+{
+    for (auto& f : facets_) f.patch = -1;
+    std::vector<int> waiting;
+    for (int seed = 0; seed < int(facets_.size()); ++seed)
+    {
+        if (facets_[std::size_t(seed)].patch >= 0) continue;
+        waiting.assign(1, seed);
+        facets_[std::size_t(seed)].patch = patches_;
+        while (!waiting.empty())
+        {
+            const Facet& f = facets_[std::size_t(waiting.back())];
+            waiting.pop_back();
+            for (int k = 0; k < 3; ++k)
+                if (Facet& g = facets_[std::size_t(f.across[std::size_t(k)])]; f.edges[std::size_t(k)] <= EdgeKind::smooth && g.patch < 0)
+                {
+                    g.patch = patches_;
+                    waiting.push_back(f.across[std::size_t(k)]);
+                }
+        }
+        ++patches_;
+    }
+    // What a patch surrounds is no edge of it: hollows about as tight as the limit.
+    for (auto& f : facets_)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const auto& g = facets_[std::size_t(f.across[k])];
+                f.edges[k] > EdgeKind::smooth && g.patch == f.patch && angleBetween(f.normal, g.normal) < sharpAngle)
+                f.edges[k] = EdgeKind::smooth;
+}
+
+/// The normals N_k of the corners: of those facets around each that flat and smooth edges join, weighted with their angles, and as long as a mean plane's
+/// distance of 1 wants.
+void FacetBody::averageNormals()
+{
+    const auto cornerAt = [](const Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); };
+    for (auto& f : facets_) f.cornerNormals.fill(-1);
+    std::vector<std::pair<int, int>> fan; // facet, corner
+    for (int seed = 0; seed < int(facets_.size()); ++seed)
+        for (int k = 0; k < 3; ++k)
+        {
+            if (facets_[std::size_t(seed)].cornerNormals[std::size_t(k)] >= 0) continue;
+            const int point = facets_[std::size_t(seed)].points[std::size_t(k)], index = int(cornerNormals_.size());
+            fan.clear();
+            const auto add = [&](int t, int at)
+            {
+                facets_[std::size_t(t)].cornerNormals[std::size_t(at)] = index;
+                fan.emplace_back(t, at);
+            };
+            add(seed, k);
+            for (const int turn : {1, 2})
+                for (int t = seed, at = k;;)
+                {
+                    const std::size_t side = std::size_t((at + turn) % 3);
+                    if (facets_[std::size_t(t)].edges[side] > EdgeKind::smooth) break;
+                    t = facets_[std::size_t(t)].across[side];
+                    at = cornerAt(facets_[std::size_t(t)], point);
+                    if (at == 3 || facets_[std::size_t(t)].cornerNormals[std::size_t(at)] >= 0) break;
+                    add(t, at);
+                }
+            Vector<3> sum;
+            double angles = 0;
+            const auto angle = [&](const std::pair<int, int>& c)
+            {
+                const auto& f = facets_[std::size_t(c.first)];
+                const auto& p = corner(f, c.second);
+                return angleBetween(corner(f, (c.second + 1) % 3) - p, corner(f, (c.second + 2) % 3) - p);
+            };
+            for (const auto& c : fan)
+            {
+                sum += angle(c) * facets_[std::size_t(c.first)].normal;
+                angles += angle(c);
+            }
+            auto n = mag(sum) > 0 ? sum / mag(sum) : facets_[std::size_t(seed)].normal;
+            double height = 0;
+            for (const auto& c : fan) height += angle(c) / angles * dot(n, facets_[std::size_t(c.first)].normal);
+            for (const auto& c : fan) mostTurned_ = std::max(mostTurned_, angleBetween(n, facets_[std::size_t(c.first)].normal));
+            cornerNormals_.push_back(n / std::max(height, 0.5));
+        }
+    for (auto& f : facets_)
+        f.planar = std::ranges::all_of(f.cornerNormals, [&](int c) { return mag(cornerNormals_[std::size_t(c)] - f.normal) < flatAngle; });
+}
+
+Foot FacetBody::foot(const Vector<3>& x) const
+{
+    const auto on = [&](int t)
+    {
+        const auto& f = facets_[std::size_t(t)];
+        return nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2));
+    };
+    const auto [distance, t] = tree_.nearest(
+        x, Box::infinity, [&](int k) { return mag(x - on(k).point); }, [](const auto&) { return false; });
+    Foot result;
+    if (t < 0)
+    {
+        result.distance = std::numeric_limits<double>::quiet_NaN();
+        return result;
+    }
+    const auto& f = facets_[std::size_t(t)];
+    const auto [point, part] = on(t);
+    result.region = f.region;
+    auto normal = f.normal;
+    auto kind = EdgeKind::flat;
+    if (part >= TrianglePart::corner0)
+    {
+        const auto k = std::size_t(part) - std::size_t(TrianglePart::corner0);
+        normal = pointNormals_[std::size_t(f.points[k])];
+        for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) kind = std::max(kind, f.edges[side]);
+        result.on = Foot::On::vertex;
+    }
+    else if (part != TrianglePart::face)
+    {
+        const auto k = std::size_t(part) - std::size_t(TrianglePart::edge0);
+        normal = unitVector(f.normal + facets_[std::size_t(f.across[k])].normal);
+        kind = f.edges[k];
+        result.on = Foot::On::edge;
+    }
+    result.smooth = kind <= EdgeKind::smooth;
+    if (result.smooth) result.on = Foot::On::face;
+    const double sign = dot(x - point, normal) < 0 ? -1 : 1;
+    result.distance = sign * distance;
+    result.normal = distance > 1e-9 * scale_.spacing ? (sign / distance) * (x - point) : normal;
+    if (const auto over = result.smooth ? prism(t, x) : std::nullopt)
+    {
+        result.k1 = over->foot.k1;
+        result.k2 = over->foot.k2;
+    }
+    return result;
+}
+
+std::optional<FacetBody::Prism> FacetBody::prism(int facet, const Vector<3>& x) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    if (f.planar)
+    {
+        auto flat = plane(facet, x);
+        return flat;
+    }
+    const auto N = [&](std::size_t k) -> const Vector<3>& { return cornerNormals_[std::size_t(f.cornerNormals[k])]; };
+    const auto &P0 = corner(f, 0), N0 = N(0);
+    const auto e1 = corner(f, 1) - P0, e2 = corner(f, 2) - P0, m1 = N(1) - N0, m2 = N(2) - N0, w = x - P0;
+    const auto c0 = cross(e1, e2), c1 = cross(e1, m2) + cross(m1, e2), c2 = cross(m1, m2);
+    // The plane through the corners moved by d along their normals goes through x: (w - d N0).(c0 + d c1 + d^2 c2) = 0.
+    double d = dot(w, c0) / dot(N0, c0);
+    for (int turn = 0; turn < 8; ++turn)
+    {
+        const auto C = c0 + d * c1 + d * d * c2, v = w - d * N0;
+        const double slope = -dot(N0, C) + dot(v, c1 + 2 * d * c2), step = dot(v, C) / slope;
+        if (!std::isfinite(step)) return {};
+        d -= step;
+        if (std::abs(step) < 1e-13 * (std::abs(d) + scale_.spacing)) break;
+    }
+    const auto C = c0 + d * c1 + d * d * c2, v = w - d * N0;
+    if (!(dot(C, c0) > 0)) return {};
+    const double l1 = dot(cross(v, e2 + d * m2), C) / dot(C, C), l2 = dot(cross(e1 + d * m1, v), C) / dot(C, C);
+    Prism p;
+    p.l = {1 - l1 - l2, l1, l2};
+    p.inside = p.l[0] >= 0 && l1 >= 0 && l2 >= 0;
+    const auto normal = N0 + l1 * m1 + l2 * m2;
+    const double length = mag(normal);
+    p.foot.distance = d * length;
+    p.foot.region = f.region;
+    p.foot.normal = normal / length;
+    // J(d)/J(0) = 1 - (k1 + k2) d + k1 k2 d^2
+    const double J0 = dot(c0, normal), sum = -dot(c1, normal) / J0 / length, product = dot(c2, normal) / J0 / (length * length);
+    const double root = std::sqrt(std::max(0.0, 0.25 * sum * sum - product));
+    // Near a centre of curvature an image would stand for any volume.
+    const double largest = mostCurved / std::max(p.foot.distance, 1e-9 * scale_.spacing);
+    p.foot.k1 = std::min(0.5 * sum + root, largest);
+    p.foot.k2 = std::min(0.5 * sum - root, largest);
+    return p;
+}
+
+FacetBody::Prism FacetBody::plane(int facet, const Vector<3>& x) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    const auto& P0 = corner(f, 0);
+    const auto e1 = corner(f, 1) - P0, e2 = corner(f, 2) - P0, v = x - P0, C = cross(e1, e2);
+    Prism p;
+    const double l1 = dot(cross(v, e2), C) / dot(C, C), l2 = dot(cross(e1, v), C) / dot(C, C);
+    p.l = {1 - l1 - l2, l1, l2};
+    p.inside = p.l[0] >= 0 && l1 >= 0 && l2 >= 0;
+    p.foot.distance = dot(f.normal, v);
+    p.foot.normal = f.normal;
+    p.foot.region = f.region;
+    return p;
+}
+
+/// Over the facet, or beyond no edge but such as its plane goes on across, and the image not far beyond where that of the face across begins.
+bool FacetBody::mayMirror(int facet, const Vector<3>& x, Hidden hidden) const
+{
+    if (const auto p = prism(facet, x); p && p->inside) return true;
+    const auto& f = facets_[std::size_t(facet)];
+    if (!f.isCreased()) return false;
+    const auto p = plane(facet, x);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (p.l[k] < 0 && f.edges[k] <= EdgeKind::smooth) return false;
+    const auto y = mirrorImage(x, p.foot);
+    const double own = claim(facet, y).t;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (p.l[k] < 0 && !isHidden(hidden, f.across[k]) && claim(f.across[k], y).t < own - scale_.spacing) return false;
+    return true;
+}
+
+void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<int>& found) const
+{
+    tree_.visit(
+        [&](const FacetTree::Node& node)
+        {
+            if (distanceTo(node.box, x) > reach) return false;
+            if (node.creased) return true;
+            // Only over facets whose normals look at x.
+            const auto way = x - 0.5 * (node.box.low + node.box.high);
+            const double radius = 0.5 * mag(node.box.high - node.box.low) + behind, length = mag(way);
+            if (length <= radius) return true;
+            const double room = node.halfAngle + mostTurned_ + std::asin(radius / length);
+            return room >= std::numbers::pi || dot(way, node.axis) >= length * std::cos(room);
+        },
+        [&](int t)
+        {
+            const auto& f = facets_[std::size_t(t)];
+            const double depth = dot(f.normal, x - corner(f, 0));
+            if (depth < -behind - reach * (1 - std::cos(mostTurned_)) || isHidden(hidden, t) || !mayMirror(t, x, hidden)) return;
+            const auto near = nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point;
+            if (mag(x - near) > reach) return;
+            // Facets of one face whose planes go on over one another give the same image.
+            const bool twin = std::ranges::any_of(found,
+                                                  [&](int u)
+                                                  {
+                                                      const auto& g = facets_[std::size_t(u)];
+                                                      return g.patch == f.patch && dot(g.normal, f.normal) > 1 - 1e-6 &&
+                                                             std::abs(dot(f.normal, corner(g, 0) - corner(f, 0))) < 1e-3 * scale_.spacing;
+                                                  });
+            if (!twin) found.push_back(t);
+        });
+}
+
+FacetBody::Claim FacetBody::claim(int facet, const Vector<3>& y) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    const double D = mag(y - nearestOnTriangle(y, corner(f, 0), corner(f, 1), corner(f, 2)).point), depth = dot(f.normal, corner(f, 0) - y);
+    return {D, depth < 0 ? Box::infinity : 2 * D - depth};
+}
+
+bool FacetBody::areRivals(const Facet& a, const Facet& b) const { return a.patch != b.patch || dot(a.normal, b.normal) < rivalCosine; }
+
+double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    if (!hasCreases() && tree_.nodes().front().halfAngle < 0.5 * rivalAngle) return Box::infinity;
+    // In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
+    if (extended)
+        own.t =
+            tree_
+                .nearest(
+                    y, own.t * (1 + 1e-12), [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
+                    [&](const FacetTree::Node& node) { return node.patch >= 0 && node.patch != f.patch; })
+                .first;
+    double toFront = Box::infinity, toBack = own.D;
+    const double least = tree_
+                             .nearest(
+                                 y, own.t + std::numbers::sqrt2 * scale_.spacing,
+                                 [&](int t)
+                                 {
+                                     if (isHidden(hidden, t) || !areRivals(f, facets_[std::size_t(t)])) return Box::infinity;
+                                     const Claim c = claim(t, y);
+                                     auto& nearest = std::isinf(c.t) ? toFront : toBack;
+                                     nearest = std::min(nearest, c.D);
+                                     return own.t + 2 / std::max(mag(facets_[std::size_t(t)].normal - f.normal), flatAngle) * (c.t - own.t);
+                                 },
+                                 [&](const FacetTree::Node& node)
+                                 { return node.patch == f.patch && node.halfAngle + angleBetween(node.axis, f.normal) < rivalAngle; })
+                             .first;
+    // What is mirrored to a place in the fluid is nobody's.
+    if (toFront <= toBack * (1 + 1e-9))
+        if (const double s = distance(y); s > 0) return -s - own.t;
+    return (least - own.t) / std::numbers::sqrt2;
+}
+
+Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
+{
+    int from = -1;
+    for (int turn = 0; turn < 100; ++turn)
+    {
+        const auto p = prism(facet, x);
+        const auto& f = facets_[std::size_t(facet)];
+        if (p && p->inside)
+        {
+            Foot foot = p->foot;
+            foot.margin = margin(facet, mirrorImage(x, foot), {foot.distance, foot.distance}, false, hidden);
+            return foot;
+        }
+        // Over the neighbour that x has gone furthest to, where no edge is between.
+        const auto l = p ? p->l : plane(facet, x).l;
+        int next = -1;
+        double furthest = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (l[k] < furthest && f.edges[k] <= EdgeKind::smooth && f.across[k] != from)
+            {
+                furthest = l[k];
+                next = f.across[k];
+            }
+        if (next < 0) break;
+        from = facet;
+        facet = next;
+    }
+    Foot foot = plane(facet, x).foot;
+    const auto y = mirrorImage(x, foot);
+    if (foot.distance < 0)
+    {
+        foot.margin = -Box::infinity; // beside an edge and behind its plane: in front of the next face
+        return foot;
+    }
+    foot.margin = margin(facet, y, claim(facet, y), true, hidden);
+    return foot;
+}
+
+bool FacetBody::sees(const Vector<3>& x, int facet) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    const auto to = nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point;
+    const auto way = to - x;
+    const double length = mag(way);
+    if (length < 1e-3 * scale_.spacing) return true;
+    bool hidden = false;
+    tree_.visit(
+        [&](const FacetTree::Node& node)
+        {
+            if (hidden) return false;
+            // Slabs (Kay & Kajiya 1986).
+            double in = 0, out = 1;
+            for (const auto c : coordinates)
+            {
+                const double a = (node.box.low.*c - x.*c) / (way.*c), b = (node.box.high.*c - x.*c) / (way.*c);
+                if (way.*c == 0)
+                {
+                    if (x.*c < node.box.low.*c || x.*c > node.box.high.*c) return false;
+                    continue;
+                }
+                in = std::max(in, std::min(a, b));
+                out = std::min(out, std::max(a, b));
+            }
+            return in <= out + 1e-9;
+        },
+        [&](int t)
+        {
+            const auto& g = facets_[std::size_t(t)];
+            const double towards = dot(g.normal, way);
+            if (towards >= 0) return; // from behind
+            const double at = dot(g.normal, corner(g, 0) - x) / towards;
+            // What is met beside the end is the face itself, or a neighbour.
+            if (at <= 0 || at * length > length - 1e-2 * scale_.spacing) return;
+            const auto p = plane(t, x + at * way);
+            hidden = hidden || p.inside;
+        });
+    return !hidden;
+}
+
+}

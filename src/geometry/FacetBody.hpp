@@ -1,0 +1,155 @@
+/// A closed body of triangles as the fluid sees it: what is smooth, what is an edge, and how a point mirrors in it.
+///
+/// An edge is *flat* (neighbours in one plane), *smooth* (small facets that stand for a curved surface), *convex* (the solid sticks out: more than 180
+/// degrees of fluid) or *concave*. Facets joined by flat and smooth edges are one smooth patch.
+///
+/// Mirror images. Within a patch the normals of the corners, the means of the facets around them, make a prism of each facet f,
+///
+///     x = P(l) + d N(l),    P = sum_k l_k P_k,  N = sum_k l_k N_k,  l_k >= 0,        image  x' = P - d N
+///
+/// The prisms of neighbours share their sides, so that a patch gives each particle one image, which moves continuously; the volume factor
+/// J(-d)/J(d) of this map, J = (dP + d dN)x(dP + d dN).N, is that of eq. (18) of Barker et al. (2012) with curvatures from J. In flat faces x' is the
+/// plain mirror image.
+///
+/// At convex and concave edges faces go on in their planes, and every place y behind the surface belongs to one face: that of the least
+///
+///     t_f(y) = 2 D_f - h_f        D_f distance to the face, h_f depth below its plane [m]
+///
+/// Behind a convex edge this is the face that is nearer: its border is the bisecting plane (case (i) of fig. 4 of the paper). Behind a concave one, where
+/// the edge is as near from either, it is the one that y lies deeper below: its border is the bisecting plane too. What a face mirrors there is the
+/// fluid in front of its plane, or an image that another face has made (so fills the corner of a box, and a groove of any angle by images of
+/// images). Each place is filled once, at edges and vertices of any kind: the fluid around a wedge, in a corner and at a saddle needs no rule of its
+/// own. `Foot::margin` is t of the next face less t of this, for two normals at right angles; for others as many times more as their difference is less,
+/// so that images fade into one another over as much of the surface at blunt edges. The paper's reflection through the
+/// concave edge, 2 x_np - x, is what two reflections give at 90 degrees; at other angles it leaves the lattice of the fluid broken at two planes in
+/// place of one.
+#pragma once
+#include "FacetSurface.hpp"
+#include "FacetTree.hpp"
+#include "Geometry.hpp"
+#include <algorithm>
+#include <optional>
+
+namespace sph
+{
+
+enum class EdgeKind : unsigned char
+{
+    flat,
+    smooth,
+    convex,
+    concave
+};
+
+class FacetBody
+{
+public:
+    struct Facet
+    {
+        std::array<int, 3> points, across, cornerNormals; ///< `across[k]`, `edges[k]`: of the edge opposite corner k
+        std::array<EdgeKind, 3> edges;
+        bool planar; ///< its corner normals are its own
+        int patch, region;
+        Vector<3> normal; ///< unit, into the fluid
+
+        bool isCreased() const
+        {
+            return std::ranges::any_of(edges, [](EdgeKind k) { return k > EdgeKind::smooth; });
+        }
+    };
+
+    /// Facets of `surface` with these indices, which must be closed: every edge joins two facets that run along it in opposite directions.
+    FacetBody(const FacetSurface& surface, std::span<const int> facets, const FacetScale&);
+
+    /// The nearest place of the surface: signed distance by angle-weighted normals (Baerentzen & Aanaes 2005).
+    Foot foot(const Vector<3>& x) const;
+    double distance(const Vector<3>& x) const { return foot(x).distance; }
+
+    /// Facets that lie in other solids, one flag each, none where there are no such: what they would own is left to the faces beside them, which go on
+    /// across their edges.
+    using Hidden = std::span<const char>;
+
+    /// Calls f(facet, foot) for each face that x, up to `reach` in front of it or `behind` in the solid, may have an image in, also one that fades
+    /// in soon (foot.margin > -fade). The foot of `image = x - 2 distance normal`.
+    template<class F> void forEachMirror(const Vector<3>& x, double reach, double behind, double fade, Hidden hidden, const F& f) const
+    {
+        std::vector<int> found;
+        findMirrors(x, reach, behind, hidden, found);
+        for (const int t : found)
+        {
+            int facet = t;
+            const Foot foot = mirror(facet, x, hidden);
+            if (foot.distance < -behind || foot.distance > reach || !(foot.margin > -fade)) continue;
+            f(facet, foot);
+        }
+    }
+    /// The foot of the mirror image of x in that face of the body that `facet`, which becomes the one that x is over, is a part of.
+    Foot mirror(int& facet, const Vector<3>& x, Hidden hidden = {}) const;
+    /// Whether the way from x to the surface at a facet meets nothing else of the surface.
+    bool sees(const Vector<3>& x, int facet) const;
+
+    /// Calls f(foot) for each face that x lies over, within reach, and for the nearest edge or vertex where it lies over none.
+    template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
+    {
+        std::vector<int> found;
+        findMirrors(x, reach, 0.5 * scale_.spacing, {}, found);
+        bool any = false;
+        for (const int t : found)
+            if (const auto over = prism(t, x); over && over->inside && sees(x, t))
+            {
+                f(over->foot);
+                any = true;
+            }
+        if (any) return;
+        if (const Foot nearest = foot(x); nearest.distance <= reach) f(nearest);
+    }
+
+    const std::vector<Facet>& facets() const { return facets_; }
+    const std::vector<Vector<3>>& points() const { return points_; }
+    const Box& bounds() const { return tree_.nodes().front().box; }
+    /// Signed: positive for a body in the fluid, negative for one around it [m^3].
+    double volume() const { return volume_; }
+    /// Smallest radius of what is smooth where its centre lies in the fluid, or anywhere [m].
+    double smallestRadius() const { return smallestRadius_; }
+    bool hasCreases() const { return tree_.nodes().front().creased; }
+    int patches() const { return patches_; }
+    /// Largest angle between a facet and the smooth surface that it stands for [rad].
+    double mostTurned() const { return mostTurned_; }
+
+private:
+    struct Prism
+    {
+        Foot foot;
+        std::array<double, 3> l; ///< coordinates of the facet
+        bool inside;
+    };
+
+    std::vector<Vector<3>> points_, pointNormals_, cornerNormals_;
+    std::vector<Facet> facets_;
+    FacetTree tree_;
+    FacetScale scale_;
+    double volume_ = 0, smallestRadius_ = Box::infinity, mostTurned_ = 0;
+    int patches_ = 0;
+
+    void join();
+    void classify();
+    void averageNormals();
+    void numberPatches();
+
+    const Vector<3>& corner(const Facet& f, int k) const { return points_[std::size_t(f.points[std::size_t(k)])]; }
+    std::optional<Prism> prism(int facet, const Vector<3>& x) const;
+    Prism plane(int facet, const Vector<3>& x) const;
+    void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<int>& found) const;
+    bool mayMirror(int facet, const Vector<3>& x, Hidden hidden) const;
+    /// Distance of y to a facet, and t_f(y), see above: infinite where y is in front of it.
+    struct Claim
+    {
+        double D, t;
+    };
+    Claim claim(int facet, const Vector<3>& y) const;
+    bool areRivals(const Facet& a, const Facet& b) const;
+    double margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const;
+    static bool isHidden(Hidden hidden, int facet) { return !hidden.empty() && hidden[std::size_t(facet)]; }
+};
+
+}
