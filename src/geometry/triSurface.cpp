@@ -1,0 +1,94 @@
+#include "triSurface.hpp"
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace entry
+{
+const Text file{"file", required, "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb"};
+const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the outermost surfaces on which the fluid is; nested ones alternate"};
+const Scalar scale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
+const SubDictionary rotation{"rotation", notGiven, "about the origin of the file's coordinates, after scaling"};
+const Direction axis{"axis", required, "of the rotation"};
+const Scalar angle{"angle", degrees, required, "counter-clockwise as seen against the axis"};
+const VectorParameter translation{"translation", units::m, Vector<3>{}, "after the rotation"};
+const Scalar weld{"weld", units::m, byScene("1e-6 of the diagonal of the mesh"), nonNegative, "points nearer to each other become one"},
+    closeHoles{"closeHoles", units::m, notGiven, positive, "holes no wider than this are closed; an open mesh is an error otherwise"},
+    tolerance{"tolerance", units::m, required, positive, "distance of the wrap from the mesh"},
+    alpha{"alpha", units::m, byScene("10 tolerance"), positive,
+          "radius of a ball that the wrap does not let through: narrower holes and crevices are bridged"},
+    edgeLength{"edgeLength", units::m, notGiven, positive, "of the facets that replace the file's: remeshing; without it none"},
+    featureAngle{"featureAngle", degrees, 30.0, positiveUpTo(180),
+                 "between the normals of two facets: edges that turn more are sharp, and kept by remeshing"};
+const Switch removeSelfIntersections{"removeSelfIntersections", false,
+                                     "bodies that overlap become one, facets that cross others are replaced; an error otherwise"};
+const SubDictionary wrap{"wrap", notGiven, "a closed surface around a mesh that has holes or crosses itself, as scans have"};
+const SubDictionary regions{"regions", notGiven, "regions of the file with properties other than the wall's"};
+const FreeName region{"<region>", "dictionary",
+                      "a region by its name in the file: solid of an ascii STL, group of an OBJ, material of a glTF"};
+}
+
+EntryList triSurfaceEntries(const EntryList& ofRegion)
+{
+    using namespace entry;
+    return {file,
+            fluid,
+            scale,
+            {rotation, {axis, angle}},
+            translation,
+            weld,
+            closeHoles,
+            removeSelfIntersections,
+            {wrap, {tolerance, alpha}},
+            edgeLength,
+            featureAngle,
+            {regions, {{region, ofRegion}}}};
+}
+
+std::vector<Dictionary> regionsOf(const Dictionary& wall)
+{
+    const auto regions = entry::regions(wall);
+    std::vector<Dictionary> all;
+    for (const auto& name : regions.keys())
+        if (regions.isDictionary(name)) all.push_back(regions.subDict(name));
+        else regions.error(name, fmt::format("region \"{0}\" must be a dictionary: {0} {{ contactAngle 30; }}", name));
+    return all;
+}
+
+TriSurface readTriSurface(const Dictionary& wall)
+{
+    TriSurface t;
+    t.wall = wall.keyword();
+    t.file = entry::file(wall);
+    t.at = entry::file.where(wall);
+    t.scaleAt = entry::scale.where(wall);
+    t.fluid = entry::fluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside;
+    t.scale = entry::scale(wall);
+    if (entry::rotation.given(wall))
+    {
+        const auto rotation = entry::rotation(wall);
+        t.axis = entry::axis(rotation);
+        t.angle = entry::angle(rotation);
+    }
+    t.translation = entry::translation(wall);
+    t.weld = entry::weld.ifGiven(wall);
+    t.closeHoles = entry::closeHoles.ifGiven(wall);
+    t.removeSelfIntersections = entry::removeSelfIntersections(wall);
+    if (entry::wrap.given(wall))
+    {
+        const auto wrap = entry::wrap(wall);
+        const double tolerance = entry::tolerance(wrap);
+        t.wrap = {tolerance, entry::alpha(wrap, 10 * tolerance)};
+        // A wrap is closed and crosses nothing: what these would repair is gone.
+        for (const Parameter* idle :
+             {static_cast<const Parameter*>(&entry::closeHoles), static_cast<const Parameter*>(&entry::removeSelfIntersections)})
+            if (idle->given(wall)) idle->error(wall, "a wrap leaves no holes and no intersections: leave out the one or the other");
+    }
+    t.edgeLength = entry::edgeLength.ifGiven(wall);
+    t.featureAngle = entry::featureAngle(wall);
+    for (const auto& region : regionsOf(wall)) t.regions.push_back(region.keyword());
+    return t;
+}
+
+}

@@ -1,0 +1,85 @@
+/// Triangles on their way from a file to a wall, and what ends the way.
+#pragma once
+#include "FacetSurface.hpp"
+#include <span>
+#include <stdexcept>
+
+namespace sph
+{
+
+/// Nothing is promised of it: points may be several times there, edges open.
+struct NumberedMesh : FacetSurface
+{
+    std::vector<int> number; ///< of each triangle in the file, from 0; -1: made by a repair
+};
+
+/// The mesh cannot be used. Facets and edges that are to blame are there to be looked at.
+struct Box;
+
+struct UnusableMesh : std::runtime_error
+{
+    TriangleSurface facets;
+    std::vector<std::array<Vector<3>, 2>> edges;
+
+    explicit UnusableMesh(const std::string& why) : runtime_error(why) {}
+    /// Names the first of the facets, with their coordinates, behind `why`.
+    UnusableMesh(const std::string& why, const NumberedMesh&, const std::vector<int>& facets, const std::string& remedy = "");
+    /// The same of edges, given by the numbers of their points.
+    UnusableMesh(const std::string& why, const NumberedMesh&, const std::vector<std::array<int, 2>>& edges, const std::vector<int>& facets,
+                 const std::string& remedy = "");
+};
+
+/// "(0.1 0 0.25)", six digits
+std::string inWords(const Vector<3>&);
+/// "1 facet", "7 facets"
+std::string counted(std::size_t number, const std::string& thing);
+
+/// Edges by their two points, low < high, sorted, so that those of one edge follow one another.
+struct HalfEdge
+{
+    int low, high;
+    int facet;
+    bool forward; ///< the facet goes from low to high
+};
+std::vector<HalfEdge> sortedHalfEdges(const TriangleSurface&);
+
+/// visit(span of the half-edges of one edge)
+void forEachEdge(const std::vector<HalfEdge>& sorted, auto&& visit)
+{
+    for (std::size_t i = 0, j = 0; i < sorted.size(); i = j)
+    {
+        while (j < sorted.size() && sorted[j].low == sorted[i].low && sorted[j].high == sorted[i].high) ++j;
+        visit(std::span(sorted).subspan(i, j - i));
+    }
+}
+
+/// Sets that are joined one by one.
+class DisjointSets
+{
+    std::vector<int> parent_;
+
+public:
+    explicit DisjointSets(std::size_t n);
+    int find(int i);
+    void join(int i, int k) { parent_[std::size_t(find(i))] = find(k); }
+    /// The number of the set of each, in the order of their first members; and how many there are.
+    std::pair<std::vector<int>, int> numbered();
+};
+
+/// 2 a n of a triangle: its cross product.
+inline Vector<3> areaVector(const TriangleSurface& s, int facet)
+{
+    const auto& [a, b, c] = s.triangles[std::size_t(facet)];
+    return cross(s.points[std::size_t(b)] - s.points[std::size_t(a)], s.points[std::size_t(c)] - s.points[std::size_t(a)]);
+}
+
+inline Vector<3> centroid(const TriangleSurface& s, int facet)
+{
+    const auto& [a, b, c] = s.triangles[std::size_t(facet)];
+    return (s.points[std::size_t(a)] + s.points[std::size_t(b)] + s.points[std::size_t(c)]) / 3;
+}
+
+/// Box of the points; empty (low > high) where there are none.
+Box boundingBox(const TriangleSurface&);
+
+}

@@ -1,0 +1,29 @@
+/// From loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
+#pragma once
+#include "NumberedMesh.hpp"
+#include <string>
+#include <vector>
+
+namespace sph
+{
+
+/// Points within `tolerance` [m] of each other become one (the first of them); facets with a corner twice go.
+void weldPoints(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
+
+/// Of equal facets one remains; none where each has its opposite: what separated two bodies is within one.
+void removeDuplicates(NumberedMesh&, std::vector<std::string>& repairs);
+
+/// Throws UnusableMesh where more than two facets meet in an edge.
+void checkManifold(const NumberedMesh&);
+
+/// Turns facets until neighbours go through their edge in opposite directions. Which way a part is turned as a whole is left open: as most
+/// of its facets were. Throws UnusableMesh where there is no such orientation (a Moebius strip).
+void orientFacets(NumberedMesh&, std::vector<std::string>& repairs);
+
+/// A point in which parts meet that share no edge there becomes one point for each of them.
+void splitPoints(NumberedMesh&, std::vector<std::string>& repairs);
+
+/// Drops points of no facet.
+void removeUnusedPoints(NumberedMesh&);
+
+}

@@ -1,0 +1,186 @@
+#include "fileCheck.hpp"
+#include "NumberedMesh.hpp"
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <map>
+
+namespace sph
+{
+
+namespace
+{
+
+std::string_view nextLine(std::string_view& rest)
+{
+    const auto end = rest.find('\n');
+    const auto line = rest.substr(0, end);
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    return line;
+}
+
+std::string_view nextWord(std::string_view& line)
+{
+    constexpr auto blank = " \t\r";
+    line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
+    const auto word = line.substr(0, line.find_first_of(blank));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+std::size_t number(std::string_view word)
+{
+    std::size_t n = 0;
+    std::from_chars(word.data(), word.data() + word.size(), n);
+    return n;
+}
+
+/// Of lines with anything but blanks and comments.
+std::size_t fullLines(std::string_view rest)
+{
+    std::size_t n = 0;
+    while (!rest.empty())
+    {
+        auto line = nextLine(rest);
+        const auto word = nextWord(line);
+        n += !word.empty() && word.front() != '#';
+    }
+    return n;
+}
+
+std::string stl(std::string_view text)
+{
+    constexpr std::size_t header = 80, perFacet = 50;
+    if (text.size() >= header + 4)
+    {
+        std::uint32_t facets = 0;
+        std::memcpy(&facets, text.data() + header, 4);
+        const auto whole = header + 4 + perFacet * std::size_t(facets);
+        if (text.size() == whole) return facets == 0 ? "it has no facets" : "";
+        const bool binary = text.substr(0, 5) != "solid" || text.substr(0, header + 4).find('\0') != text.npos;
+        if (binary && text.size() < whole)
+            return fmt::format("its header tells of {} facets, {} are there: it is truncated", facets,
+                               (text.size() - header - 4) / perFacet);
+        if (binary) return fmt::format("its header tells of {} facets, and {} bytes follow them", facets, text.size() - whole);
+    }
+    std::size_t begun = 0, ended = 0, solids = 0, closed = 0;
+    while (!text.empty())
+    {
+        auto line = nextLine(text);
+        const auto word = nextWord(line);
+        begun += word == "facet";
+        ended += word == "endfacet";
+        solids += word == "solid";
+        closed += word == "endsolid";
+    }
+    if (solids == 0) return "it begins with no solid: this is no STL file";
+    if (begun == 0) return "it has no facets";
+    if (begun != ended || closed < solids)
+        return fmt::format("{} of {} facets and {} of {} solids are ended: it is truncated", ended, begun, closed, solids);
+    return "";
+}
+
+std::string off(std::string_view text)
+{
+    std::vector<std::size_t> counts;
+    bool first = true;
+    while (!text.empty() && counts.size() < 3)
+    {
+        auto line = nextLine(text);
+        for (auto word = nextWord(line); !word.empty() && word.front() != '#'; word = nextWord(line))
+        {
+            if (first && word.find("OFF") == word.npos) return "it does not begin with OFF: this is no OFF file";
+            if (!first) counts.push_back(number(word));
+            first = false;
+        }
+    }
+    if (counts.size() < 3) return "it ends within its header";
+    if (counts[1] == 0) return "it has no facets";
+    const auto lines = fullLines(text);
+    if (lines < counts[0] + counts[1])
+        return fmt::format("its header tells of {} vertices and {} facets, but {} lines follow: it is truncated", counts[0], counts[1],
+                           lines);
+    return "";
+}
+
+std::string ply(std::string_view text)
+{
+    static const std::map<std::string_view, std::size_t> sizes{{"char", 1},  {"uchar", 1},  {"short", 2},   {"ushort", 2},
+                                                               {"int", 4},   {"uint", 4},   {"float", 4},   {"double", 8},
+                                                               {"int8", 1},  {"uint8", 1},  {"int16", 2},   {"uint16", 2},
+                                                               {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float64", 8}};
+    if (text.substr(0, 3) != "ply") return "it does not begin with ply: this is no PLY file";
+    bool binary = false, ended = false;
+    std::size_t rows = 0, bytes = 0, inElement = 0, faces = 0;
+    while (!text.empty() && !ended)
+    {
+        auto line = nextLine(text);
+        const auto word = nextWord(line);
+        if (word == "format") binary = nextWord(line) != "ascii";
+        else if (word == "element")
+        {
+            const auto name = nextWord(line);
+            inElement = number(nextWord(line));
+            rows += inElement;
+            if (name == "face") faces = inElement;
+        }
+        else if (word == "property")
+        {
+            auto type = nextWord(line);
+            std::size_t times = 1;
+            if (type == "list")
+            {
+                const auto count = sizes.find(nextWord(line));
+                if (count != sizes.end()) bytes += inElement * count->second;
+                type = nextWord(line);
+                times = 3; // the fewest corners that a face has
+            }
+            if (const auto size = sizes.find(type); size != sizes.end()) bytes += inElement * times * size->second;
+        }
+        else ended = word == "end_header";
+    }
+    if (!ended) return "it ends within its header";
+    if (faces == 0) return "it has no facets";
+    if (binary && text.size() < bytes)
+        return fmt::format("its header tells of at least {} bytes, and {} follow: it is truncated", bytes, text.size());
+    if (const auto lines = binary ? rows : fullLines(text); lines < rows)
+        return fmt::format("its header tells of {} lines, and {} follow: it is truncated", rows, lines);
+    return "";
+}
+
+}
+
+MeshFormat meshFormat(const std::filesystem::path& file)
+{
+    static const std::map<std::string, MeshFormat> formats{{".stl", MeshFormat::stl}, {".stlb", MeshFormat::stl},
+                                                           {".obj", MeshFormat::obj}, {".ply", MeshFormat::ply},
+                                                           {".off", MeshFormat::off}, {".gltf", MeshFormat::gltf},
+                                                           {".glb", MeshFormat::gltf}};
+    auto end = file.extension().string();
+    std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const auto format = formats.find(end);
+    if (format == formats.end())
+        throw UnusableMesh(
+            fmt::format("\"{}\" is no format that is known by its name. Known: .stl, .stlb, .obj, .ply, .off, .gltf, .glb", end));
+    return format->second;
+}
+
+std::string truncation(std::string_view text, MeshFormat format)
+{
+    if (text.empty()) return "it is empty";
+    switch (format)
+    {
+    case MeshFormat::stl:
+        return stl(text);
+    case MeshFormat::ply:
+        return ply(text);
+    case MeshFormat::off:
+        return off(text);
+    default:
+        return ""; // no counts to compare with
+    }
+}
+
+}

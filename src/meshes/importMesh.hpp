@@ -1,0 +1,14 @@
+/// Triangles of a file as other programs write them: STL (ascii and binary), OBJ, PLY, OFF, glTF.
+#pragma once
+#include "NumberedMesh.hpp"
+#include <filesystem>
+
+namespace sph
+{
+
+/// Polygons are cut into triangles, nodes of a glTF scene put in their places. A region each for the solids of an ascii STL, the groups of
+/// an OBJ and the materials of a glTF (its meshes, where they have none); else one, `patch0`. Names become words of a dictionary. `notes`
+/// gets what the file had and the mesh has not. Coordinates have seven digits, as assimp keeps them. Throws UnusableMesh.
+NumberedMesh importMesh(const std::filesystem::path&, std::vector<std::string>& notes);
+
+}

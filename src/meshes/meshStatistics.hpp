@@ -1,0 +1,67 @@
+/// What a mesh is, in the words of OpenFOAM's surfaceCheck, and what the kernel makes of it.
+#pragma once
+#include "NumberedMesh.hpp"
+#include "Shape.hpp"
+
+namespace sph
+{
+
+/// Of any triangles, closed or not.
+struct MeshStatistics
+{
+    std::size_t triangles = 0, points = 0;
+    std::vector<std::size_t> inRegion; ///< triangles of each
+    Box box;
+    std::size_t illegal = 0;                      ///< triangles without area
+    std::array<std::size_t, 20> quality{};        ///< histogram from 0 to 1
+    double leastQuality = 1, greatestQuality = 0; ///< area over that of the equilateral triangle with the same circumcircle
+    struct Length
+    {
+        double length = 0; ///< [m]
+        Vector<3> a, b;
+    };
+    Length shortest, longest; ///< edges
+    std::size_t open = 0;     ///< edges of one facet
+    std::size_t multiple = 0; ///< edges of more than two
+    int parts = 0;            ///< connected by edges
+    int zones = 0;            ///< connected by edges whose facets have the same orientation
+    double volume = 0;        ///< [m^3], flux of x/3 through the surface: of no meaning where it is open or its orientation mixed
+};
+MeshStatistics meshStatistics(const NumberedMesh&);
+
+/// Angle between the two facets of an edge, measured through the fluid [degrees]: above 180 where the solid is convex, below in its corners.
+struct DihedralEdge
+{
+    int a, b; ///< points
+    double angle;
+};
+/// Of a closed surface with normals into the fluid.
+std::vector<DihedralEdge> dihedralEdges(const FacetSurface&);
+
+/// Of a closed surface with normals into the fluid.
+struct MeshFeatures
+{
+    std::size_t convex = 0, concave = 0; ///< sharp edges: those that turn by more than the feature angle
+    double most = 180, least = 180;      ///< dihedral angles [degrees] of the sharpest convex and concave edge
+    Vector<3> mostAt, leastAt;
+    double smallest = 0; ///< [m] square root of the smallest area that sharp edges bound
+    Vector<3> smallestAt;
+};
+MeshFeatures meshFeatures(const FacetSurface&, const std::vector<DihedralEdge>&, double featureAngle);
+
+/// Distances between opposite facets (parallel within 30 degrees), along the normals of sampled facets.
+struct MeshClearances
+{
+    struct Place
+    {
+        double width = Box::infinity; ///< [m]
+        Vector<3> at;
+    };
+    std::size_t sampled = 0;
+    Place thinnest;  ///< of the solid
+    Place narrowest; ///< of the fluid
+};
+/// Every facet of a small mesh, an even sample of `samples` of a large one.
+MeshClearances meshClearances(const FacetSurface&, std::size_t samples = 20000);
+
+}

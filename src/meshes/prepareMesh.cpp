@@ -1,0 +1,176 @@
+#include "prepareMesh.hpp"
+#include "cleanSoup.hpp"
+#include "components.hpp"
+#include "importMesh.hpp"
+#include "meshFiles.hpp"
+#include "orientShells.hpp"
+#include "repairSurface.hpp"
+#include "words.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace sph
+{
+
+namespace
+{
+
+/// Of a mesh's extent over the domain's, or of a spacing over the mesh's extent, from which a wrong unit is meant: mm for m makes 1000.
+constexpr double wrongUnit = 100;
+
+void checkNumbers(const NumberedMesh& m)
+{
+    const auto finite = [](const Vector<3>& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); };
+    std::vector<int> bad;
+    for (std::size_t f = 0; f < m.triangles.size(); ++f)
+        if (!std::all_of(m.triangles[f].begin(), m.triangles[f].end(), [&](int p) { return finite(m.points[std::size_t(p)]); }))
+            bad.push_back(int(f));
+    if (bad.empty()) return;
+    UnusableMesh error(counted(bad.size(), "facet") + " with coordinates that are no finite numbers", m, bad);
+    // What has no place cannot be shown.
+    error.facets = {};
+    throw error;
+}
+
+void place(NumberedMesh& m, const TriSurface& t)
+{
+    // Rodrigues: x cos + (k x x) sin + k (k.x)(1 - cos); right angles exactly.
+    const double turns = t.angle / 90;
+    const bool right = turns == std::round(turns);
+    const auto quarter = int(std::fmod(std::fmod(turns, 4) + 4, 4));
+    const double c = right ? (quarter == 0) - (quarter == 2) : std::cos(t.angle * std::numbers::pi / 180),
+                 s = right ? (quarter == 1) - (quarter == 3) : std::sin(t.angle * std::numbers::pi / 180);
+    for (auto& x : m.points)
+    {
+        const auto y = t.scale * x;
+        x = c * y + s * cross(t.axis, y) + (1 - c) * dot(t.axis, y) * t.axis + t.translation;
+    }
+}
+
+struct WrongPlace : std::runtime_error
+{
+    Location where;
+    WrongPlace(const Location& at, const std::string& what) : runtime_error(what), where(at) {}
+};
+
+void checkPlace(const NumberedMesh& m, const TriSurface& t, const MeshSpace& space)
+{
+    const auto box = boundingBox(m);
+    double size = 0, domain = 0;
+    for (const auto c : coordinates)
+    {
+        size = std::max(size, box.high.*c - box.low.*c);
+        domain = std::max(domain, space.high.*c - space.low.*c);
+    }
+    const auto range = fmt::format("{} to {}", inWords(box.low), inWords(box.high));
+    if (size > wrongUnit * domain)
+        throw WrongPlace(t.scaleAt,
+                         fmt::format("the mesh is {:.4g} m long, {:.3g} x the domain ({}). Are its lengths mm? Then scale {:.3g};", size,
+                                     size / domain, range, t.scale / 1000));
+    if (size < space.spacing)
+        throw WrongPlace(t.scaleAt,
+                         fmt::format("the mesh is {:.4g} m long, less than a spacing, {:.4g} m ({}).{}", size, space.spacing, range,
+                                     size * wrongUnit < domain
+                                         ? fmt::format(" Is its scale too small? 1000 x as large: scale {:.3g};", 1000 * t.scale)
+                                         : ""));
+    for (int k = 0; k < 3; ++k)
+    {
+        const auto c = component(k);
+        if (!space.periodic[std::size_t(k)] && (box.high.*c < space.low.*c || box.low.*c > space.high.*c))
+            throw WrongPlace(t.at, fmt::format("the mesh, {}, lies outside the domain, {} to {}: see its scale, rotation and translation",
+                                               range, inWords(space.low), inWords(space.high)));
+    }
+}
+
+void checkRegions(const NumberedMesh& m, const TriSurface& t)
+{
+    for (const auto& name : t.regions)
+        if (std::find(m.regions.begin(), m.regions.end(), name) == m.regions.end())
+            throw WrongPlace(t.at, fmt::format("has no region \"{}\". {}", name, suggestion(name, "regions", m.regions)));
+}
+
+/// Steps from loose triangles to a closed surface, in their order.
+void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh& result)
+{
+    auto& repairs = result.repairs;
+    if (t.wrap) wrap(m, *t.wrap, repairs);
+    removeDuplicates(m, repairs);
+    if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
+    checkManifold(m);
+    orientFacets(m, repairs);
+    splitPoints(m, repairs);
+    closeHoles(m, t.closeHoles, repairs);
+    orientShells(m, t.fluid, repairs);
+    removeCaps(m, tolerance, repairs);
+    if (t.removeSelfIntersections)
+    {
+        removeSelfIntersections(m, repairs);
+        orientShells(m, t.fluid, repairs);
+    }
+    checkSelfIntersections(m, t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
+                                                        : "Have it repaired: removeSelfIntersections yes; or wrap { tolerance ...; }");
+    if (t.edgeLength)
+    {
+        remesh(m, *t.edgeLength, t.featureAngle, repairs);
+        checkSelfIntersections(m, "Remeshing did it: choose another edgeLength, or a smaller featureAngle");
+    }
+}
+
+}
+
+PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurface& t, const MeshSpace& space, Diagnostics& diagnostics)
+{
+    PreparedMesh result;
+    result.source = t;
+    removeDefects(caseFolder, t.wall);
+    const auto file = "constant/triSurface/" + t.file;
+    try
+    {
+        auto m = importMesh(caseFolder / file, result.notes);
+        result.regions = m.regions;
+        checkNumbers(m);
+        checkRegions(m, t);
+        place(m, t);
+        checkPlace(m, t, space);
+        const auto box = boundingBox(m);
+        const double tolerance = t.weld.value_or(1e-6 * mag(box.high - box.low));
+        weldPoints(m, tolerance, result.repairs);
+        if (m.triangles.empty()) throw UnusableMesh("no facet is left after welding: all are smaller than the entry weld");
+        result.asRead = meshStatistics(m);
+        repair(m, t, tolerance, result);
+
+        result.prepared = meshStatistics(m);
+        result.surface = m;
+        result.edges = dihedralEdges(result.surface);
+        result.features = meshFeatures(result.surface, result.edges, t.featureAngle);
+        result.clearances = meshClearances(result.surface);
+        result.usable = true;
+        if (const auto& [width, at] = result.clearances.thinnest; width < 2 * space.H)
+            diagnostics.warning(
+                t.at, fmt::format("wall \"{}\" is {:.3g} m thin at {}, less than two supports of the kernel, {:.3g} m: the mirror "
+                                  "images of its two sides lie in one another",
+                                  t.wall, width, inWords(at), 2 * space.H));
+    }
+    catch (const UnusableMesh& e)
+    {
+        auto text = fmt::format("{}: {}", file, e.what());
+        if (!e.facets.triangles.empty() || !e.edges.empty()) text += "\nTo be seen in " + writeDefects(caseFolder, t.wall, e);
+        diagnostics.error(t.at, text);
+    }
+    catch (const WrongPlace& e)
+    {
+        diagnostics.error(e.where, fmt::format("{}: {}", file, e.what()));
+    }
+    return result;
+}
+
+std::vector<std::string> writePrepared(const std::filesystem::path& caseFolder, const PreparedMesh& p)
+{
+    const auto& wall = p.source.wall;
+    writeWallMesh(caseFolder, wall, p.surface);
+    return {wallMeshFile(wall), writeEdges(caseFolder, wall, p.surface, p.edges, p.source.featureAngle)};
+}
+
+}
