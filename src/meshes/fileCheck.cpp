@@ -59,7 +59,8 @@ std::string stl(std::string_view text)
         std::memcpy(&facets, text.data() + header, 4);
         const auto whole = header + 4 + perFacet * std::size_t(facets);
         if (text.size() == whole) return facets == 0 ? "it has no facets" : "";
-        const bool binary = text.substr(0, 5) != "solid" || text.substr(0, header + 4).find('\0') != text.npos;
+        // No text has a zero, and the count of fewer than 2^24 facets ends with one.
+        const bool binary = text.substr(0, header + 4).find('\0') != text.npos;
         if (binary && text.size() < whole)
             return fmt::format("its header tells of {} facets, {} are there: it is truncated", facets,
                                (text.size() - header - 4) / perFacet);
@@ -80,6 +81,24 @@ std::string stl(std::string_view text)
     if (begun != ended || closed < solids)
         return fmt::format("{} of {} facets and {} of {} solids are ended: it is truncated", ended, begun, closed, solids);
     return "";
+}
+
+std::string obj(std::string_view text)
+{
+    while (!text.empty())
+    {
+        auto line = nextLine(text);
+        if (nextWord(line) == "v") return "";
+    }
+    return "it has no vertices: this is no OBJ file";
+}
+
+std::string gltf(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return text.substr(0, 4) == "glTF" || (first != text.npos && text[first] == '{')
+               ? ""
+               : "it begins with neither glTF nor {: this is no glTF file";
 }
 
 std::string off(std::string_view text)
@@ -178,9 +197,13 @@ std::string truncation(std::string_view text, MeshFormat format)
         return ply(text);
     case MeshFormat::off:
         return off(text);
-    default:
-        return ""; // no counts to compare with
+    // These have no counts to compare with.
+    case MeshFormat::obj:
+        return obj(text);
+    case MeshFormat::gltf:
+        return gltf(text);
     }
+    return "";
 }
 
 }

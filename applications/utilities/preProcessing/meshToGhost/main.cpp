@@ -1,11 +1,14 @@
 /// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
-/// becomes constant/walls, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` also
+/// becomes constant/walls, each of its meshes constant/wallMeshes/<wall>, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` also
 /// constant/lagrangian/wallLayers.
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
 #include "OutputFile.hpp"
 #include "Walls.hpp"
+#include "prepareMesh.hpp"
+#include "readShapes.hpp"
+#include "readSpace.hpp"
 #include "report.hpp"
 #include "wallLayers.hpp"
 #include "wallSurfaces.hpp"
@@ -15,6 +18,40 @@
 
 namespace
 {
+
+/// Walls of `type triSurface`, before the geometry is read, which takes them from what is written here. The names of the files.
+std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dictionary& source, const sph::Resolution& resolution,
+                                       bool full)
+{
+    std::vector<std::string> files;
+    const auto walls = source.subDictOrEmpty("walls");
+    std::vector<sph::Dictionary> meshes;
+    for (const auto& name : walls.keys())
+        if (walls.isDictionary(name) && sph::shapeType().is(walls.subDict(name), "triSurface")) meshes.push_back(walls.subDict(name));
+    if (meshes.empty()) return files;
+
+    sph::Geometry space;
+    sph::readSpace(source, space);
+    theCase.diagnostics().throwIfAny();
+    if (space.dimension == 2) return files; // no place for them
+    for (const auto& wall : meshes)
+    {
+        const auto before = theCase.diagnostics().errors();
+        const auto mesh = sph::readTriSurface(wall);
+        if (theCase.diagnostics().errors() > before) continue;
+        const auto prepared = sph::prepareMesh(
+            theCase.folder(), mesh,
+            {.low = space.low, .high = space.high, .periodic = space.periodic, .spacing = resolution.spacing, .H = resolution.H()},
+            theCase.diagnostics());
+        fmt::print("{}\n", sph::meshReport(prepared, resolution.H(), full));
+        std::fflush(stdout);
+        if (!prepared.usable) continue;
+        const auto written = sph::writePrepared(theCase.folder(), prepared);
+        files.insert(files.end(), written.begin(), written.end());
+    }
+    theCase.diagnostics().throwIfAny();
+    return files;
+}
 
 int prepare(const std::filesystem::path& folder, bool full)
 {
@@ -26,6 +63,7 @@ int prepare(const std::filesystem::path& folder, bool full)
     theCase.diagnostics().throwIfAny();
 
     const double H = resolution.H();
+    const auto meshFiles = prepareMeshes(theCase, source, resolution, full);
     const auto geometry = sph::readGeometry(source, resolution, 1, folder);
     source.reportUnused();
     theCase.diagnostics().throwIfAny();
@@ -49,7 +87,8 @@ int prepare(const std::filesystem::path& folder, bool full)
     // Last: with its stamp it says that all else belongs to the present geometry.
     sph::writeFile(folder / "constant" / "walls",
                    sph::wallsText(geometry, sph::geometryStamp(folder, resolution.spacing, resolution.support)));
-    fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}\n\nEnd\n",
+    fmt::print("\nWritten constant/walls, constant/triSurface/walls.stl, constant/triSurface/walls.vtp{}{}\n\nEnd\n",
+               meshFiles.empty() ? "" : fmt::format(", {}", fmt::join(meshFiles, ", ")),
                layered ? fmt::format(", constant/lagrangian/wallLayers: {} particles", layers.size()) : "");
     return 0;
 }
@@ -60,7 +99,11 @@ int main(int argc, char** argv)
 {
     bool check = false;
     return sph::runApplication(
-        "meshToGhost", argc, argv, "Prepares the walls of constant/geometry for the solver and checks that reflection can represent them.",
-        [&](CLI::App& app) { app.add_flag("--check", check, "Print curvature, gaps, contacts and motion of every wall"); },
+        "meshToGhost", argc, argv,
+        "Prepares the walls of constant/geometry, shapes and meshes, for the solver and checks that reflection can represent them.",
+        [&](CLI::App& app) {
+            app.add_flag("--check", check,
+                         "Print curvature, gaps, contacts and motion of every wall, and of meshes what surfaceCheck prints");
+        },
         [&](const std::filesystem::path& folder) { return prepare(folder, check); });
 }
