@@ -15,8 +15,8 @@ const Scalar angle{"angle", degrees, required, "counter-clockwise as seen agains
 const VectorParameter translation{"translation", units::m, Vector<3>{}, "after the rotation"};
 const Scalar weld{"weld", units::m, byScene("1e-6 of the diagonal of the mesh"), nonNegative, "points nearer to each other become one"},
     closeHoles{"closeHoles", units::m, notGiven, positive, "holes no wider than this are closed; an open mesh is an error otherwise"},
-    tolerance{"tolerance", units::m, required, positive, "distance of the wrap from the mesh"},
-    alpha{"alpha", units::m, byScene("10 tolerance"), positive,
+    tolerance{"tolerance", units::m, required, positive, "of the wrap: it lies outside the mesh by half of this"},
+    alpha{"alpha", units::m, byScene("5 tolerance"), positive,
           "radius of a ball that the wrap does not let through: narrower holes and crevices are bridged"},
     edgeLength{"edgeLength", units::m, notGiven, positive, "of the facets that replace the file's: remeshing; without it none"},
     featureAngle{"featureAngle", degrees, 30.0, positiveUpTo(180),
@@ -79,7 +79,7 @@ TriSurface readTriSurface(const Dictionary& wall)
     {
         const auto wrap = entry::wrap(wall);
         const double tolerance = entry::tolerance(wrap);
-        t.wrap = {tolerance, entry::alpha(wrap, 10 * tolerance)};
+        t.wrap = {tolerance, entry::alpha(wrap, 5 * tolerance)};
         // A wrap is closed and crosses nothing: what these would repair is gone.
         for (const Parameter* idle :
              {static_cast<const Parameter*>(&entry::closeHoles), static_cast<const Parameter*>(&entry::removeSelfIntersections)})

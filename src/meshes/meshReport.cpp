@@ -66,8 +66,9 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
     out += fmt::format("  Sharp edges (more than {:.3g} degrees): {} convex, {} concave\n", t.featureAngle, f.convex, f.concave);
     if (!full) return out;
     out += sharpest("convex", f.most, f.mostAt) + sharpest("concave", f.least, f.leastAt);
-    out += fmt::format("    Smallest face between sharp edges: {:.4g} m = {:.3g} H (square root of its area) at {}\n", f.smallest,
-                       f.smallest / H, inWords(f.smallestAt));
+    if (f.convex + f.concave > 0)
+        out += fmt::format("    Smallest face between sharp edges: {:.4g} m = {:.3g} H (square root of its area) at {}\n", f.smallest,
+                           f.smallest / H, inWords(f.smallestAt));
     out += fmt::format("  Along the normals of {} of {} facets, to what is parallel within 30 degrees:\n", p.clearances.sampled,
                        p.prepared.triangles);
     return out + width("Thinnest wall", p.clearances.thinnest, H) + width("Narrowest gap", p.clearances.narrowest, H);

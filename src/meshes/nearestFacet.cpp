@@ -1,6 +1,5 @@
 #include "FacetTree.hpp"
 #include "repairSurface.hpp"
-#include <algorithm>
 #include <cmath>
 
 namespace sph
@@ -17,12 +16,13 @@ void takeRegions(NumberedMesh& to, const NumberedMesh& from)
     }
 }
 
-double largestDistance(const NumberedMesh& from, const NumberedMesh& to)
+Distance largestDistance(const NumberedMesh& from, const NumberedMesh& to)
 {
     const FacetTree facets(to);
-    double most = 0;
-    for (const auto& x : from.points) most = std::max(most, facets.tree().squared_distance(FacetTree::point(x)));
-    return std::sqrt(most);
+    Distance most;
+    for (const auto& x : from.points)
+        if (const double d = std::sqrt(facets.tree().squared_distance(FacetTree::point(x))); d > most.length) most = {d, x};
+    return most;
 }
 
 }

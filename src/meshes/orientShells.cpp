@@ -14,46 +14,6 @@ namespace
 /// Volume over area^(3/2) below which a closed surface is flat: the share of rounding of files with seven digits.
 constexpr double flat = 1e-6;
 
-/// Tells what lies in one shell.
-class Inside
-{
-    NumberedMesh shell_;
-    WorkingMesh mesh_;
-    CGAL::Side_of_triangle_mesh<WorkingMesh, Kernel> side_;
-
-    static NumberedMesh part(const NumberedMesh& m, const Shells& shells, int shell)
-    {
-        NumberedMesh p;
-        p.regions = m.regions;
-        std::vector<int> place(m.points.size(), -1);
-        for (std::size_t f = 0; f < m.triangles.size(); ++f)
-        {
-            if (shells.of[f] != shell) continue;
-            auto t = m.triangles[f];
-            for (int& c : t)
-            {
-                auto& q = place[std::size_t(c)];
-                if (q < 0)
-                {
-                    q = int(p.points.size());
-                    p.points.push_back(m.points[std::size_t(c)]);
-                }
-                c = q;
-            }
-            p.triangles.push_back(t);
-            p.region.push_back(0);
-            p.number.push_back(m.number[f]);
-        }
-        return p;
-    }
-
-public:
-    Inside(const NumberedMesh& m, const Shells& shells, int shell)
-        : shell_(part(m, shells, shell)), mesh_(toWorkingMesh(shell_)), side_(mesh_)
-    {}
-    CGAL::Bounded_side of(const Vector<3>& x) const { return side_(toPoint(x)); }
-};
-
 bool within(const Box& inner, const Box& outer)
 {
     return std::all_of(std::begin(coordinates), std::end(coordinates),
@@ -107,6 +67,32 @@ Shells findShells(const NumberedMesh& m)
     return s;
 }
 
+std::vector<NumberedMesh> apart(const NumberedMesh& m, const Shells& shells)
+{
+    std::vector<NumberedMesh> parts(std::size_t(shells.count));
+    for (auto& part : parts) part.regions = m.regions;
+    std::vector<int> place(m.points.size(), -1); // shells have no point in common
+    for (std::size_t f = 0; f < m.triangles.size(); ++f)
+    {
+        auto& part = parts[std::size_t(shells.of[f])];
+        auto corners = m.triangles[f];
+        for (int& c : corners)
+        {
+            auto& q = place[std::size_t(c)];
+            if (q < 0)
+            {
+                q = int(part.points.size());
+                part.points.push_back(m.points[std::size_t(c)]);
+            }
+            c = q;
+        }
+        part.triangles.push_back(corners);
+        part.region.push_back(m.region[f]);
+        part.number.push_back(m.number[f]);
+    }
+    return parts;
+}
+
 void orientShells(NumberedMesh& m, FluidSide fluid, std::vector<std::string>& repairs)
 {
     const auto shells = findShells(m);
@@ -122,18 +108,20 @@ void orientShells(NumberedMesh& m, FluidSide fluid, std::vector<std::string>& re
                            without);
 
     std::vector<int> depth(n, 0);
+    const auto parts = apart(m, shells);
     for (std::size_t outer = 0; outer < n; ++outer)
     {
         std::vector<std::size_t> candidates;
         for (std::size_t inner = 0; inner < n; ++inner)
             if (inner != outer && within(shells.box[inner], shells.box[outer])) candidates.push_back(inner);
         if (candidates.empty()) continue;
-        const Inside inside(m, shells, int(outer));
+        const auto shell = toWorkingMesh(parts[outer]);
+        const CGAL::Side_of_triangle_mesh<WorkingMesh, Kernel> sideOf(shell);
         for (const auto inner : candidates)
         {
             auto side = CGAL::ON_BOUNDARY;
-            for (auto f = std::size_t(first[inner]); f < m.triangles.size() && side == CGAL::ON_BOUNDARY; ++f)
-                if (shells.of[f] == int(inner)) side = inside.of(centroid(m, int(f)));
+            for (std::size_t f = 0; f < parts[inner].triangles.size() && side == CGAL::ON_BOUNDARY; ++f)
+                side = sideOf(toPoint(centroid(parts[inner], int(f))));
             depth[inner] += side == CGAL::ON_BOUNDED_SIDE;
         }
     }

@@ -15,6 +15,8 @@ struct Shells
     std::vector<Box> box;
 };
 Shells findShells(const NumberedMesh&);
+/// Each with the points that it has.
+std::vector<NumberedMesh> apart(const NumberedMesh&, const Shells&);
 
 /// By the divergence theorem, 1/3 of the flux of x through the surface [m^3].
 double enclosedVolume(const NumberedMesh&);

@@ -49,6 +49,21 @@ void place(NumberedMesh& m, const TriSurface& t)
     }
 }
 
+/// Coordinates come in single precision: far from their origin they lose the digits that say where a point is.
+void checkDigits(const NumberedMesh& m, const TriSurface& t, double spacing, Diagnostics& diagnostics)
+{
+    constexpr double share = 0.01; // of a spacing that rounding may take
+    const auto box = boundingBox(m);
+    double farthest = 0;
+    for (const auto c : coordinates) farthest = std::max({farthest, std::abs(box.low.*c), std::abs(box.high.*c)});
+    const double rounding = t.scale * farthest * std::numeric_limits<float>::epsilon();
+    if (rounding > share * spacing)
+        diagnostics.warning(t.at,
+                            fmt::format("the coordinates of constant/triSurface/{} are up to {:.4g} and are read with seven digits, within "
+                                        "{:.2g} m: move the mesh nearer to its origin, and back by translation",
+                                        t.file, farthest, rounding));
+}
+
 struct WrongPlace : std::runtime_error
 {
     Location where;
@@ -132,6 +147,7 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         result.regions = m.regions;
         checkNumbers(m);
         checkRegions(m, t);
+        checkDigits(m, t, space.spacing, diagnostics);
         place(m, t);
         checkPlace(m, t, space);
         const auto box = boundingBox(m);

@@ -1,8 +1,8 @@
-#include "cleanSoup.hpp"
 #include "orientShells.hpp"
 #include "repairSurface.hpp"
 #include "workingMesh.hpp"
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <fmt/format.h>
 #include <map>
@@ -14,25 +14,6 @@ namespace
 {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-
-NumberedMesh shell(const NumberedMesh& m, const Shells& shells, int number)
-{
-    NumberedMesh part = m;
-    part.triangles.clear();
-    part.region.clear();
-    part.number.clear();
-    const bool inverted = shells.volume[std::size_t(number)] < 0;
-    for (std::size_t f = 0; f < m.triangles.size(); ++f)
-    {
-        if (shells.of[f] != number) continue;
-        const auto& [a, b, c] = m.triangles[f];
-        part.triangles.push_back({a, inverted ? c : b, inverted ? b : c});
-        part.region.push_back(m.region[f]);
-        part.number.push_back(m.number[f]);
-    }
-    removeUnusedPoints(part);
-    return part;
-}
 
 }
 
@@ -57,9 +38,11 @@ void removeSelfIntersections(NumberedMesh& m, std::vector<std::string>& repairs)
 
     const auto [setOf, sets] = bodies.numbered();
     std::map<int, WorkingMesh> unions; // by the number of the set
+    const auto parts = apart(m, shells);
     for (int s = 0; s < shells.count; ++s)
     {
-        auto part = toWorkingMesh(shell(m, shells, s));
+        auto part = toWorkingMesh(parts[std::size_t(s)]);
+        if (shells.volume[std::size_t(s)] < 0) pmp::reverse_face_orientations(part);
         if (within.contains(s))
         {
             pmp::experimental::remove_self_intersections(part);
@@ -68,7 +51,7 @@ void removeSelfIntersections(NumberedMesh& m, std::vector<std::string>& repairs)
         const auto [body, isFirst] = unions.try_emplace(setOf[std::size_t(s)], part);
         if (isFirst) continue;
         WorkingMesh both;
-        if (!pmp::does_bound_a_volume(part) || !pmp::corefine_and_compute_union(body->second, part, both))
+        if (!pmp::corefine_and_compute_union(body->second, part, both))
             throw UnusableMesh("bodies that cross each other have no union that is a surface: the facets that cross", m,
                                [&]
                                {

@@ -21,7 +21,7 @@ void checkSelfIntersections(const NumberedMesh&, const std::string& remedy);
 /// Closed surfaces that cross one another become one, the boundary of their union; what crosses itself within one is cut out and filled.
 void removeSelfIntersections(NumberedMesh&, std::vector<std::string>& repairs);
 
-/// A closed surface around all facets, at a distance of `tolerance`: Portaneri et al. (2022), Alpha wrapping with an offset, ACM Trans. Graph.
+/// A closed surface around all facets, at a distance of half the tolerance: Portaneri et al. (2022), Alpha wrapping with an offset, ACM Trans. Graph.
 /// 41. Its facets belong to the region of the nearest facet of the mesh.
 void wrap(NumberedMesh&, const TriSurface::Wrap&, std::vector<std::string>& repairs);
 
@@ -31,7 +31,12 @@ void remesh(NumberedMesh&, double edgeLength, double featureAngle, std::vector<s
 
 /// The regions and numbers of `from`, each facet of `to` by the nearest facet there.
 void takeRegions(NumberedMesh& to, const NumberedMesh& from);
-/// The largest distance of points of `from` to facets of `to` [m].
-double largestDistance(const NumberedMesh& from, const NumberedMesh& to);
+struct Distance
+{
+    double length = 0; ///< [m]
+    Vector<3> at;
+};
+/// The largest distance of points of `from` to facets of `to`.
+Distance largestDistance(const NumberedMesh& from, const NumberedMesh& to);
 
 }

@@ -108,6 +108,14 @@ TEST(BadMesh, thinnerThanTwoSupports)
     EXPECT_EQ(prepared(box({0, 0, 0}, {1, 1, 0.06})).warnings, "");
 }
 
+// A box that is 10 km from the origin has its points within 1 mm only; the spacing is 10 mm.
+TEST(BadMesh, farFromTheOrigin)
+{
+    const auto p = prepared(box({10000, 0, 0}, {10001, 1, 1}), "translation (-10000 0 0);");
+    EXPECT_EQ(p.errors, "");
+    EXPECT_TRUE(has(p.warnings, "are up to 1e+04 and are read with seven digits, within 0.0012 m")) << p.warnings;
+}
+
 // What an earlier run has shown is gone with the mistake.
 TEST(BadMesh, leavesNoOldPicture)
 {

@@ -164,7 +164,7 @@ TEST(Repair, cutsOutWhatCrossesItself)
 }
 
 // A scan: a sphere of radius 1 with noise of 0.01 in each point, three holes of 0.2 m, and facets that cross others. Its wrap is closed, and
-// nowhere further from the sphere than the noise (sqrt 3 x 0.01), the offset and the sagitta of its facets, alpha^2/8.
+// nowhere further from the sphere than the noise (sqrt 3 x 0.01), the offset (half the tolerance) and the sagitta of its facets, alpha^2/8.
 TEST(Repair, wrapsAScan)
 {
     auto m = without(icosphere(5), [](const Vector<3>& x) { return x.x > 0.995 || x.y > 0.995 || x.z < -0.995; });
@@ -173,13 +173,15 @@ TEST(Repair, wrapsAScan)
     for (auto& x : m.points) x += Vector<3>{noise(random), noise(random), noise(random)};
     for (std::size_t f = 0; f < 200; f += 10) std::swap(m.triangles[f][0], m.triangles[f][1]);
     EXPECT_FALSE(prepared(m).mesh.usable);
-    const double offset = 0.01, alpha = 0.25;
-    const auto p = prepared(m, fmt::format("wrap {{ tolerance {}; alpha {}; }}", offset, alpha));
+    const double tolerance = 0.02, alpha = 0.25;
+    const auto p = prepared(m, fmt::format("wrap {{ tolerance {}; alpha {}; }}", tolerance, alpha));
     ASSERT_EQ(p.errors, "");
     EXPECT_TRUE(has(p.repairs, "wrapped with")) << p.repairs;
+    EXPECT_TRUE(has(p.repairs, "the wrap is at most ")) << p.repairs;
+    EXPECT_TRUE(has(p.repairs, "the mesh is at most ")) << p.repairs;
     EXPECT_EQ(p.mesh.prepared.parts, 1);
-    for (const auto& x : p.mesh.surface.points) EXPECT_NEAR(mag(x), 1, 0.01 * std::sqrt(3.0) + offset + alpha * alpha / 8);
-    EXPECT_NEAR(p.mesh.prepared.volume / ballVolume, 1, 3 * (0.01 + offset));
+    for (const auto& x : p.mesh.surface.points) EXPECT_NEAR(mag(x), 1, 0.01 * std::sqrt(3.0) + tolerance / 2 + alpha * alpha / 8);
+    EXPECT_NEAR(p.mesh.prepared.volume / ballVolume, 1, 3 * (0.01 + tolerance / 2));
     EXPECT_TRUE(has(prepared(m, "wrap { tolerance 0.01; } closeHoles 1;").errors, "a wrap leaves no holes"));
 }
 
