@@ -1,7 +1,8 @@
 #include "fileCheck.hpp"
 #include "NumberedMesh.hpp"
+#include "plyCheck.hpp"
+#include "textParts.hpp"
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
@@ -12,30 +13,6 @@ namespace sph
 
 namespace
 {
-
-std::string_view nextLine(std::string_view& rest)
-{
-    const auto end = rest.find('\n');
-    const auto line = rest.substr(0, end);
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
-    return line;
-}
-
-std::string_view nextWord(std::string_view& line)
-{
-    constexpr auto blank = " \t\r";
-    line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
-    const auto word = line.substr(0, line.find_first_of(blank));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-std::size_t number(std::string_view word)
-{
-    std::size_t n = 0;
-    std::from_chars(word.data(), word.data() + word.size(), n);
-    return n;
-}
 
 /// Of lines with anything but blanks and comments.
 std::size_t fullLines(std::string_view rest)
@@ -124,51 +101,6 @@ std::string off(std::string_view text)
     return "";
 }
 
-std::string ply(std::string_view text)
-{
-    static const std::map<std::string_view, std::size_t> sizes{{"char", 1},  {"uchar", 1},  {"short", 2},   {"ushort", 2},
-                                                               {"int", 4},   {"uint", 4},   {"float", 4},   {"double", 8},
-                                                               {"int8", 1},  {"uint8", 1},  {"int16", 2},   {"uint16", 2},
-                                                               {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float64", 8}};
-    if (text.substr(0, 3) != "ply") return "it does not begin with ply: this is no PLY file";
-    bool binary = false, ended = false;
-    std::size_t rows = 0, bytes = 0, inElement = 0, faces = 0;
-    while (!text.empty() && !ended)
-    {
-        auto line = nextLine(text);
-        const auto word = nextWord(line);
-        if (word == "format") binary = nextWord(line) != "ascii";
-        else if (word == "element")
-        {
-            const auto name = nextWord(line);
-            inElement = number(nextWord(line));
-            rows += inElement;
-            if (name == "face") faces = inElement;
-        }
-        else if (word == "property")
-        {
-            auto type = nextWord(line);
-            std::size_t times = 1;
-            if (type == "list")
-            {
-                const auto count = sizes.find(nextWord(line));
-                if (count != sizes.end()) bytes += inElement * count->second;
-                type = nextWord(line);
-                times = 3; // the fewest corners that a face has
-            }
-            if (const auto size = sizes.find(type); size != sizes.end()) bytes += inElement * times * size->second;
-        }
-        else ended = word == "end_header";
-    }
-    if (!ended) return "it ends within its header";
-    if (faces == 0) return "it has no facets";
-    if (binary && text.size() < bytes)
-        return fmt::format("its header tells of at least {} bytes, and {} follow: it is truncated", bytes, text.size());
-    if (const auto lines = binary ? rows : fullLines(text); lines < rows)
-        return fmt::format("its header tells of {} lines, and {} follow: it is truncated", rows, lines);
-    return "";
-}
-
 }
 
 MeshFormat meshFormat(const std::filesystem::path& file)
@@ -194,7 +126,7 @@ std::string truncation(std::string_view text, MeshFormat format)
     case MeshFormat::stl:
         return stl(text);
     case MeshFormat::ply:
-        return ply(text);
+        return brokenPly(text);
     case MeshFormat::off:
         return off(text);
     // These have no counts to compare with.

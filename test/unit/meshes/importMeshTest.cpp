@@ -77,6 +77,8 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
 {
     const auto m = box();
     const auto cut = [](const std::string& text, double share = 0.7) { return text.substr(0, std::size_t(share * double(text.size()))); };
+    const auto replaced = [](std::string text, const std::string& what, const std::string& with)
+    { return text.replace(text.find(what), what.size(), with); };
     for (const auto& [file, text, message] :
          {std::array<std::string, 3>{"a.stl", "", "a.stl: it is empty"},
           {"a.stl", "hello\n", "this is no STL file"},
@@ -91,8 +93,12 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
           {"a.off", "OFF\n0 0 0\n", "it has no facets"},
           {"a.stl", cut(solid(m)), "8 of 9 facets and 0 of 1 solids are ended: it is truncated"},
           {"a.stl", cut(binaryStl(m)), "its header tells of 12 facets, 7 are there: it is truncated"},
-          {"a.ply", cut(ply(m)), "it is truncated"},
-          {"a.ply", cut(binaryPly(m), 0.9), "it is truncated"},
+          {"a.ply", cut(ply(m)), "face 0 of 12 is not whole: it is truncated"},
+          {"a.ply", cut(binaryPly(m), 0.9), "face 7 of 12 is not whole: it is truncated"},
+          {"a.ply", replaced(ply(m), "\n3 0 2 3", "\n3 0 2 9"), "face 0 of 12 has the vertex 9, and there are 8"},
+          {"a.ply", replaced(ply(m), "\n3 0 2 3", "\n2 0 2"), "face 0 of 12 has 2 corners"},
+          {"a.ply", replaced(ply(m), "float y", "floaty"), "its header has the line \"property floaty\""},
+          {"a.ply", replaced(ply(m), "float y", "float yy"), "its vertices have no x, y and z"},
           {"a.off", cut(off(m)), "its header tells of 8 vertices and 12 facets, but 15 lines follow: it is truncated"},
           {"a.gltf", cut(gltf(m, 2, {0, 0, 0})), "a.gltf: it "},
           {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "a.off: it is damaged"},
