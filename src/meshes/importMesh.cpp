@@ -7,6 +7,7 @@
 #include <assimp/LogStream.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <charconv>
 #include <fmt/format.h>
 
 namespace sph
@@ -56,6 +57,16 @@ std::string validWord(const std::string& name)
     return word;
 }
 
+/// The number of fewest digits that single precision takes for this one: 0.2 of a file is 0.2, not 0.200000003.
+double asWritten(float x)
+{
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+    double value = 0;
+    std::from_chars(text.data(), end, value);
+    return value;
+}
+
 class SceneReader
 {
     const aiScene& scene_;
@@ -99,7 +110,7 @@ class SceneReader
         for (unsigned i = 0; i < part.mNumVertices; ++i)
         {
             const aiVector3D x = toScene * part.mVertices[i];
-            mesh_.points.push_back({x.x, x.y, x.z});
+            mesh_.points.push_back({asWritten(x.x), asWritten(x.y), asWritten(x.z)});
         }
         for (unsigned f = 0; f < part.mNumFaces; ++f)
         {

@@ -8,7 +8,7 @@ namespace sph
 
 /// Polygons are cut into triangles, nodes of a glTF scene put in their places. A region each for the solids of an ascii STL, the groups of
 /// an OBJ and the materials of a glTF (its meshes, where they have none); else one, `patch0`. Names become words of a dictionary. `notes`
-/// gets what the file had and the mesh has not. Coordinates have seven digits, as assimp keeps them. Throws UnusableMesh.
+/// gets what the file had and the mesh has not. Coordinates have seven digits, as assimp keeps them: the fewest that say the same number. Throws UnusableMesh.
 NumberedMesh importMesh(const std::filesystem::path&, std::vector<std::string>& notes);
 
 }

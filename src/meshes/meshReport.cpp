@@ -49,13 +49,14 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
     auto out =
         fmt::format("Wall \"{}\": constant/triSurface/{}, fluid {}\n", t.wall, t.file, t.fluid == FluidSide::inside ? "inside" : "outside");
     for (const auto& note : p.notes) out += "    " + note + "\n";
-    if (full && p.asRead.triangles > 0) out += "  As read:\n" + statistics(p.asRead, p.regions);
+    const auto asRead = statistics(p.asRead, p.regions), prepared = statistics(p.prepared, p.regions);
+    if (full && p.asRead.triangles > 0) out += "  As read:\n" + asRead;
     out += p.repairs.empty() ? "  Repairs: none\n" : "  Repairs:\n";
     for (const auto& line : p.repairs) out += "    " + line + "\n";
     if (!p.usable) return out + "  The mesh cannot be used.\n";
 
     const auto& f = p.features;
-    if (full) out += "  Prepared:\n" + statistics(p.prepared, p.regions);
+    if (full) out += prepared == asRead ? "  Prepared: the same\n" : "  Prepared:\n" + prepared;
     else
         out += fmt::format("  {} triangles in {} region(s), {} vertices, {} {}\n", p.prepared.triangles, p.prepared.inRegion.size(),
                            p.prepared.points, inWords(p.prepared.box.low), inWords(p.prepared.box.high));

@@ -40,6 +40,18 @@ TEST(ImportMesh, readsEveryFormat)
     }
 }
 
+// Decimal numbers stay what they are, though assimp keeps them in single precision.
+TEST(ImportMesh, keepsDecimals)
+{
+    for (const auto& [file, text] : {std::pair<std::string, std::string>{"a.stl", solid(box({0.1, -0.2, 1e-7}, {0.7, 0.123456, 1.7}))},
+                                     {"b.stl", binaryStl(box({0.1, -0.2, 1e-7}, {0.7, 0.123456, 1.7}))}})
+    {
+        const Prepared p(file, text);
+        EXPECT_EQ(p.mesh.prepared.box.low, (Vector<3>{0.1, -0.2, 1e-7}));
+        EXPECT_EQ(p.mesh.prepared.box.high, (Vector<3>{0.7, 0.123456, 1.7}));
+    }
+}
+
 // Regions have the names of the file, as words of a dictionary; what names none has patch0.
 TEST(ImportMesh, namesRegions)
 {
