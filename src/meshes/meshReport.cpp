@@ -70,8 +70,9 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
     if (f.convex + f.concave > 0)
         out += fmt::format("    Smallest face between sharp edges: {:.4g} m = {:.3g} H (square root of its area) at {}\n", f.smallest,
                            f.smallest / H, inWords(f.smallestAt));
-    out += fmt::format("  Along the normals of {} of {} facets, to what is parallel within 30 degrees:\n", p.clearances.sampled,
-                       p.prepared.triangles);
+    out += fmt::format(
+        "  In {} points, evenly over the area, and centroids of facets, along their normals, to what is parallel within 30 degrees:\n",
+        p.clearances.sampled);
     return out + width("Thinnest wall", p.clearances.thinnest, H) + width("Narrowest gap", p.clearances.narrowest, H);
 }
 

@@ -49,7 +49,7 @@ struct MeshFeatures
 };
 MeshFeatures meshFeatures(const FacetSurface&, const std::vector<DihedralEdge>&, double featureAngle);
 
-/// Distances between opposite facets (parallel within 30 degrees), along the normals of sampled facets.
+/// Distances between opposite facets (parallel within 30 degrees), along the normals in sampled points.
 struct MeshClearances
 {
     struct Place
@@ -61,7 +61,7 @@ struct MeshClearances
     Place thinnest;  ///< of the solid
     Place narrowest; ///< of the fluid
 };
-/// Every facet of a small mesh, an even sample of `samples` of a large one.
+/// In `samples` points spread evenly over the area, and in the centroids of as many facets, or of all.
 MeshClearances meshClearances(const FacetSurface&, std::size_t samples = 20000);
 
 }

@@ -118,10 +118,11 @@ void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh
     splitPoints(m, repairs);
     closeHoles(m, t.closeHoles, repairs);
     orientShells(m, t.fluid, repairs);
-    removeCaps(m, tolerance, repairs);
+    removeSlivers(m, tolerance, repairs);
     if (t.removeSelfIntersections)
     {
         removeSelfIntersections(m, repairs);
+        removeSlivers(m, tolerance, repairs);
         orientShells(m, t.fluid, repairs);
     }
     checkSelfIntersections(m, t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"

@@ -6,9 +6,9 @@
 namespace sph
 {
 
-/// Facets lower than `tolerance` [m] have no normal to speak of: such a cap goes by a flip of its longest edge, within the tolerance of the
-/// surface. Those that are left (a flip would fold the surface) are counted.
-void removeCaps(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
+/// Facets lower than `tolerance` [m] have no normal to speak of. Those with a short edge go by its collapse, the others by a flip of the longest
+/// edge: the surface moves by no more than the tolerance. Those that are left (without them it would fold) are counted.
+void removeSlivers(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
 
 /// Fills holes with triangles (Liepa 2003), if none is wider than `widest` [m]; what fills them belongs to the region around. Throws
 /// UnusableMesh where edges stay open, and says how wide the widest hole is.
