@@ -14,6 +14,13 @@ namespace sph
 namespace
 {
 
+/// Assimp ends a line at a zero and at a form feed.
+bool isText(std::string_view text)
+{
+    return std::none_of(text.begin(), text.end(),
+                        [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t'; });
+}
+
 /// Of lines with anything but blanks and comments.
 std::size_t fullLines(std::string_view rest)
 {
@@ -98,6 +105,17 @@ std::string off(std::string_view text)
     if (lines < counts[0] + counts[1])
         return fmt::format("its header tells of {} vertices and {} facets, but {} lines follow: it is truncated", counts[0], counts[1],
                            lines);
+    for (std::size_t row = 0; row < counts[0] + counts[1];)
+    {
+        auto line = nextLine(text);
+        auto word = nextWord(line);
+        if (word.empty() || word.front() == '#' || row++ < counts[0]) continue;
+        const auto facet = row - 1 - counts[0], corners = number(word);
+        if (corners < 3) return fmt::format("facet {} of {} has {} corners", facet, counts[1], corners);
+        for (std::size_t k = 0; k < corners; ++k)
+            if (word = nextWord(line); number(word) >= counts[0] || word.find_first_not_of("0123456789") != word.npos || word.empty())
+                return fmt::format("facet {} of {} has the vertex \"{}\", and there are {}", facet, counts[1], word, counts[0]);
+    }
     return "";
 }
 
@@ -128,7 +146,7 @@ std::string truncation(std::string_view text, MeshFormat format)
     case MeshFormat::ply:
         return brokenPly(text);
     case MeshFormat::off:
-        return off(text);
+        return isText(text) ? off(text) : "it has characters that no text has: this is no OFF file";
     // These have no counts to compare with.
     case MeshFormat::obj:
         return obj(text);

@@ -103,6 +103,7 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
           {"a.stl", "solid a\nendsolid a\n", "it has no facets"},
           {"a.stl", std::string(84, '\0'), "it has no facets"},
           {"a.off", "OFF\n0 0 0\n", "it has no facets"},
+          {"a.off", off(m) + '\f', "it has characters that no text has"},
           {"a.stl", cut(solid(m)), "8 of 9 facets and 0 of 1 solids are ended: it is truncated"},
           {"a.stl", cut(binaryStl(m)), "its header tells of 12 facets, 7 are there: it is truncated"},
           {"a.ply", cut(ply(m)), "face 0 of 12 is not whole: it is truncated"},
@@ -113,7 +114,8 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
           {"a.ply", replaced(ply(m), "float y", "float yy"), "its vertices have no x, y and z"},
           {"a.off", cut(off(m)), "its header tells of 8 vertices and 12 facets, but 15 lines follow: it is truncated"},
           {"a.gltf", cut(gltf(m, 2, {0, 0, 0})), "a.gltf: it "},
-          {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "a.off: it is damaged"},
+          {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "facet 0 of 1 has the vertex \"7\", and there are 3"},
+          {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "facet 0 of 1 has 2 corners"},
           {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj: it cannot be read"},
           {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj: it "}})
     {
