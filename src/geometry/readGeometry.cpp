@@ -2,6 +2,7 @@
 #include "components.hpp"
 #include "readShapes.hpp"
 #include "readSpace.hpp"
+#include "triSurface.hpp"
 #include "words.hpp"
 #include <fmt/format.h>
 
@@ -16,8 +17,6 @@ const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max"
 const ListOf<std::string> periodic{"periodic", std::vector<std::string>{}, "directions x, y, z in which the domain repeats"};
 const SubDictionary walls{"walls", notGiven, "the walls"};
 const FreeName wall{"<wall>", "dictionary", "a wall of the case's own name"};
-const SubDictionary regions{"regions", notGiven, "of a mesh: walls of their own, by the names of the regions in its file"};
-const FreeName region{"<region>", "dictionary", "a region of the mesh"};
 const Scalar contactAngle{"contactAngle", degrees, byScene("90, and no wetting"),
                           between(0, 180).saying("contactAngle must be between 0 and 180 degrees, not {}"),
                           "of two phases, through the first of them"};
@@ -119,7 +118,11 @@ EntryList geometryEntries()
 {
     auto types = shapes();
     for (auto& [type, entries] : types)
+    {
         if (isSingleShape(type.word)) entries += {entry::omega, entry::origin};
+        if (type.word == "triSurface")
+            entries += triSurfaceEntries({entry::contactAngle, entry::contactAngles, entry::velocity, entry::omega, entry::origin});
+    }
     return {entry::dimension,
             {entry::domain, {entry::min, entry::max, entry::periodic}},
             {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity}}}}};
@@ -134,23 +137,26 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
     if (g.dimension == 2)
         return shapeType().error(dict, "a mesh is a surface in space, and a 2-D scene does not vary with z: use planes and circles");
     const auto name = dict.keyword();
+    readTriSurface(dict); // meshToGhost acts on it
     const auto mesh = readMesh(name, g, dict.diagnostics());
     if (!mesh) return;
     Patch patch{nullptr, int(g.walls.size()), {}};
     g.walls.push_back(readWallProperties(dict, g.dimension, true));
-    const auto regions = entry::regions(dict);
-    for (const auto& region : mesh->regions)
-        if (regions.isDictionary(region))
+    patch.walls.assign(mesh->regions.size(), patch.wall);
+    for (const auto& region : regionsOf(dict))
+    {
+        const auto found = std::ranges::find(mesh->regions, region.keyword());
+        if (found == mesh->regions.end())
         {
-            patch.walls.push_back(int(g.walls.size()));
-            auto wall = readWallProperties(regions.subDict(region), g.dimension, true);
-            wall.name = name + "." + region;
-            g.walls.push_back(wall);
+            dict.error("regions", fmt::format("region \"{}\" is unknown. {}", region.keyword(),
+                                              suggestion(region.keyword(), "regions of this mesh", mesh->regions)));
+            continue;
         }
-        else patch.walls.push_back(patch.wall);
-    for (const auto& key : regions.keys())
-        if (std::ranges::find(mesh->regions, key) == mesh->regions.end())
-            regions.error(key, fmt::format("region \"{}\" is unknown. {}", key, suggestion(key, "regions of this mesh", mesh->regions)));
+        patch.walls[std::size_t(found - mesh->regions.begin())] = int(g.walls.size());
+        auto wall = readWallProperties(region, g.dimension, true);
+        wall.name = name + "." + region.keyword();
+        g.walls.push_back(wall);
+    }
     for (auto& body : mesh->bodies)
     {
         patch.shape = std::move(body);

@@ -278,12 +278,12 @@ const std::vector<ShapeType>& catalogue()
 
 }
 
-std::optional<PreparedMesh> readMesh(const std::string& wall, const Geometry& g, Diagnostics& diagnostics)
+std::optional<WallMesh> readMesh(const std::string& wall, const Geometry& g, Diagnostics& diagnostics)
 {
     const auto before = diagnostics.errors();
     const auto surface = readWallMesh(g.folder, wall, diagnostics);
     if (diagnostics.errors() != before) return {};
-    PreparedMesh mesh{surface.regions, {}};
+    WallMesh mesh{surface.regions, {}};
     for (auto& body : bodiesOf(surface, g.facetScale)) mesh.bodies.push_back(std::make_shared<TriangleMesh>(std::move(body)));
     return mesh;
 }

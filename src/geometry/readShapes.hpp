@@ -12,12 +12,12 @@ namespace sph
 std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, const Geometry& geometry);
 
 /// The bodies of a mesh as meshToGhost has prepared it, and the names of its regions; nothing, and an error, where it is missing or damaged.
-struct PreparedMesh
+struct WallMesh
 {
     std::vector<std::string> regions;
     std::vector<std::shared_ptr<const Shape>> bodies;
 };
-std::optional<PreparedMesh> readMesh(const std::string& wall, const Geometry&, Diagnostics&);
+std::optional<WallMesh> readMesh(const std::string& wall, const Geometry&, Diagnostics&);
 bool isMesh(const Dictionary& wall);
 
 /// True where `type` names one shape, which may turn around `origin` with `omega`.

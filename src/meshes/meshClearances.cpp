@@ -1,4 +1,4 @@
-#include "FacetTree.hpp"
+#include "TriangleTree.hpp"
 #include "meshStatistics.hpp"
 #include <boost/variant/get.hpp>
 
@@ -9,7 +9,7 @@ MeshClearances meshClearances(const FacetSurface& s, std::size_t samples)
 {
     constexpr double parallel = 0.8660254037844387; // cos 30 degrees
 
-    const FacetTree facets(s);
+    const TriangleTree facets(s);
     MeshClearances result;
     const auto look = [&](std::size_t f, const Vector<3>& x)
     {
@@ -17,9 +17,9 @@ MeshClearances meshClearances(const FacetSurface& s, std::size_t samples)
         ++result.sampled;
         for (const double side : {1.0, -1.0})
         {
-            const FacetTree::Kernel::Ray_3 ray(FacetTree::point(x), FacetTree::point(x + side * n));
+            const TriangleTree::Kernel::Ray_3 ray(TriangleTree::point(x), TriangleTree::point(x + side * n));
             const auto hit = facets.tree().first_intersection(ray, [&](const auto& other) { return facets.facet(other) == int(f); });
-            const auto* there = hit ? boost::get<FacetTree::Kernel::Point_3>(&hit->first) : nullptr;
+            const auto* there = hit ? boost::get<TriangleTree::Kernel::Point_3>(&hit->first) : nullptr;
             if (!there) continue;
             const auto m = areaVector(s, facets.facet(hit->second));
             if (dot(m, n) > -parallel * mag(m)) continue;

@@ -1,4 +1,4 @@
-#include "FacetTree.hpp"
+#include "TriangleTree.hpp"
 #include "repairSurface.hpp"
 #include <cmath>
 
@@ -7,21 +7,21 @@ namespace sph
 
 void takeRegions(NumberedMesh& to, const NumberedMesh& from)
 {
-    const FacetTree facets(from);
+    const TriangleTree facets(from);
     to.regions = from.regions;
     for (std::size_t f = 0; f < to.triangles.size(); ++f)
     {
-        const auto nearest = facets.tree().closest_point_and_primitive(FacetTree::point(centroid(to, int(f)))).second;
+        const auto nearest = facets.tree().closest_point_and_primitive(TriangleTree::point(centroid(to, int(f)))).second;
         to.region[f] = from.region[std::size_t(facets.facet(nearest))];
     }
 }
 
 Distance largestDistance(const NumberedMesh& from, const NumberedMesh& to)
 {
-    const FacetTree facets(to);
+    const TriangleTree facets(to);
     Distance most;
     for (const auto& x : from.points)
-        if (const double d = std::sqrt(facets.tree().squared_distance(FacetTree::point(x))); d > most.length) most = {d, x};
+        if (const double d = std::sqrt(facets.tree().squared_distance(TriangleTree::point(x))); d > most.length) most = {d, x};
     return most;
 }
 

@@ -10,7 +10,7 @@ namespace sph
 {
 
 /// Of a surface that outlives it. Distances and rays in plain doubles: what is measured decides nothing.
-class FacetTree
+class TriangleTree
 {
 public:
     using Kernel = CGAL::Simple_cartesian<double>;
@@ -31,8 +31,8 @@ private:
     }
 
 public:
-    explicit FacetTree(const TriangleSurface& s) : triangles_(trianglesOf(s)), tree_(triangles_.begin(), triangles_.end()) {}
-    FacetTree(const FacetTree&) = delete;
+    explicit TriangleTree(const TriangleSurface& s) : triangles_(trianglesOf(s)), tree_(triangles_.begin(), triangles_.end()) {}
+    TriangleTree(const TriangleTree&) = delete;
 
     static Kernel::Point_3 point(const Vector<3>& x) { return {x.x, x.y, x.z}; }
     const Tree& tree() const { return tree_; }
