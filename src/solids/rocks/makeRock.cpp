@@ -48,7 +48,7 @@ Polyhedron cut(const Polyhedron& p, const Vector<3>& n, double d)
 {
     std::vector<double> beyond;
     for (const auto& x : p.points) beyond.push_back(dot(n, x) - d);
-    constexpr double sliver = 1e-3;
+    constexpr double sliver = 1e-4;
     if (std::ranges::any_of(beyond, [](double b) { return std::abs(b) < sliver; })) return p;
     Polyhedron kept;
     std::map<std::pair<int, int>, int> number; // of an old point (i, i), of the cut of an edge (i, j)
@@ -84,29 +84,18 @@ Polyhedron cut(const Polyhedron& p, const Vector<3>& n, double d)
     return kept;
 }
 
-/// Takes off the sharpest edge, long ones first.
+/// Takes off what stands out most in a random direction, a corner or an edge: sharp ones do so in most directions.
 Polyhedron chamfered(const Polyhedron& p, Noise& noise)
 {
-    std::map<std::pair<int, int>, std::size_t> faceOf;
-    for (std::size_t f = 0; f < p.faces.size(); ++f)
-        for (std::size_t k = 0; k < p.faces[f].size(); ++k) faceOf[{p.faces[f][k], p.faces[f][(k + 1) % p.faces[f].size()]}] = f;
-    double most = 0;
-    std::pair<int, int> edge;
-    for (const auto& [e, f] : faceOf)
-        if (e.first < e.second)
-        {
-            const double turn = 1 - dot(p.normal(p.faces[f]), p.normal(p.faces[faceOf.at({e.second, e.first})]));
-            const double weight = turn * mag(p.at(e.first) - p.at(e.second)) * noise.between(0.5, 1);
-            if (weight > most)
-            {
-                most = weight;
-                edge = e;
-            }
-        }
-    const auto n1 = p.normal(p.faces[faceOf.at(edge)]), n2 = p.normal(p.faces[faceOf.at({edge.second, edge.first})]);
-    const auto n = unit(unit(n1 + n2) + 0.1 * direction(noise));
-    const double d = std::min(dot(n, p.at(edge.first)), dot(n, p.at(edge.second)));
-    return cut(p, n, d - noise.between(0.05, 0.15) * mag(p.at(edge.first) - p.at(edge.second)));
+    const auto n = direction(noise);
+    std::vector<double> height;
+    for (const auto& x : p.points) height.push_back(dot(n, x));
+    std::ranges::sort(height, std::greater());
+    std::size_t last = 0; // of the points that are taken off
+    for (std::size_t k = 1; k < 4; ++k)
+        if (height[k] - height[k + 1] > height[last] - height[last + 1]) last = k;
+    constexpr double deepest = 0.1;
+    return cut(p, n, height[last] - noise.between(0.3, 0.7) * std::min(deepest, height[last] - height[last + 1]));
 }
 
 /// A box of random sides, cut by planes in directions far from one another, the edges then chamfered.
@@ -138,7 +127,7 @@ TriangleSurface angular(int facets, std::uint64_t seed)
         taken.push_back(best);
         p = cut(p, best, noise.between(0.85, 1.05));
     }
-    while (p.faces.size() != faces) p = p.faces.size() < faces ? chamfered(p, noise) : cut(p, direction(noise), 0.8);
+    while (p.faces.size() < faces) p = chamfered(p, noise);
     TriangleSurface s{p.points, {}};
     for (const auto& f : p.faces)
         for (std::size_t k = 2; k < f.size(); ++k) s.triangles.push_back({f[0], f[k - 1], f[k]});
