@@ -2,6 +2,7 @@
 #include "FunctionObject.hpp"
 #include "Packing.hpp"
 #include "RunTime.hpp"
+#include "SolidsPlan.hpp"
 #include "SweepPlan.hpp"
 #include "models.hpp"
 #include "readPhases.hpp"
@@ -25,6 +26,7 @@ EntryRegistry collect()
     all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
     all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
     all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
+    all.add("system/packParticlesDict", solidsEntries());
     all.add("system/reconstructSurfaceDict", surfaceEntries(), "the surfaces that reconstructSurface makes; the file may be missing");
     all.add("system/sphSchemes", entry::resolution::entries(), "resolution, models and integration");
     all.add("system/sphSchemes", schemeEntries());

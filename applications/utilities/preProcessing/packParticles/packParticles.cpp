@@ -1,4 +1,5 @@
-/// Fills the space between the walls with particles: see src/packing.
+/// Fills the space between the walls with particles: see src/packing. Before that, with -solids, packs the solids: see src/solids.
+#include "BedReport.hpp"
 #include "CaseLock.hpp"
 #include "CommandLine.hpp"
 #include "Packing.hpp"
@@ -16,18 +17,42 @@ sph::WriteOptions writeOptions(const sph::Case& c)
     if (control.choose("writeFormat", formats, "binary") == "ascii") options.format = sph::WriteFormat::ascii;
     return options;
 }
+
+void packSolids(const sph::Case& theCase)
+{
+    const auto plan = sph::readSolidsPlan(theCase);
+    const auto bed = sph::packSolids(theCase, plan,
+                                     [](const std::string& line)
+                                     {
+                                         fmt::print("{}\n", line);
+                                         std::fflush(stdout);
+                                     });
+    const auto measures = sph::measure(plan.container, bed);
+    const auto files = sph::writeBed(theCase, plan, bed, measures);
+    fmt::print("\n{}\nWritten to {}\n\nEnd\n", sph::report(plan, bed, measures), fmt::join(files, ", "));
+}
 }
 
 int main(int argc, char** argv)
 {
     std::string time = "0";
+    bool solids = false;
     return sph::runApplication(
         "packParticles", argc, argv, "Fills the space between the walls of a case with particles (system/packParticlesDict).",
-        [&](CLI::App& app) { app.add_option("--time", time, "Time folder to write (default 0)")->type_name("<name>"); },
+        [&](CLI::App& app)
+        {
+            app.add_option("--time", time, "Time folder to write (default 0)")->type_name("<name>");
+            app.add_flag("--solids", solids, "Pack the solids of section solids instead: the bed that constant/geometry takes in");
+        },
         [&](const std::filesystem::path& caseFolder)
         {
             const sph::CaseLock lock(caseFolder, "packParticles");
             const sph::Case theCase(caseFolder);
+            if (solids)
+            {
+                packSolids(theCase);
+                return 0;
+            }
             const auto options = writeOptions(theCase);
             const auto plan = sph::readPackingPlan(theCase);
             const auto packing = sph::pack(plan);

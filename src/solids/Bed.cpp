@@ -1,0 +1,189 @@
+#include "Bed.hpp"
+#include "closedSurface.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace sph
+{
+
+SolidShape readSolidShape(const Case& c, const ShapeToPack& s)
+{
+    SolidShape shape;
+    shape.where = s.where;
+    shape.name = "sphere";
+    if (s.isSphere()) return shape;
+    const auto fail = [&](const std::string& what) { throw CaseError(s.where, s.file + " " + what); };
+    if (!c.has(s.file)) fail("is missing. makeRocks makes shapes of rocks");
+    shape.name = std::filesystem::path(s.file).stem().string();
+    shape.file = s.file;
+    shape.form = s.form;
+    shape.mesh = readSurface(c.folder(), s.file);
+    if (const auto loose = looseEdges(shape.mesh))
+        fail(fmt::format("is no closed surface: {} of its edges are not shared by two facets that agree on the side", loose));
+    const auto moments = volumeMoments(shape.mesh);
+    if (!(moments.volume > 0)) fail(fmt::format("has the volume {:g}: its normals must point outwards", moments.volume));
+    shape.centroid = moments.centroid;
+    shape.fileSize = std::cbrt(6 / std::numbers::pi * moments.volume);
+    shape.reach = 0;
+    for (auto& p : shape.mesh.points)
+    {
+        p = (p - shape.centroid) / shape.fileSize;
+        shape.reach = std::max(shape.reach, mag(p));
+    }
+    return shape;
+}
+
+std::vector<Body> drawBodies(const SolidsPlan& plan, int count)
+{
+    Noise noise(plan.seed);
+    const auto shuffled = [&](auto of)
+    {
+        std::vector<int> values;
+        for (int k = 0; k < count; ++k) values.push_back(k);
+        for (int k = count - 1; k > 0; --k) std::swap(values[std::size_t(k)], values[std::size_t(noise.below(k + 1))]);
+        std::vector<decltype(of(0.5))> drawn;
+        for (const int v : values) drawn.push_back(of((v + 0.5) / count));
+        return drawn;
+    };
+    // Quantiles in random order: the shares are met as well as whole numbers can.
+    const auto sizes = shuffled([&](double p) { return plan.size.quantile(p); });
+    double all = 0;
+    for (const auto& s : plan.shapes) all += s.share;
+    const auto shapes = shuffled(
+        [&](double p)
+        {
+            double upTo = 0;
+            int k = 0;
+            while (k + 1 < int(plan.shapes.size()) && (upTo += plan.shapes[std::size_t(k)].share / all) < p) ++k;
+            return k;
+        });
+    std::vector<Body> bodies;
+    for (std::size_t k = 0; k < std::size_t(count); ++k) bodies.push_back({shapes[k], sizes[k], {}, randomRotation(noise)});
+    return bodies;
+}
+
+Vector<3> shortest(const SolidContainer& c, Vector<3> d)
+{
+    if (c.periodic[0]) d.x -= c.length * std::round(d.x / c.length);
+    if (c.periodic[1]) d.y -= c.width * std::round(d.y / c.width);
+    if (c.periodic[2]) d.z -= c.height * std::round(d.z / c.height);
+    return d;
+}
+
+std::vector<std::pair<int, int>> nearPairs(const SolidContainer& c, std::span<const Vector<3>> centres, std::span<const double> reach,
+                                           double margin)
+{
+    // Sorted by height, each with those above it
+    const int n = int(centres.size());
+    std::vector<int> order(centres.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](int i) { return std::pair(centres[std::size_t(i)].z, i); });
+    const double largest = reach.empty() ? 0 : std::ranges::max(reach);
+    std::vector<std::pair<int, int>> pairs;
+    for (int k = 0; k < n; ++k)
+    {
+        const auto i = std::size_t(order[std::size_t(k)]);
+        for (int l = k + 1; l < (c.periodic[2] ? k + n : n); ++l)
+        {
+            const auto j = std::size_t(order[std::size_t(l % n)]);
+            const double above = centres[j].z - centres[i].z + (l < n ? 0 : c.height);
+            if (above > reach[i] + largest + margin) break;
+            const auto d = shortest(c, centres[j] - centres[i]);
+            const double limit = reach[i] + reach[j] + margin;
+            if (dot(d, d) < limit * limit) pairs.emplace_back(int(std::min(i, j)), int(std::max(i, j)));
+        }
+    }
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+TriangleSurface placed(const SolidContainer& c, const SolidShape& shape, const Body& body)
+{
+    auto s = shape.mesh;
+    for (auto& p : s.points) p = c.toWorld(body.centre + body.size * body.rotation(p));
+    return s;
+}
+
+namespace
+{
+
+void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
+{
+    std::vector<int> newNumber(bed.bodies.size(), -1);
+    std::vector<Body> kept;
+    double highest = 0;
+    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
+    {
+        const auto& b = bed.bodies[i];
+        const auto& shape = bed.shapeOf(b);
+        double top = b.centre.z + 0.5 * b.size;
+        if (!shape.isSphere())
+        {
+            top = 0;
+            for (const auto& p : shape.mesh.points) top = std::max(top, b.centre.z + b.size * b.rotation(p).z);
+        }
+        highest = std::max(highest, top);
+        if (top > plan.container.height) continue;
+        newNumber[i] = int(kept.size());
+        kept.push_back(b);
+    }
+    bed.takenAway = int(bed.bodies.size() - kept.size());
+    if (bed.takenAway == 0) return;
+    if (!plan.level)
+        throw CaseError(
+            plan.countAt,
+            fmt::format("the bed of {} solids is {:.4g} m high, and the container {:.4g} m: {} solids stand out of it. With \"level "
+                        "yes;\" they are taken away",
+                        bed.bodies.size(), highest, plan.container.height, bed.takenAway));
+    if (kept.empty()) throw CaseError(plan.container.where, "every solid stands out of the container: it is too low");
+    bed.bodies = std::move(kept);
+    std::vector<Contact> contacts;
+    for (const auto& [i, j, gap] : bed.contacts)
+        if (newNumber[std::size_t(i)] >= 0 && newNumber[std::size_t(j)] >= 0)
+            contacts.push_back({newNumber[std::size_t(i)], newNumber[std::size_t(j)], gap});
+    bed.contacts = std::move(contacts);
+}
+
+/// Smaller by the share s about their centroids, solids that overlap by s d are apart.
+void shrink(const SolidsPlan& plan, Bed& bed)
+{
+    const auto apply = [&](double share)
+    {
+        for (auto& b : bed.bodies) b.size *= (1 - share) / (1 - bed.shrunk);
+        bed.shrunk = share;
+    };
+    if (plan.shrink) return apply(*plan.shrink);
+    if (std::ranges::all_of(bed.shapes, [](const auto& s) { return s.isSphere(); })) return;
+    constexpr double most = 0.1;
+    for (double overlap = bed.overlap; overlap > 0; overlap = largestOverlap(plan.container, bed) / bed.meanSize)
+    {
+        apply(bed.shrunk + 1.1 * overlap + 1e-5);
+        if (bed.shrunk > most)
+            throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
+    }
+}
+
+}
+
+Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
+{
+    Bed bed;
+    for (const auto& s : plan.shapes) bed.shapes.push_back(readSolidShape(c, s));
+    if (plan.randomClose)
+    {
+        packRandomly(plan, bed, progress);
+        return bed;
+    }
+    bed.meanSize = plan.size.mean(plan.count);
+    bed.bodies = drawBodies(plan, plan.count);
+    settle(plan, bed, progress);
+    takeAwayWhatStandsOut(plan, bed);
+    bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
+    shrink(plan, bed);
+    return bed;
+}
+
+}

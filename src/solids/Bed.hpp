@@ -1,0 +1,91 @@
+/// Solids where they have come to rest.
+#pragma once
+#include "Rotation.hpp"
+#include "Shape.hpp"
+#include "SolidsPlan.hpp"
+#include "TriangleSurface.hpp"
+#include <functional>
+#include <span>
+
+namespace sph
+{
+
+/// A sphere of diameter 1, or a mesh of the same volume with its centroid at the origin.
+struct SolidShape
+{
+    std::string name;     ///< of its group in constant/triSurface/solids.obj
+    std::string file;     ///< empty: a sphere
+    TriangleSurface mesh; ///< empty: a sphere
+    Vector<3> centroid;   ///< in the file's coordinates
+    double fileSize = 1;  ///< diameter of the sphere of equal volume there
+    double reach = 0.5;   ///< largest distance from the centroid
+    CollisionForm form = CollisionForm::automatic;
+    Location where;
+
+    bool isSphere() const { return mesh.triangles.empty(); }
+};
+
+/// Throws CaseError where the file is missing, or the surface is open, inside out or empty.
+SolidShape readSolidShape(const Case&, const ShapeToPack&);
+
+/// In the frame of the container: z against gravity, the origin at its base.
+struct Body
+{
+    int shape = 0;
+    double size = 1; ///< diameter of the sphere of equal volume
+    Vector<3> centre;
+    Rotation rotation;
+};
+
+struct Contact
+{
+    int i, j;
+    double gap; ///< negative: overlap
+};
+
+struct Bed
+{
+    std::vector<SolidShape> shapes;
+    std::vector<Body> bodies;
+    double meanSize = 1;
+    double time = 0, kineticEnergy = 0; ///< in sqrt(d/g), and mean of a body in m g d
+    double overlap = 0;                 ///< largest before shrinking, over the mean size
+    double shrunk = 0;                  ///< share of the size
+    double sizeFactor = 1;              ///< by which all sizes differ from those that were asked for
+    int takenAway = 0;                  ///< for standing out of the top
+    std::vector<Contact> contacts;
+    std::vector<std::string> notes;
+
+    const SolidShape& shapeOf(const Body& b) const { return shapes[std::size_t(b.shape)]; }
+    double reachOf(const Body& b) const { return b.size * shapeOf(b).reach; }
+};
+
+using Progress = std::function<void(const std::string&)>;
+
+/// Solids by the plan, sizes and shapes in random order, randomly turned, and nowhere yet.
+std::vector<Body> drawBodies(const SolidsPlan&, int count);
+
+/// Rigid bodies that fall into the container. Throws CaseError where they do not come to rest.
+void settle(const SolidsPlan&, Bed&, const Progress&);
+
+/// Spheres at their final places and sizes. Throws CaseError where the porosity cannot be reached.
+void packRandomly(const SolidsPlan&, Bed&, const Progress&);
+
+/// All of it: what packParticles -solids does, but for the files.
+Bed packSolids(const Case&, const SolidsPlan&, const Progress&);
+
+/// The difference of two places as the periodic directions make it shortest.
+Vector<3> shortest(const SolidContainer&, Vector<3> difference);
+
+/// Pairs (i < j) nearer than the sum of their reaches and the margin.
+std::vector<std::pair<int, int>> nearPairs(const SolidContainer&, std::span<const Vector<3>> centres, std::span<const double> reach,
+                                           double margin);
+
+/// Depth by which solids reach into one another or into the container, the largest of the bed [m]: of spheres exact; of meshes that of the deepest
+/// point of an edge of one below the surface of the other. 0 where no facets cross.
+double largestOverlap(const SolidContainer&, const Bed&);
+
+/// Bodies as surfaces in space.
+TriangleSurface placed(const SolidContainer&, const SolidShape&, const Body&);
+
+}

@@ -1,0 +1,95 @@
+/// Section `solids` of system/packParticlesDict: which solids are packed, in what, and how. In a library of its own, so that what prints the
+/// entries needs neither Bullet nor meshes.
+#pragma once
+#include "Case.hpp"
+#include "EntryList.hpp"
+#include <array>
+
+namespace sph
+{
+
+/// What a mesh collides as.
+enum class CollisionForm
+{
+    automatic, ///< hull where the shape is convex but for a little, else parts
+    hull,
+    parts ///< convex parts whose hulls cover the shape
+};
+
+struct ShapeToPack
+{
+    std::string file; ///< relative to the case; empty: a sphere
+    double share = 1; ///< of the number of solids
+    CollisionForm form = CollisionForm::automatic;
+    Location where;
+
+    bool isSphere() const { return file.empty(); }
+};
+
+/// Of the diameter [m], that of the sphere of equal volume.
+struct SizeDistribution
+{
+    enum class Kind
+    {
+        fixed,
+        uniform,
+        normal,
+        lognormal,
+        list
+    };
+    Kind kind = Kind::fixed;
+    double low = 1, high = 1;        ///< no size is outside
+    double middle = 1, width = 0;    ///< mean and standard deviation; of a lognormal distribution those of ln d
+    std::vector<double> sizes, upTo; ///< of a list, and the shares by number up to and with each
+
+    /// The size that the share p of the solids, by number, does not exceed.
+    double quantile(double p) const;
+    /// Of the sizes at the middles of n equal shares: what `count` solids have.
+    double mean(int count) const;
+    double meanVolume(int count) const; ///< pi/6 of the mean of d^3
+    Location where;
+};
+
+/// Upright, with an open top: `up` is against gravity.
+struct SolidContainer
+{
+    bool isCylinder = false;
+    Vector<3> base;               ///< lowest corner of the box as a body in it sees it, or the middle of the bottom [m]
+    Vector<3> along, across, up;  ///< unit vectors, right-handed; the box has its edges along them
+    double length = 1, width = 1; ///< of the box
+    double radius = 0.5;          ///< of the cylinder
+    double height = 1;
+    std::array<bool, 3> periodic{}; ///< along, across, up
+    Location where;
+
+    double area() const;
+    double volume() const { return area() * height; }
+    /// The smallest extent across, infinite where both sides are periodic.
+    double narrowest() const;
+    Vector<3> toWorld(const Vector<3>& x) const { return base + x.x * along + x.y * across + x.z * up; }
+};
+
+struct SolidsPlan
+{
+    bool randomClose = false;
+    SolidContainer container;
+    std::vector<ShapeToPack> shapes;
+    SizeDistribution size;
+    int count = 0;
+    std::uint64_t seed = 1;
+
+    double friction = 0, restitution = 0;
+    double restEnergy = 0; ///< of the mean kinetic energy of a body in m g d, at which it is at rest
+    double longest = 0;    ///< time until then, in sqrt(d/g)
+    bool level = false;
+    std::optional<double> shrink;   ///< share of the size; none: as much as parts what overlaps
+    std::optional<double> porosity; ///< of randomClose; none: the least that is reached
+    Location countAt, timeLimitAt, porosityAt, shrinkAt, where;
+};
+
+/// Throws CaseError with all mistakes. Reads constant/g, without which up is z.
+SolidsPlan readSolidsPlan(const Case&);
+/// `solids { .. }`
+EntryList solidsEntries();
+
+}

@@ -1,0 +1,335 @@
+#include "SolidsPlan.hpp"
+#include "phaseEntries.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace sph
+{
+
+namespace entry
+{
+const SubDictionary solids{"solids", notGiven, "a bed of solids, which packParticles -solids packs and all other programs leave alone"},
+    container{"container", required, "what the solids lie in; open at the top, which is where gravity comes from"},
+    solidSize{"size", required, "diameters, of meshes those of the sphere of equal volume"};
+const Choice method{"method",
+                    {{"settle", "rigid bodies fall and come to rest (Bullet)"},
+                     {"randomClose", "spheres that overlap push one another apart until none does; the top is closed"}},
+                    "settle",
+                    "how the bed is made"};
+const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"},
+    count{"count", byScene("of randomClose as many as the porosity needs"), atLeast(1).saying("count {}: there is nothing to pack"),
+          "number of solids"};
+const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
+const Text meshFile{"file", byScene("a sphere"), "closed surface in constant/triSurface"};
+const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};
+const Choice collision{"collision",
+                       {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},
+                        {"hull", "the convex hull"},
+                        {"parts", "convex parts (HACD, Mamou & Ghorbel 2009) whose hulls cover the shape"}},
+                       "automatic",
+                       "what a mesh collides as"};
+
+const Choice containerType{"type", {"box", "cylinder"}, required, "shape of the container"};
+const VectorParameter boxMin{"min", units::m, required, "lowest corner"}, boxMax{"max", units::m, required, "highest corner"},
+    cylinderBase{"base", units::m, required, "middle of the bottom; the axis is along gravity"};
+const ListOf<std::string> boxPeriodic{"periodic", byScene("(), no direction"),
+                                      "directions in which a box of spheres repeats; the one along gravity for randomClose alone"};
+const Scalar cylinderRadius{"radius", units::m, required, positive, "of the cylinder"},
+    cylinderHeight{"height", units::m, required, positive, "of the cylinder"};
+
+const Choice distribution{"distribution", {"fixed", "uniform", "normal", "lognormal", "list"}, "fixed", "of the sizes, by number"};
+const Scalar sizeValue{"value", units::m, required, positive, "the size"}, sizeMin{"min", units::m, required, positive, "smallest size"},
+    sizeMax{"max", units::m, required, positive, "largest size"}, sizeMean{"mean", units::m, required, positive, "of all sizes"},
+    sizeMedian{"median", units::m, required, positive, "half of the solids are smaller"},
+    sizeDeviation{"standardDeviation", units::m, required, positive, "of all sizes"},
+    geometricDeviation{"geometricStandardDeviation", units::none, required,
+                       Range{.low = 1, .lowIncluded = false}.saying("geometricStandardDeviation {} must be above 1"),
+                       "e to the standard deviation of ln d"};
+const ListOf<double> sizes{"sizes", units::m, required, "each > 0"}, fractions{"fractions", required, "share of each size; their sum is 1"};
+const Choice fractionsOf{"fractionsOf", {"mass", "number"}, "mass", "what the fractions are shares of"};
+
+const Scalar friction{"friction", units::none, 0.5, nonNegative, "coefficient of Coulomb's friction, at solids and container"},
+    restitution{"restitution", units::none, 0.1, between(0, 1), "of the speed after an impact"},
+    restEnergy{"restEnergy", units::none, 1e-6, positive, "mean kinetic energy over m g d below which the bed is at rest"},
+    timeLimit{"timeLimit", Unit{units::none, "sqrt(d/g)"}, 400, positive, "time after which a bed that is not at rest is an error"},
+    targetPorosity{"porosity", units::none, byScene("the least that is reached"), positiveBelow(1), "to be reached"};
+const AutomaticScalar shrink{
+    "shrink", units::none, byScene("automatic"), between(0, 0.1).saying("shrink {} is none of 0 to 0.1"),
+    "share by which solids are made smaller in the end, so that surfaces do not cross; automatic: of meshes as much as "
+    "that takes, of spheres nothing"};
+const Switch level{"level", false, "take away what stands out of the top, which is an error else"};
+}
+
+namespace
+{
+
+/// Share of a normal distribution below x.
+double normalBelow(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+}
+
+double SizeDistribution::quantile(double p) const
+{
+    if (kind == Kind::fixed) return low;
+    if (kind == Kind::uniform) return low + p * (high - low);
+    if (kind == Kind::list)
+        return sizes[std::size_t(std::min(std::ranges::upper_bound(upTo, p) - upTo.begin(), std::ptrdiff_t(sizes.size()) - 1))];
+    const auto below = [&](double d) { return normalBelow(((kind == Kind::lognormal ? std::log(d) : d) - middle) / width); };
+    const double target = below(low) + p * (below(high) - below(low));
+    double a = low, b = high;
+    for (int k = 0; k < 60; ++k)
+    {
+        const double d = 0.5 * (a + b);
+        (below(d) < target ? a : b) = d;
+    }
+    return 0.5 * (a + b);
+}
+
+double SizeDistribution::mean(int count) const
+{
+    double sum = 0;
+    for (int k = 0; k < count; ++k) sum += quantile((k + 0.5) / count);
+    return sum / count;
+}
+
+double SizeDistribution::meanVolume(int count) const
+{
+    double sum = 0;
+    for (int k = 0; k < count; ++k) sum += std::pow(quantile((k + 0.5) / count), 3);
+    return std::numbers::pi / 6 * sum / count;
+}
+
+double SolidContainer::area() const { return isCylinder ? std::numbers::pi * radius * radius : length * width; }
+
+double SolidContainer::narrowest() const
+{
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    return isCylinder ? 2 * radius : std::min(periodic[0] ? endless : length, periodic[1] ? endless : width);
+}
+
+namespace
+{
+
+/// A box has its edges along the coordinates: `up` is the one nearest to `against gravity`, which must be along it.
+SolidContainer readBox(const Dictionary& dict, const Vector<3>& up, const Location& gravityAt)
+{
+    SolidContainer c;
+    const std::array<Vector<3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    int vertical = 2;
+    for (int k = 0; k < 3; ++k)
+        if (std::abs(dot(up, axes[std::size_t(k)])) > 1 - 1e-9) vertical = k;
+    if (std::abs(dot(up, axes[std::size_t(vertical)])) < 1 - 1e-9)
+        dict.diagnostics().error(gravityAt, "gravity is along no edge of the container: turn it, or use a cylinder");
+    const bool isUpsideDown = dot(up, axes[std::size_t(vertical)]) < 0;
+    const int first = (vertical + 1) % 3, second = (vertical + 2) % 3;
+    c.along = axes[std::size_t(first)];
+    c.across = isUpsideDown ? -axes[std::size_t(second)] : axes[std::size_t(second)];
+    c.up = isUpsideDown ? -axes[std::size_t(vertical)] : axes[std::size_t(vertical)];
+    const auto low = entry::boxMin(dict), high = entry::boxMax(dict);
+    const auto size = high - low;
+    if (entry::boxMin.given(dict) && entry::boxMax.given(dict) && !(size.x > 0 && size.y > 0 && size.z > 0))
+        entry::boxMax.error(dict, "max must be greater than min in each direction");
+    const auto extent = [&](const Vector<3>& axis) { return std::abs(dot(size, axis)); };
+    c.length = extent(c.along);
+    c.width = extent(c.across);
+    c.height = extent(c.up);
+    c.base = isUpsideDown ? low + c.width * -c.across + c.height * -c.up : low;
+    static const std::vector<std::string> names{"x", "y", "z"};
+    for (const auto& name : entry::boxPeriodic(dict, {}))
+    {
+        const auto k = int(std::ranges::find(names, name) - names.begin());
+        if (k == 3) entry::boxPeriodic.error(dict, fmt::format("\"{}\" is no direction: x, y, z", name));
+        else c.periodic[k == first ? 0 : k == second ? 1 : 2] = true;
+    }
+    return c;
+}
+
+SolidContainer readCylinder(const Dictionary& dict, const Vector<3>& up)
+{
+    SolidContainer c;
+    c.isCylinder = true;
+    c.up = up;
+    // Perpendicular to up: the coordinate that it is least along.
+    const Vector<3> least = std::abs(up.x) < 0.6 ? Vector<3>{1, 0, 0} : Vector<3>{0, 1, 0};
+    const auto a = least - dot(least, up) * up;
+    c.along = a / mag(a);
+    c.across = cross(c.up, c.along);
+    c.base = entry::cylinderBase(dict);
+    c.radius = entry::cylinderRadius(dict);
+    c.height = entry::cylinderHeight(dict);
+    return c;
+}
+
+SizeDistribution readSizes(const Dictionary& dict)
+{
+    SizeDistribution s;
+    s.where = dict.location();
+    const auto word = entry::distribution(dict);
+    s.kind = SizeDistribution::Kind(entry::distribution.indexOf(word));
+    if (word == "fixed") s.low = s.high = entry::sizeValue(dict);
+    else if (word == "list")
+    {
+        s.sizes = entry::sizes(dict);
+        auto fractions = entry::fractions(dict);
+        const bool byMass = entry::fractionsOf(dict) == "mass";
+        if (s.sizes.size() != fractions.size() || s.sizes.empty())
+        {
+            entry::fractions.error(dict, fmt::format("there are {} sizes and {} fractions", s.sizes.size(), fractions.size()));
+            return SizeDistribution{};
+        }
+        if (std::ranges::any_of(s.sizes, [](double d) { return !(d > 0); })) entry::sizes.error(dict, "each size must be positive");
+        if (std::ranges::any_of(fractions, [](double f) { return f < 0; }) ||
+            std::abs(std::accumulate(fractions.begin(), fractions.end(), -1.0)) > 1e-6)
+            entry::fractions.error(dict, "fractions must not be negative, and their sum must be 1");
+        if (byMass)
+            for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] /= std::pow(s.sizes[k], 3);
+        const double all = std::accumulate(fractions.begin(), fractions.end(), 0.0);
+        double sum = 0;
+        for (const double f : fractions) s.upTo.push_back((sum += f) / all);
+        s.low = std::ranges::min(s.sizes);
+        s.high = std::ranges::max(s.sizes);
+    }
+    else
+    {
+        s.low = entry::sizeMin(dict);
+        s.high = entry::sizeMax(dict);
+        if (entry::sizeMin.given(dict) && entry::sizeMax.given(dict) && s.high <= s.low)
+            entry::sizeMax.error(dict, fmt::format("max {} must be greater than min {}", s.high, s.low));
+        if (word == "normal")
+        {
+            s.middle = entry::sizeMean(dict);
+            s.width = entry::sizeDeviation(dict);
+        }
+        if (word == "lognormal")
+        {
+            s.middle = std::log(entry::sizeMedian(dict));
+            s.width = std::log(entry::geometricDeviation(dict));
+        }
+    }
+    return s;
+}
+
+const EntryList& containerEntries()
+{
+    using namespace entry;
+    static const EntryList entries{
+        {containerType, {{"box", {boxMin, boxMax, boxPeriodic}}, {"cylinder", {cylinderBase, cylinderRadius, cylinderHeight}}}}};
+    return entries;
+}
+
+}
+
+EntryList solidsEntries()
+{
+    using namespace entry;
+    const EntryList sizeEntries{{distribution,
+                                 {{"fixed", {sizeValue}},
+                                  {"uniform", {sizeMin, sizeMax}},
+                                  {"normal", {sizeMin, sizeMax, sizeMean, sizeDeviation}},
+                                  {"lognormal", {sizeMin, sizeMax, sizeMedian, geometricDeviation}},
+                                  {"list", {sizes, fractions, fractionsOf}}}}};
+    return {{solids,
+             {{method,
+               {{"settle",
+                 {count,
+                  {solidShapes, {meshFile, share, collision}},
+                  entry::friction,
+                  entry::restitution,
+                  entry::restEnergy,
+                  timeLimit,
+                  entry::shrink,
+                  entry::level}},
+                {"randomClose", {targetPorosity}}}},
+              solidsSeed,
+              {container, containerEntries()},
+              {solidSize, sizeEntries}}}};
+}
+
+SolidsPlan readSolidsPlan(const Case& c)
+{
+    SolidsPlan plan;
+    const auto all = c.dictionary("system/packParticlesDict");
+    c.diagnostics().throwIfAny();
+    if (!entry::solids.given(all))
+        throw CaseError(all.location(), "has no section \"solids\", which says what packParticles -solids packs");
+    const auto dict = entry::solids(all);
+    plan.where = dict.location();
+    const auto gravityFile = c.dictionaryIfPresent("constant/g");
+    const auto gravity = entry::gravity(gravityFile, {0, 0, -1});
+    const auto up = mag(gravity) > 0 ? -gravity / mag(gravity) : Vector<3>{0, 0, 1};
+
+    plan.randomClose = entry::method(dict) == "randomClose";
+    plan.seed = std::uint64_t(entry::solidsSeed(dict));
+    const auto container = entry::container(dict);
+    if (const auto type = entry::containerType.known(container))
+        plan.container = *type == "box" ? readBox(container, up, entry::gravity.where(gravityFile)) : readCylinder(container, up);
+    plan.container.where = container.location();
+    plan.size = readSizes(entry::solidSize(dict));
+    if (plan.randomClose)
+    {
+        plan.shapes = {ShapeToPack{}};
+        plan.porosity = entry::targetPorosity.ifGiven(dict);
+        plan.porosityAt = entry::targetPorosity.where(dict);
+    }
+    else
+    {
+        plan.count = entry::count.needed(dict);
+        plan.countAt = entry::count.where(dict);
+        for (const auto& d : entry::solidShapes(dict))
+        {
+            const auto file = entry::meshFile.ifGiven(d);
+            plan.shapes.push_back({file ? "constant/triSurface/" + *file : "", entry::share(d), CollisionForm(entry::collision.index(d)),
+                                   file ? entry::meshFile.where(d) : d.location()});
+        }
+        if (plan.shapes.empty())
+        {
+            if (entry::solidShapes.given(dict))
+                entry::solidShapes.error(dict, "shapes lists none. Without the entry all solids are spheres");
+            plan.shapes = {ShapeToPack{}};
+        }
+        plan.friction = entry::friction(dict);
+        plan.restitution = entry::restitution(dict);
+        plan.restEnergy = entry::restEnergy(dict);
+        plan.longest = entry::timeLimit(dict);
+        plan.timeLimitAt = entry::timeLimit.where(dict);
+        plan.shrink = entry::shrink(dict);
+        plan.shrinkAt = entry::shrink.where(dict);
+        plan.level = entry::level(dict);
+        const bool hasMeshes = std::ranges::any_of(plan.shapes, [](const auto& s) { return !s.isSphere(); });
+        if (plan.container.periodic[2])
+            entry::boxPeriodic.error(container, "along gravity a bed that settles does not repeat; randomClose can");
+        else if (hasMeshes && (plan.container.periodic[0] || plan.container.periodic[1]))
+            entry::boxPeriodic.error(container, "sides are periodic for spheres alone, and \"shapes\" has meshes");
+    }
+    dict.reportUnused();
+    gravityFile.ignore("dimensions");
+    c.diagnostics().throwIfAny();
+
+    const auto& box = plan.container;
+    const std::array<double, 3> lengths{box.length, box.width, box.height};
+    for (std::size_t k = 0; k < 3; ++k)
+        if (box.periodic[k] && lengths[k] < 2 * plan.size.high)
+            throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest spheres ({:g} m each)",
+                                                   lengths[k], plan.size.high));
+    // Sizes are those of spheres here; meshes are longer, and checked when they are read.
+    if (plan.size.high > std::min(box.narrowest(), box.height))
+        throw CaseError(plan.size.where, fmt::format("solids of {:g} m do not fit into a container of {:g} m", plan.size.high,
+                                                     std::min(box.narrowest(), box.height)));
+    if (!plan.randomClose && !plan.level)
+    {
+        constexpr double densest = 0.74; // of equal spheres (Kepler)
+        const double solid = plan.count * plan.size.meanVolume(plan.count);
+        if (solid > densest * box.volume())
+            throw CaseError(plan.countAt,
+                            fmt::format("{} solids have {:.3g} m^3, and the container has {:.3g} m^3: at a porosity of 0.4 it holds "
+                                        "about {}. With \"level yes;\" what stands out of it is taken away",
+                                        plan.count, solid, box.volume(), int(0.6 * box.volume() / plan.size.meanVolume(plan.count))));
+    }
+    return plan;
+}
+
+}

@@ -1,0 +1,377 @@
+#include "CollisionShape.hpp"
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace sph
+{
+
+namespace
+{
+
+/// Lengths are in mean sizes and g is 9.81, for which Bullet's tolerances are made.
+constexpr double g = 9.81;
+constexpr double substep = 1.0 / 240;
+constexpr int iterations = 100;
+/// Surfaces nearer than this are looked at, and touch where they are nearer than `touching`.
+constexpr double nearby = 0.02, touching = 0.005;
+
+btVector3 bullet(const Vector<3>& a) { return {a.x, a.y, a.z}; }
+Vector<3> plain(const btVector3& a) { return {a.x(), a.y(), a.z()}; }
+
+struct Touch
+{
+    int id;                     ///< the same from step to step, so that the solver starts from the impulse of the last
+    btVector3 onA, onB, normal; ///< from B to A
+    double gap;
+};
+
+/// Rigid bodies in a container. Contacts of meshes are Bullet's own; those of two spheres, also across periodic sides, and those with walls,
+/// which Bullet has not or not with impulses kept from step to step, are handed to its solver.
+class SettlingWorld : public btDiscreteDynamicsWorld
+{
+    const SolidContainer& container_;
+    std::vector<const CollisionShape*> shapeOf_;
+    std::vector<double> size_;
+    std::vector<btRigidBody*> bodies_;
+    std::vector<int> spheres_;
+    std::vector<std::pair<int, int>> nearSpheres_; ///< as numbers in spheres_
+    std::vector<Vector<3>> listedAt_;
+    btRigidBody* walls_;
+    double friction_, restitution_;
+    std::map<std::pair<int, int>, btPersistentManifold*> given_;
+
+    void give(btRigidBody* a, btRigidBody* b, std::pair<int, int> key, const std::vector<Touch>& touches)
+    {
+        const auto at = given_.find(key);
+        if (touches.empty())
+        {
+            if (at == given_.end()) return;
+            getDispatcher()->releaseManifold(at->second);
+            given_.erase(at);
+            return;
+        }
+        auto* manifold = at != given_.end() ? at->second : given_[key] = getDispatcher()->getNewManifold(a, b);
+        std::vector<btManifoldPoint> old;
+        for (int k = 0; k < manifold->getNumContacts(); ++k) old.push_back(manifold->getContactPoint(k));
+        manifold->clearManifold();
+        for (const auto& touch : touches)
+        {
+            btManifoldPoint point(a->getWorldTransform().invXform(touch.onA), b->getWorldTransform().invXform(touch.onB), touch.normal,
+                                  touch.gap);
+            point.m_positionWorldOnA = touch.onA;
+            point.m_positionWorldOnB = touch.onB;
+            point.m_combinedFriction = friction_;
+            point.m_combinedRestitution = restitution_;
+            point.m_index0 = touch.id;
+            for (const auto& before : old)
+                if (before.m_index0 == touch.id)
+                {
+                    point.m_appliedImpulse = before.m_appliedImpulse;
+                    point.m_appliedImpulseLateral1 = before.m_appliedImpulseLateral1;
+                    point.m_appliedImpulseLateral2 = before.m_appliedImpulseLateral2;
+                    point.m_lifeTime = before.m_lifeTime + 1;
+                }
+            manifold->addManifoldPoint(point);
+        }
+    }
+
+    /// Wall number `wall` at a point, as the distance to it and its normal into the container.
+    std::pair<double, btVector3> wallAt(int wall, const btVector3& x) const
+    {
+        const auto& c = container_;
+        if (wall == 0) return {x.z(), {0, 0, 1}};
+        if (c.isCylinder)
+        {
+            const double r = std::hypot(x.x(), x.y());
+            return {c.radius - r, r > 0 ? btVector3(-x.x() / r, -x.y() / r, 0) : btVector3(1, 0, 0)};
+        }
+        if (wall == 1) return {x.x(), {1, 0, 0}};
+        if (wall == 2) return {c.length - x.x(), {-1, 0, 0}};
+        if (wall == 3) return {x.y(), {0, 1, 0}};
+        return {c.width - x.y(), {0, -1, 0}};
+    }
+
+    void touchWall(int i, int wall)
+    {
+        const auto& shape = *shapeOf_[std::size_t(i)];
+        const auto& at = bodies_[std::size_t(i)]->getWorldTransform();
+        std::vector<Touch> all, touches;
+        const auto look = [&](int id, const btVector3& x, double radius)
+        {
+            const auto [distance, normal] = wallAt(wall, x);
+            const double gap = distance - radius;
+            if (gap < nearby) all.push_back({id, x - radius * normal, x - distance * normal, normal, gap});
+        };
+        if (shape.isSphere) look(0, at.getOrigin(), 0.5 * size_[std::size_t(i)]);
+        else
+            for (int k = 0; k < int(shape.corners.size()); ++k) look(k, at(size_[std::size_t(i)] * shape.corners[std::size_t(k)]), 0);
+        // The deepest, then what is farthest from those taken: four points hold a body.
+        while (!all.empty() && touches.size() < 4)
+        {
+            const auto value = [&](const Touch& t)
+            {
+                if (touches.empty()) return -t.gap;
+                double least = std::numeric_limits<double>::infinity();
+                for (const auto& taken : touches) least = std::min(least, (t.onA - taken.onA).length2());
+                return least;
+            };
+            const auto best = std::ranges::max_element(all, {}, value);
+            touches.push_back(*best);
+            all.erase(best);
+        }
+        give(bodies_[std::size_t(i)], walls_, {i, -1 - wall}, touches);
+    }
+
+    void touchSpheres()
+    {
+        std::vector<Vector<3>> centres;
+        std::vector<double> reach;
+        double moved = 0;
+        for (const int i : spheres_)
+        {
+            centres.push_back(plain(bodies_[std::size_t(i)]->getWorldTransform().getOrigin()));
+            reach.push_back(0.5 * size_[std::size_t(i)]);
+            if (!listedAt_.empty()) moved = std::max(moved, mag(shortest(container_, centres.back() - listedAt_[centres.size() - 1])));
+        }
+        constexpr double skin = 0.2;
+        if (listedAt_.empty() || moved > 0.5 * skin)
+        {
+            auto now = nearPairs(container_, centres, reach, nearby + skin);
+            for (const auto& pair : nearSpheres_)
+                if (!std::ranges::binary_search(now, pair)) touchPair(pair, centres, reach);
+            nearSpheres_ = std::move(now);
+            listedAt_ = centres;
+        }
+        for (const auto& pair : nearSpheres_) touchPair(pair, centres, reach);
+    }
+
+    void touchPair(std::pair<int, int> pair, const std::vector<Vector<3>>& centres, const std::vector<double>& reach)
+    {
+        const auto a = std::size_t(pair.first), b = std::size_t(pair.second);
+        const int i = spheres_[a], j = spheres_[b];
+        const auto d = shortest(container_, centres[a] - centres[b]);
+        const double distance = mag(d), gap = distance - reach[a] - reach[b];
+        std::vector<Touch> touches;
+        if (gap < nearby && distance > 0)
+        {
+            const auto n = bullet(d / distance);
+            touches = {{0, bullet(centres[a]) - reach[a] * n, bullet(centres[b]) + reach[b] * n, n, gap}};
+        }
+        give(bodies_[std::size_t(i)], bodies_[std::size_t(j)], {i, j}, touches);
+    }
+
+    void performDiscreteCollisionDetection() override
+    {
+        btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+        for (int i = 0; i < int(bodies_.size()); ++i)
+        {
+            touchWall(i, 0);
+            if (container_.isCylinder) touchWall(i, 1);
+            for (int wall = 1; wall < 5 && !container_.isCylinder; ++wall)
+                if (!container_.periodic[std::size_t(wall - 1) / 2]) touchWall(i, wall);
+        }
+        touchSpheres();
+    }
+
+public:
+    SettlingWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver, btCollisionConfiguration* set,
+                  const SolidContainer& container, const SolidsPlan& plan, btRigidBody* walls)
+        : btDiscreteDynamicsWorld(dispatcher, broadphase, solver, set),
+          container_(container),
+          walls_(walls),
+          friction_(plan.friction),
+          restitution_(plan.restitution)
+    {
+        setGravity({0, 0, -g});
+        // One system of all contacts: islands come and go, and contacts across periodic sides are in no pair of Bullet's.
+        getSimulationIslandManager()->setSplitIslands(false);
+        auto& info = getSolverInfo();
+        info.m_numIterations = iterations;
+        info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+        info.m_splitImpulse = true; // overlaps are moved apart, not pushed apart: no energy comes of them
+        info.m_splitImpulsePenetrationThreshold = 0;
+    }
+
+    void add(btRigidBody* body, const CollisionShape& shape, double size)
+    {
+        constexpr int sphere = 1, mesh = 2;
+        shapeOf_.push_back(&shape);
+        size_.push_back(size);
+        if (shape.isSphere) spheres_.push_back(int(bodies_.size()));
+        bodies_.push_back(body);
+        addRigidBody(body, shape.isSphere ? sphere : mesh, shape.isSphere ? mesh : sphere | mesh);
+    }
+
+    /// Mean of a body, in m g d
+    double kineticEnergy() const
+    {
+        double energy = 0, mass = 0;
+        for (const auto* b : bodies_)
+        {
+            const double m = 1 / b->getInvMass();
+            const auto omega = b->getWorldTransform().getBasis().transpose() * b->getAngularVelocity();
+            const auto spin = omega / b->getInvInertiaDiagLocal();
+            energy += 0.5 * (m * b->getLinearVelocity().length2() + omega.dot(spin));
+            mass += m;
+        }
+        return energy / (mass * g);
+    }
+
+    std::vector<Contact> contacts()
+    {
+        std::map<std::pair<int, int>, double> gaps;
+        for (int k = 0; k < getDispatcher()->getNumManifolds(); ++k)
+        {
+            const auto* m = getDispatcher()->getManifoldByIndexInternal(k);
+            const int i = m->getBody0()->getUserIndex(), j = m->getBody1()->getUserIndex();
+            if (i < 0 || j < 0) continue;
+            for (int p = 0; p < m->getNumContacts(); ++p)
+                if (const double gap = m->getContactPoint(p).getDistance(); gap < touching)
+                {
+                    auto& least = gaps.try_emplace(std::minmax(i, j), gap).first->second;
+                    least = std::min(least, gap);
+                }
+        }
+        std::vector<Contact> all;
+        for (const auto& [pair, gap] : gaps) all.push_back({pair.first, pair.second, gap});
+        return all;
+    }
+
+    void setDamping(double damping)
+    {
+        for (auto* b : bodies_) b->setDamping(damping, damping);
+    }
+};
+
+/// In layers of cells, each as wide as the largest body is long, from the bottom up.
+void placeInCells(const SolidsPlan& plan, const SolidContainer& c, Bed& bed, double unit)
+{
+    double reach = 0;
+    const Body* largest = nullptr;
+    for (const auto& b : bed.bodies)
+        if (bed.reachOf(b) > reach)
+        {
+            reach = bed.reachOf(b);
+            largest = &b;
+        }
+    const double cell = 2.02 * reach;
+    if (cell > c.narrowest())
+        throw CaseError(
+            plan.container.where,
+            fmt::format("the largest solid ({}) is {:.4g} m long, and the container {:.4g} m wide: it must be {:.4g} m wide at least",
+                        largest && !bed.shapeOf(*largest).isSphere() ? bed.shapeOf(*largest).file : "a sphere", 2 * reach * unit,
+                        c.narrowest() * unit, cell * unit));
+    const double length = c.isCylinder ? 2 * c.radius : c.length, width = c.isCylinder ? 2 * c.radius : c.width;
+    const int nx = std::max(1, int(length / cell)), ny = std::max(1, int(width / cell));
+    const double dx = length / nx, dy = width / ny;
+    std::vector<Vector<3>> cells;
+    for (int k = 0; k < nx * ny; ++k)
+    {
+        const double x = (k % nx + 0.5) * dx, y = (k / nx + 0.5) * dy;
+        if (!c.isCylinder) cells.push_back({x, y, 0});
+        else if (std::hypot(x - c.radius, y - c.radius) + reach * 1.01 <= c.radius) cells.push_back({x - c.radius, y - c.radius, 0});
+    }
+    if (cells.empty()) cells.push_back({});
+    Noise noise(plan.seed + 1);
+    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
+    {
+        auto& b = bed.bodies[i];
+        auto x = cells[i % cells.size()];
+        const double slack = c.isCylinder ? 0.01 * reach : 0.5;
+        x.x += noise.between(-slack, slack) * (c.isCylinder ? 1 : dx - 2.01 * reach);
+        x.y += noise.between(-slack, slack) * (c.isCylinder ? 1 : dy - 2.01 * reach);
+        x.z = (double(i / cells.size()) + 0.5) * cell;
+        b.centre = x;
+    }
+}
+
+}
+
+void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
+{
+    const double unit = bed.meanSize;
+    auto c = plan.container;
+    for (double* length : {&c.length, &c.width, &c.radius, &c.height}) *length /= unit;
+    for (auto& b : bed.bodies) b.size /= unit;
+    placeInCells(plan, c, bed, unit);
+
+    std::vector<CollisionShape> forms;
+    for (const auto& shape : bed.shapes)
+    {
+        forms.push_back(makeCollisionShape(shape));
+        if (!shape.isSphere()) bed.notes.push_back(fmt::format("{}: {}", shape.file, forms.back().description));
+    }
+
+    std::vector<BulletShape> shapes;
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    btDefaultCollisionConfiguration set;
+    btCollisionDispatcher dispatcher(&set);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btEmptyShape nothing;
+    btRigidBody walls(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &nothing));
+    walls.setUserIndex(-1);
+    SettlingWorld world(&dispatcher, &broadphase, &solver, &set, c, plan, &walls);
+
+    // Bullet multiplies the coefficients of two bodies.
+    const double friction = std::sqrt(plan.friction), restitution = std::sqrt(plan.restitution);
+    shapes.reserve(bed.bodies.size());
+    for (const auto& b : bed.bodies)
+    {
+        const auto& form = forms[std::size_t(b.shape)];
+        const double mass = b.size * b.size * b.size;
+        shapes.push_back(makeBulletShape(form, b.size));
+        btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shapes.back().get(), mass * b.size * b.size * form.inertia);
+        info.m_friction = friction;
+        info.m_restitution = restitution;
+        const btMatrix3x3 turned(btQuaternion(b.rotation.v.x, b.rotation.v.y, b.rotation.v.z, b.rotation.w));
+        info.m_startWorldTransform = btTransform(turned * form.axes, bullet(b.centre));
+        bodies.push_back(std::make_unique<btRigidBody>(info));
+        bodies.back()->setActivationState(DISABLE_DEACTIVATION);
+        bodies.back()->setUserIndex(int(bodies.size()) - 1);
+        world.add(bodies.back().get(), form, b.size);
+    }
+
+    // Falling through something viscous, in the end syrup: what is at rest does not notice.
+    constexpr double falling = 0.5, stopping = 0.98, slow = 0.01;
+    world.setDamping(falling);
+    const double perUnit = std::sqrt(g);
+    constexpr int between = 24, needed = 10;
+    const int most = int(plan.longest / perUnit / substep);
+    int atRest = 0, step = 0;
+    for (double reported = 0; atRest < needed && step < most; ++step)
+    {
+        world.stepSimulation(substep, 0);
+        if (step % between != between - 1) continue;
+        bed.kineticEnergy = world.kineticEnergy();
+        bed.time = (step + 1) * substep * perUnit;
+        atRest = bed.kineticEnergy < plan.restEnergy ? atRest + 1 : 0;
+        if (bed.kineticEnergy < slow) world.setDamping(stopping);
+        if (bed.time - reported < 20) continue;
+        reported = bed.time;
+        progress(fmt::format("t = {:.0f} sqrt(d/g): kinetic energy of a body {:.2g} m g d", bed.time, bed.kineticEnergy));
+    }
+    if (atRest < needed)
+        throw CaseError(plan.timeLimitAt,
+                        fmt::format("the bed is not at rest after {:g} sqrt(d/g): the kinetic energy of a body is {:.2g} m g d, and "
+                                    "restEnergy {:g}. Give it more time, or more restEnergy",
+                                    plan.longest, bed.kineticEnergy, plan.restEnergy));
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        auto& b = bed.bodies[i];
+        const auto& at = bodies[i]->getWorldTransform();
+        const auto turned = at.getBasis() * forms[std::size_t(b.shape)].axes.transpose();
+        b.rotation = rotationTo(plain(turned.getColumn(0)), plain(turned.getColumn(1)), plain(turned.getColumn(2)));
+        auto x = plain(at.getOrigin());
+        if (c.periodic[0]) x.x -= c.length * std::floor(x.x / c.length);
+        if (c.periodic[1]) x.y -= c.width * std::floor(x.y / c.width);
+        b.centre = unit * x;
+        b.size *= unit;
+    }
+    bed.contacts = world.contacts();
+    for (auto& contact : bed.contacts) contact.gap *= unit;
+}
+
+}
