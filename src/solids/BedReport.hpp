@@ -7,7 +7,7 @@ namespace sph
 
 struct BedMeasures
 {
-    double height = 0;                              ///< 90 % of the solids end below [m]
+    double height = 0;                              ///< 90 % of the solids end below; of randomClose that of the container [m]
     std::vector<double> layerMiddle, layerPorosity; ///< over the whole cross-section, from the bottom up
     double porosity = 1;                ///< of the middle half of the height, over the whole cross-section, exact but for overlaps
     std::optional<double> corePorosity; ///< the same a mean size away from the sides, where there is such a place
@@ -15,7 +15,7 @@ struct BedMeasures
     double coordination = 0;            ///< mean number of solids that one touches
 };
 
-BedMeasures measure(const SolidContainer&, const Bed&);
+BedMeasures measure(const SolidsPlan&, const Bed&);
 
 std::string report(const SolidsPlan&, const Bed&, const BedMeasures&);
 

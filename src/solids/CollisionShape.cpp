@@ -88,7 +88,7 @@ CollisionShape makeCollisionShape(const SolidShape& shape)
     for (const auto& p : shape.mesh.points) points.push_back(btVector3(p.x, p.y, p.z) * c.axes);
     c.corners = hullOf(points);
 
-    const double excess = hullVolume(points) / moments.volume - 1;
+    const double excess = std::max(0.0, hullVolume(points) / moments.volume - 1);
     constexpr double nearlyConvex = 0.02;
     if (shape.form == CollisionForm::parts || (shape.form == CollisionForm::automatic && excess > nearlyConvex))
         c.parts = convexParts(points, shape.mesh);

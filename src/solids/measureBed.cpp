@@ -135,8 +135,9 @@ void measureCore(const SolidContainer& c, const Bed& bed, double low, double hig
 
 }
 
-BedMeasures measure(const SolidContainer& c, const Bed& bed)
+BedMeasures measure(const SolidsPlan& plan, const Bed& bed)
 {
+    const auto& c = plan.container;
     BedMeasures result;
     std::vector<double> tops;
     const Slices slices(c, bed);
@@ -148,7 +149,7 @@ BedMeasures measure(const SolidContainer& c, const Bed& bed)
         tops.push_back(b.centre.z + b.size * top);
     }
     std::ranges::sort(tops);
-    result.height = c.periodic[2] ? c.height : tops[std::size_t(0.9 * double(tops.size()))];
+    result.height = plan.randomClose ? c.height : tops[std::size_t(0.9 * double(tops.size()))];
     constexpr int perSize = 8, mostLayers = 400;
     const int layers = std::clamp(int(perSize * result.height / bed.meanSize), 1, mostLayers);
     for (int k = 0; k < layers; ++k)

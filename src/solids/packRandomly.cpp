@@ -174,20 +174,20 @@ public:
 constexpr double none = 1e-6;
 constexpr int mostSteps = 20000;
 
-/// Larger by ever smaller steps as long as the spheres can be parted (O'Hern et al. 2003).
+/// The largest solid fraction at which the spheres can be parted, from one reached to the next (O'Hern et al. 2003), then by bisection.
 void compress(SoftSpheres& spheres, double volume, const Progress& progress)
 {
-    const double finest = 1e-4;
-    for (double step = 0.02; step > finest;)
+    constexpr double step = 0.02, finest = 1e-4;
+    double reached = spheres.solidVolume() / volume, missed = 1;
+    while (missed - reached > finest)
     {
         const auto before = spheres;
-        const double fraction = spheres.solidVolume() / volume;
-        spheres.scaleSizes(std::cbrt((fraction + step) / fraction));
+        const double next = missed < 1 ? 0.5 * (reached + missed) : reached + step;
+        spheres.scaleSizes(std::cbrt(next / reached));
         const bool done = spheres.part(mostSteps, none);
-        progress(fmt::format("solid fraction {:.5f}: {}", fraction + step, done ? "reached" : "not reached"));
-        if (done) continue;
-        spheres = before;
-        step /= 2;
+        progress(fmt::format("solid fraction {:.5f}: {}", next, done ? "reached" : "not reached"));
+        (done ? reached : missed) = next;
+        if (!done) spheres = before;
     }
 }
 

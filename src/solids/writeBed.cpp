@@ -19,7 +19,8 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
     if (bed.takenAway) fmt::format_to(to, "    {} that stood out of the top were taken away\n", bed.takenAway);
     if (!plan.randomClose)
         fmt::format_to(to, "At rest after {:.4g} sqrt(d/g), kinetic energy of a body {:.3g} m g d\n", bed.time, bed.kineticEnergy);
-    fmt::format_to(to, "Height: {:.6g} m (90 % of the solids end below)\nPorosity of the middle half: {:.5f}", m.height, m.porosity);
+    fmt::format_to(to, "Height: {:.6g} m{}\nPorosity of the middle half: {:.5f}", m.height,
+                   plan.randomClose ? "" : " (90 % of the solids end below)", m.porosity);
     if (m.corePorosity) fmt::format_to(to, ", a size away from the sides {:.4f} +- {:.4f}", *m.corePorosity, m.coreError);
     fmt::format_to(to, "\nContacts: {} between solids, coordination number {:.3f}\nLargest overlap: {:.3g} % of the size",
                    bed.contacts.size(), m.coordination, 100 * bed.overlap);

@@ -222,17 +222,17 @@ TriangleSurface rounded(int facets, std::uint64_t seed)
     return wavy(facets, noise, 0.12);
 }
 
-/// A rounded rock with a dent that reaches half way to its middle.
+/// A rounded rock with a bite: at one of its points a ball of 0.75 of the radius is taken out of it, so that r is the near side of the ball there.
 TriangleSurface concave(int facets, std::uint64_t seed)
 {
     Noise noise(seed);
     auto s = wavy(facets, noise, 0.06);
-    const auto dent = direction(noise);
-    constexpr double depth = 0.55, width = 0.55; // in radii
+    constexpr double ball = 0.75;
+    const auto centre = unit(s.points[std::size_t(noise.below(int(s.points.size())))]);
     for (auto& p : s.points)
     {
-        const auto n = unit(p) - dent;
-        p *= 1 - depth * std::exp(-dot(n, n) / (width * width));
+        const double along = dot(unit(p), centre), root = sqr(ball) - (1 - sqr(along));
+        if (along > 0 && root > 0) p *= std::min(1.0, (along - std::sqrt(root)) / mag(p));
     }
     return s;
 }
@@ -245,7 +245,7 @@ const std::vector<RockKind>& rockKinds()
                                              {"rounded", "a wavy sphere", rounded},
                                              {"elongated", "an angular one, a rod", elongated},
                                              {"flat", "an angular one, a disc", flat},
-                                             {"concave", "a rounded one with a dent", concave}};
+                                             {"concave", "a rounded one with a bite taken out of it", concave}};
     return kinds;
 }
 

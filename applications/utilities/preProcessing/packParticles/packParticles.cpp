@@ -27,7 +27,7 @@ void packSolids(const sph::Case& theCase)
                                          fmt::print("{}\n", line);
                                          std::fflush(stdout);
                                      });
-    const auto measures = sph::measure(plan.container, bed);
+    const auto measures = sph::measure(plan, bed);
     const auto files = sph::writeBed(theCase, plan, bed, measures);
     fmt::print("\n{}\nWritten to {}\n\nEnd\n", sph::report(plan, bed, measures), fmt::join(files, ", "));
 }

@@ -1,0 +1,350 @@
+/// Beds are at rest, within their container, free of overlaps, as porous as beds are, and the same for the same seed.
+#include "BedReport.hpp"
+#include "TestCase.hpp"
+#include "closedSurface.hpp"
+#include "makeRock.hpp"
+#include "meshDistance.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+
+namespace
+{
+
+const std::string gravity = "value (0 0 -9.81);\n";
+
+Files withRocks(const std::string& solids)
+{
+    Files files{{"system/packParticlesDict", "solids\n{\n" + solids + "}\n"}, {"constant/g", gravity}};
+    for (const auto& kind : rockKinds())
+        files["constant/triSurface/" + kind.name + ".obj"] = objText({{kind.name, makeRock(kind, 80, 1, 1)}});
+    return files;
+}
+
+struct Packed
+{
+    SolidsPlan plan;
+    Bed bed;
+    BedMeasures measures;
+};
+
+Packed pack(const Files& files)
+{
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    Packed p{readSolidsPlan(c), {}, {}};
+    p.bed = packSolids(c, p.plan, [](const std::string&) {});
+    p.measures = measure(p.plan, p.bed);
+    return p;
+}
+
+/// The whole message, of reading or of packing.
+std::string errorOf(const std::string& solids, const Files& more = {})
+{
+    auto files = withRocks(solids);
+    for (const auto& [name, text] : more) files[name] = text;
+    try
+    {
+        pack(files);
+    }
+    catch (const CaseError& e)
+    {
+        return e.what();
+    }
+    return "";
+}
+
+const std::string cylinder =
+    "count 150;\nfriction 0.1;\ncontainer { type cylinder; base (0 0 0); radius 0.03; height 0.2; }\nsize { value 0.01; }\n";
+const std::string rocks = "count 20;\nseed 3;\ncontainer { type box; min (0 0 0); max (0.05 0.05 0.2); }\n"
+                          "shapes ( { file \"angular.obj\"; } { file \"rounded.obj\"; } { file \"concave.obj\"; } );\n"
+                          "size { distribution uniform; min 0.012; max 0.018; }\n";
+
+}
+
+// Spheres of a sixth of the cylinder's diameter. Loose random packings of spheres have porosities of 0.40 to 0.44 far from walls (Onoda &
+// Liniger 1990, Dullien 1992), and 0.44 to 0.48 over a cylinder as narrow as this, since the porosity is 1 at its wall and 0.25 half a diameter
+// from it (Benenati & Brosilow 1962).
+TEST(Bed, SpheresInACylinder)
+{
+    const auto [plan, bed, m] = pack(withRocks(cylinder));
+    EXPECT_EQ(bed.bodies.size(), 150u);
+    EXPECT_LT(bed.kineticEnergy, 1e-6);
+    EXPECT_LT(bed.overlap, 1e-3);
+    EXPECT_GT(m.porosity, 0.42);
+    EXPECT_LT(m.porosity, 0.48);
+    ASSERT_TRUE(m.corePorosity);
+    EXPECT_GT(*m.corePorosity, 0.38);
+    EXPECT_LT(*m.corePorosity, 0.45);
+    // A sphere that stands on three others has six contacts with the three that stand on it, fewer where walls carry it.
+    EXPECT_GT(m.coordination, 4);
+    EXPECT_LT(m.coordination, 6);
+    for (const auto& b : bed.bodies)
+    {
+        EXPECT_LT(std::hypot(b.centre.x, b.centre.y) + 0.5 * b.size, 0.03 + 1e-5);
+        EXPECT_GT(b.centre.z - 0.5 * b.size, -1e-5);
+    }
+}
+
+// The bed rests as it stands: the weight of each sphere's neighbours leaves no sphere hanging. Each touches three others or walls at least, below
+// and around it.
+TEST(Bed, NothingHangs)
+{
+    const auto [plan, bed, m] = pack(withRocks(cylinder));
+    std::vector<int> support(bed.bodies.size());
+    for (const auto& [i, j, gap] : bed.contacts)
+    {
+        const auto lower = bed.bodies[std::size_t(i)].centre.z < bed.bodies[std::size_t(j)].centre.z ? j : i;
+        ++support[std::size_t(lower)];
+    }
+    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
+    {
+        const auto& b = bed.bodies[i];
+        if (b.centre.z - 0.5 * b.size < 1e-4) ++support[i];
+        EXPECT_GE(support[i], 1) << i;
+    }
+}
+
+// Without walls at its sides a bed has the porosity of loose packings all over, and contacts cross the sides. Its profile, exact, has the mean of
+// the spheres' volume.
+TEST(Bed, PeriodicSides)
+{
+    const auto [plan, bed, m] =
+        pack(withRocks("count 120;\nfriction 0.1;\nsize { distribution normal; mean 0.01; standardDeviation 0.001; min 0.008; "
+                       "max 0.012; }\ncontainer { type box; min (0.1 0 0); max (0.15 0.05 0.1); periodic (x y); }\n"));
+    EXPECT_LT(bed.kineticEnergy, 1e-6);
+    EXPECT_LT(bed.overlap, 1e-3);
+    EXPECT_GT(m.porosity, 0.36);
+    EXPECT_LT(m.porosity, 0.44);
+    std::size_t across = 0;
+    for (const auto& [i, j, gap] : bed.contacts)
+        across += mag(bed.bodies[std::size_t(i)].centre - bed.bodies[std::size_t(j)].centre) > 0.02;
+    EXPECT_GT(across, 20u);
+    double profile = 0, middle = 0;
+    for (const double p : m.layerPorosity) profile += p / double(m.layerPorosity.size());
+    double solid = 0;
+    for (const auto& b : bed.bodies)
+    {
+        // Share of the sphere below the bed's height
+        const double depth = std::clamp((m.height - b.centre.z) / b.size + 0.5, 0.0, 1.0);
+        solid += std::numbers::pi / 3 * std::pow(b.size, 3) * depth * depth * (1.5 - depth);
+        middle += b.size / double(bed.bodies.size());
+    }
+    EXPECT_NEAR(profile, 1 - solid / (plan.container.area() * m.height), 1e-9);
+    EXPECT_NEAR(middle, 0.01, 1e-5);
+}
+
+// Rocks, one kind of them concave, come to rest; none is outside, and in the end none overlaps another: by facets, not by what Bullet says.
+TEST(Bed, Rocks)
+{
+    const auto [plan, bed, m] = pack(withRocks(rocks));
+    EXPECT_EQ(bed.bodies.size(), 20u);
+    EXPECT_LT(bed.kineticEnergy, 1e-6);
+    EXPECT_LT(bed.overlap, 0.01);
+    EXPECT_LT(bed.shrunk, 0.011);
+    EXPECT_EQ(largestOverlap(plan.container, bed), 0);
+    EXPECT_GT(bed.contacts.size(), 15u);
+    EXPECT_NE(bed.notes[2].find("convex parts"), std::string::npos) << bed.notes[2];
+    for (const auto& b : bed.bodies)
+        for (const auto& x : placed(plan.container, bed.shapeOf(b), b).points)
+        {
+            EXPECT_TRUE(x.x >= 0 && x.x <= 0.05 && x.y >= 0 && x.y <= 0.05 && x.z >= 0 && x.z <= 0.2);
+        }
+}
+
+// The files say the same: the dictionary's formula gives the merged surface, whose groups are the shapes and whose volume is that of the rocks.
+TEST(Bed, FilesOfRocks)
+{
+    const TestCase folder(withRocks(rocks + "shrink 0.02;\n"));
+    folder.write("constant/g", "value (0 -9.81 0);\n");
+    folder.replace("system/packParticlesDict", "max (0.05 0.05 0.2)", "max (0.05 0.2 0.05)");
+    const auto out = folder.runWell("packParticles", "-solids", 1, 120);
+    EXPECT_NE(out.find("all solids then made 2 % smaller"), std::string::npos) << out;
+    const Case c(folder.folder());
+    const auto dict = c.dictionary("constant/solids");
+    const auto shapes = dict.dictionaries("shapes"), bodies = dict.dictionaries("bodies");
+    ASSERT_EQ(bodies.size(), 20u);
+    const auto merged = readSurface(folder.folder(), "constant/triSurface/solids.obj");
+    EXPECT_EQ(looseEdges(merged), 0u);
+    double volume = 0;
+    for (const auto& body : bodies)
+    {
+        const auto& shape = shapes[std::size_t(body.get<int>("shape"))];
+        const auto original = readSurface(folder.folder(), shape.get<std::string>("file"));
+        const auto q = body.get<std::vector<double>>("rotation");
+        const Rotation R{q[0], {q[1], q[2], q[3]}};
+        const double scale = body.get<double>("scale");
+        volume += scale * scale * scale * volumeMoments(original).volume;
+        const auto first = body.get<Vector<3>>("centre") + scale * R(original.points.front() - shape.get<Vector<3>>("centroid"));
+        double nearest = 1;
+        for (const auto& p : merged.points) nearest = std::min(nearest, mag(p - first));
+        EXPECT_LT(nearest, 1e-12);
+    }
+    EXPECT_NEAR(volumeMoments(merged).volume / volume, 1, 1e-9);
+    double highest = 0;
+    for (const auto& p : merged.points) highest = std::max(highest, p.y);
+    EXPECT_LT(highest, 0.12); // up is y
+    for (const auto* name : {"g angular\n", "g rounded\n", "g concave\n"})
+        EXPECT_NE(folder.read("constant/triSurface/solids.obj").find(name), std::string::npos);
+    for (const auto* file : {"porosity", "contacts", "bed"}) EXPECT_TRUE(folder.has("postProcessing/solids/" + std::string(file) + ".csv"));
+    EXPECT_FALSE(folder.has("constant/solidSpheres"));
+}
+
+// The same seed makes the same bytes, another seed another bed; the spheres' file is what constant/geometry includes.
+TEST(Bed, SameSeedSameBytes)
+{
+    const auto dict = "count 30;\nseed 5;\ncontainer { type box; min (0 0 0); max (0.04 0.04 0.1); }\nsize { value 0.01; }\n";
+    const TestCase a(withRocks(dict)), b(withRocks(dict)), c(withRocks(dict));
+    c.replace("system/packParticlesDict", "seed 5", "seed 6");
+    for (const auto* each : {&a, &b, &c}) each->runWell("packParticles", "-solids");
+    EXPECT_EQ(difference(a.files("."), b.files(".")), "");
+    EXPECT_NE(a.read("constant/solidSpheres"), c.read("constant/solidSpheres"));
+
+    a.write("constant/geometry", "dimension 3; domain { min (0.01 0.01 0.005); max (0.03 0.03 0.015); periodic (); }\n"
+                                 "walls { bed { type spheres; #include \"solidSpheres\" } }\n");
+    a.write("constant/phaseProperties", "phases (water); water { rho 1000; }\n");
+    a.write("system/sphSchemes", "resolution { spacing 0.001; }\n");
+    const auto out = a.runWell("packParticles");
+    EXPECT_NE(out.find("30 spheres a cell"), std::string::npos) << out;
+}
+
+// Spheres that are pushed apart reach the porosity asked for, without overlap; without one, that of random close packing: 0.36 (Scott & Kilgour
+// 1969), with six contacts each at the point of jamming (O'Hern et al. 2003), less those that rattle. 0.63 to 0.64 of 150 spheres scatters by
+// one percent.
+TEST(Bed, RandomClose)
+{
+    const std::string box =
+        "method randomClose;\ncontainer { type box; min (0 0 0); max (1 1 1); periodic (x y z); }\nsize { value 0.2; }\n";
+    const auto given = pack(withRocks(box + "porosity 0.42;\n"));
+    double solid = 0;
+    for (const auto& b : given.bed.bodies) solid += std::numbers::pi / 6 * std::pow(b.size, 3);
+    EXPECT_NEAR(1 - solid, 0.42, 1e-5);
+    EXPECT_EQ(given.bed.overlap, 0);
+    const auto least = pack(withRocks(box));
+    EXPECT_EQ(least.bed.overlap, 0);
+    EXPECT_NEAR(least.measures.porosity, 0.365, 0.015);
+    EXPECT_GT(least.measures.coordination, 5.4);
+    EXPECT_LT(least.measures.coordination, 6.4);
+    const auto inCylinder =
+        pack(withRocks("method randomClose;\nporosity 0.5;\ncontainer { type cylinder; base (0 0 0); radius 0.5; height 1; }\n"
+                       "size { value 0.2; }\n"));
+    EXPECT_EQ(inCylinder.bed.overlap, 0);
+}
+
+// Sizes have the distribution asked for: a lognormal's median and deviation, a list's shares by mass.
+TEST(Bed, Sizes)
+{
+    const auto bodies = [](const std::string& size)
+    {
+        const TestCase folder(withRocks("count 1000;\ncontainer { type box; min (0 0 0); max (1 1 1); }\nsize { " + size + " }\n"));
+        return drawBodies(readSolidsPlan(Case(folder.folder())), 1000);
+    };
+    double sum = 0, squares = 0;
+    for (const auto& b : bodies("distribution lognormal; median 0.01; geometricStandardDeviation 1.3; min 0.001; max 0.1;"))
+    {
+        const double log = std::log(b.size / 0.01);
+        sum += log;
+        squares += log * log;
+    }
+    EXPECT_NEAR(sum / 1000, 0, 1e-6);
+    EXPECT_NEAR(std::sqrt(squares / 1000), std::log(1.3), 2e-3);
+    double small = 0, all = 0;
+    for (const auto& b : bodies("distribution list; sizes (0.01 0.02); fractions (0.25 0.75);"))
+    {
+        all += std::pow(b.size, 3);
+        if (b.size < 0.015) small += std::pow(b.size, 3);
+    }
+    EXPECT_NEAR(small / all, 0.25, 1e-3);
+}
+
+// Two unit cubes that overlap by a tenth do so whichever way they lie, and cubes apart do not.
+TEST(Bed, OverlapIsMeasured)
+{
+    TriangleSurface cube;
+    for (const auto& c : corners(Box{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}})) cube.points.push_back(c);
+    for (const auto& f :
+         std::vector<std::array<int, 4>>{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
+    {
+        cube.triangles.push_back({f[0], f[2], f[1]});
+        cube.triangles.push_back({f[0], f[3], f[2]});
+    }
+    if (volumeMoments(cube).volume < 0)
+        for (auto& t : cube.triangles) std::swap(t[0], t[1]);
+    Bed bed;
+    bed.shapes.resize(1);
+    bed.shapes[0].mesh = cube;
+    bed.shapes[0].reach = std::sqrt(0.75);
+    SolidContainer c;
+    c.length = c.width = c.height = 10;
+    bed.bodies = {{0, 1, {3, 3, 3}, {}}, {0, 1, {3.9, 3.3, 3.2}, {}}};
+    EXPECT_NEAR(largestOverlap(c, bed), 0.1, 1e-12);
+    bed.bodies[1].centre = {4.01, 3.3, 3.2};
+    EXPECT_EQ(largestOverlap(c, bed), 0);
+    bed.bodies[1] = {0, 1, {3.9, 3, 3}, {std::cos(0.3), {0, 0, std::sin(0.3)}}};
+    EXPECT_GT(largestOverlap(c, bed), 0.1);
+    bed.bodies[1].centre = {9.6, 5, 5};
+    bed.bodies[1].rotation = {};
+    EXPECT_NEAR(largestOverlap(c, bed), 0.1, 1e-12);
+}
+
+// Each mistake has its file and line, and says what is possible.
+TEST(Bed, Mistakes)
+{
+    const std::string box = "container { type box; min (0 0 0); max (0.1 0.1 0.1); }\n", size = "size { value 0.01; }\n";
+    const auto says = [](const std::string& error, const std::string& what) {
+        EXPECT_NE(error.find(what), std::string::npos) << what << "\nin\n" << error;
+    };
+    const std::string file = "system/packParticlesDict:";
+    says(errorOf("count 0;\n" + box + size), file + "3: count 0: there is nothing to pack");
+    says(errorOf(box + size), file + "1: entry \"count\" is missing in \"solids\"");
+    says(errorOf("count 2000;\n" + box + size), file + "3: 2000 solids have 0.00105 m^3, and the container has 0.001 m^3");
+    says(errorOf("count 5;\n" + box + "size { value 0.2; }\n"), "solids of 0.2 m do not fit into a container of 0.1 m");
+    says(
+        errorOf(
+            "count 5;\ncontainer { type box; min (0 0 0); max (0.02 0.02 0.2); }\nshapes ( { file \"elongated.obj\"; } );\nsize { value 0.019; }\n"),
+        file + "4: the largest solid (constant/triSurface/elongated.obj) is ");
+    says(errorOf("count 5;\n" + box + "shapes ( { file \"missing.obj\"; } );\n" + size),
+         file + "5: constant/triSurface/missing.obj is missing");
+    auto open = makeRock(rockKinds()[0], 80, 1, 1);
+    open.triangles.pop_back();
+    says(errorOf("count 5;\n" + box + "shapes ( { file \"open.obj\"; } );\n" + size,
+                 {{"constant/triSurface/open.obj", objText({{"a", open}})}}),
+         file + "5: constant/triSurface/open.obj is no closed surface: 3 of its edges");
+    auto inverted = makeRock(rockKinds()[0], 80, 1, 1);
+    for (auto& t : inverted.triangles) std::swap(t[0], t[1]);
+    says(errorOf("count 5;\n" + box + "shapes ( { file \"in.obj\"; } );\n" + size,
+                 {{"constant/triSurface/in.obj", objText({{"a", inverted}})}}),
+         "its normals must point outwards");
+    says(errorOf("count 5;\n" + box + "shapes ( { file \"bad.obj\"; } );\n" + size,
+                 {{"constant/triSurface/bad.obj", "v 0 0 0\nf 1 2 3\n"}}),
+         "constant/triSurface/bad.obj:2: \"2\" is no point of the file");
+    says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.1 0.1 0.1); periodic (x); }\nshapes ( { file \"flat.obj\"; } );\n" +
+                 size),
+         file + "4: sides are periodic for spheres alone");
+    says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.1 0.1 0.1); periodic (z); }\n" + size),
+         "along gravity a bed that settles does not repeat");
+    says(errorOf("count 5;\n" + box + size, {{"constant/g", "value (0 -7 -7);\n"}}),
+         "constant/g:1: gravity is along no edge of the container");
+    says(errorOf("method randomClose;\nporosity 0.3;\n" + box + "size { value 0.03; }\n"), file + "4: spheres still overlap by");
+    says(errorOf("count 20;\ncontainer { type box; min (0 0 0); max (0.02 0.02 0.045); }\n" + size),
+         "stand out of it. With \"level yes;\"");
+    says(errorOf("count 30;\ntimeLimit 1;\n" + box + size), file + "4: the bed is not at rest after 1 sqrt(d/g)");
+    says(errorOf("count 5;\nfricton 1;\n" + box + size), file + "4: entry \"fricton\" is not used here. Did you mean \"friction\"?");
+    const TestCase none(Files{{"system/packParticlesDict", "lattice cubic;\n"}});
+    says(none.run("packParticles", "-solids").err, "has no section \"solids\"");
+}
+
+// What stands out of the top is taken away where that is asked for.
+TEST(Bed, Level)
+{
+    const auto [plan, bed, m] =
+        pack(withRocks("count 40;\nlevel yes;\ncontainer { type box; min (0 0 0); max (0.03 0.03 0.04); }\nsize { value 0.01; }\n"));
+    EXPECT_GT(bed.takenAway, 0);
+    EXPECT_EQ(int(bed.bodies.size()) + bed.takenAway, 40);
+    for (const auto& b : bed.bodies) EXPECT_LE(b.centre.z + 0.5 * b.size, 0.04);
+    for (const auto& [i, j, gap] : bed.contacts)
+        EXPECT_LT(mag(bed.bodies[std::size_t(i)].centre - bed.bodies[std::size_t(j)].centre), 0.0101);
+}
+
+}
