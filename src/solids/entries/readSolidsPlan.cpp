@@ -19,12 +19,11 @@ const Choice method{"method",
                     {{"settle", "rigid bodies fall and come to rest (Bullet)"},
                      {"randomClose", "spheres that overlap push one another apart until none does; the top is closed"}},
                     "settle",
-                    "how the bed is made"};
+                    "how the bed is made; of randomClose the porosity and the sizes decide on the number of spheres"};
 const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"},
-    count{"count", byScene("of randomClose as many as the porosity needs"), atLeast(1).saying("count {}: there is nothing to pack"),
-          "number of solids"};
+    count{"count", required, atLeast(1).saying("count {}: there is nothing to pack"), "number of solids"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
-const Text meshFile{"file", byScene("a sphere"), "closed surface in constant/triSurface"};
+const Text meshFile{"file", byScene("a sphere"), "closed surface in constant/triSurface: .obj or .stl, normals outwards"};
 const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};
 const Choice collision{"collision",
                        {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},
@@ -277,7 +276,7 @@ SolidsPlan readSolidsPlan(const Case& c)
     }
     else
     {
-        plan.count = entry::count.needed(dict);
+        plan.count = entry::count(dict);
         plan.countAt = entry::count.where(dict);
         for (const auto& d : entry::solidShapes(dict))
         {
