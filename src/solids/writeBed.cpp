@@ -26,6 +26,9 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
                    bed.contacts.size(), m.coordination, 100 * bed.overlap);
     if (bed.shrunk > 0)
         fmt::format_to(to, "; all solids then made {:.3g} % smaller{}", 100 * bed.shrunk, plan.shrink ? "" : ", so that none overlap");
+    constexpr double tooMuch = 0.01;
+    if (bed.overlap > tooMuch)
+        text += "\nWarning: that is more than 1 %. A shape that collides as its convex parts may do so as its \"hull\"";
     text += "\n";
     return text;
 }
@@ -33,7 +36,7 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
 namespace
 {
 
-/// A dictionary's line on a vector, exact.
+/// Reads back to the same numbers.
 std::string exact(const Vector<3>& a) { return fmt::format("({} {} {})", a.x, a.y, a.z); }
 
 std::string solidsText(const SolidContainer& c, const Bed& bed)
