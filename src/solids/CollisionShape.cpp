@@ -2,6 +2,7 @@
 #include "closedSurface.hpp"
 #include <HACD/hacdHACD.h>
 #include <LinearMath/btConvexHullComputer.h>
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
@@ -20,19 +21,50 @@ std::vector<btVector3> hullOf(const std::vector<btVector3>& points, double setBa
     return corners;
 }
 
-double hullVolume(const std::vector<btVector3>& points)
+/// Faces of the hull as three of their corners, counter-clockwise as seen from outside.
+std::vector<std::array<btVector3, 3>> hullFacets(const std::vector<btVector3>& points)
 {
     btConvexHullComputer hull;
     hull.compute(&points[0].x(), sizeof(btVector3), int(points.size()), 0, 0);
-    double sum = 0;
+    btVector3 middle(0, 0, 0);
+    for (int k = 0; k < hull.vertices.size(); ++k) middle += hull.vertices[k] / hull.vertices.size();
+    std::vector<std::array<btVector3, 3>> facets;
     for (int f = 0; f < hull.faces.size(); ++f)
     {
         const auto* first = &hull.edges[hull.faces[f]];
         const auto& a = hull.vertices[first->getSourceVertex()];
         for (const auto* e = first->getNextEdgeOfFace(); e->getTargetVertex() != first->getSourceVertex(); e = e->getNextEdgeOfFace())
-            sum += a.dot(hull.vertices[e->getSourceVertex()].cross(hull.vertices[e->getTargetVertex()])) / 6;
+        {
+            const auto &b = hull.vertices[e->getSourceVertex()], &c = hull.vertices[e->getTargetVertex()];
+            if ((b - a).cross(c - a).dot(a - middle) > 0) facets.push_back({a, b, c});
+            else facets.push_back({a, c, b});
+        }
     }
-    return std::abs(sum);
+    return facets;
+}
+
+double hullVolume(const std::vector<btVector3>& points)
+{
+    double sum = 0;
+    for (const auto& [a, b, c] : hullFacets(points)) sum += a.dot(b.cross(c)) / 6;
+    return sum;
+}
+
+/// True where each facet of the mesh lies within a part.
+bool cover(const std::vector<std::vector<btVector3>>& parts, const std::vector<btVector3>& points, const TriangleSurface& mesh)
+{
+    constexpr double tolerance = 1e-3; // of the size
+    std::vector<char> covered(mesh.triangles.size(), 0);
+    for (const auto& part : parts)
+    {
+        std::vector<char> inside(points.size(), 1);
+        for (const auto& [a, b, c] : hullFacets(part))
+            if (const auto n = (b - a).cross(c - a); n.length() > 0)
+                for (std::size_t i = 0; i < points.size(); ++i) inside[i] &= n.dot(points[i] - a) < tolerance * n.length();
+        for (std::size_t f = 0; f < covered.size(); ++f)
+            covered[f] |= std::ranges::all_of(mesh.triangles[f], [&](int i) { return bool(inside[std::size_t(i)]); });
+    }
+    return std::ranges::all_of(covered, [](char c) { return bool(c); });
 }
 
 /// Hierarchical approximate convex decomposition (Mamou & Ghorbel 2009): clusters of facets, the hulls of which cover them.
@@ -92,11 +124,12 @@ CollisionShape makeCollisionShape(const SolidShape& shape)
     constexpr double nearlyConvex = 0.02;
     if (shape.form == CollisionForm::parts || (shape.form == CollisionForm::automatic && excess > nearlyConvex))
         c.parts = convexParts(points, shape.mesh);
-    const bool isWhole = c.parts.size() < 2;
+    const bool isCovered = c.parts.empty() || cover(c.parts, points, shape.mesh), isWhole = c.parts.size() < 2 || !isCovered;
     if (isWhole) c.parts = {c.corners};
     double volume = 0;
     for (const auto& part : c.parts) volume += hullVolume(part);
-    c.description = isWhole ? fmt::format("convex hull, {:.2g} % more volume than the shape", 100 * excess)
+    c.description = isWhole ? fmt::format("convex hull, {:.2g} % more volume than the shape{}", 100 * excess,
+                                          isCovered ? "" : "; its convex parts would not cover it")
                             : fmt::format("{} convex parts, volumes together {:.3g} of the shape's (its hull: {:.3g})", c.parts.size(),
                                           volume / moments.volume, 1 + excess);
     return c;

@@ -34,7 +34,7 @@ class SettlingWorld : public btDiscreteDynamicsWorld
 {
     const SolidContainer& container_;
     std::vector<const CollisionShape*> shapeOf_;
-    std::vector<double> size_;
+    std::vector<double> size_, reach_;
     std::vector<btRigidBody*> bodies_;
     std::vector<int> spheres_;
     std::vector<std::pair<int, int>> nearSpheres_; ///< as numbers in spheres_
@@ -99,14 +99,15 @@ class SettlingWorld : public btDiscreteDynamicsWorld
         const auto& shape = *shapeOf_[std::size_t(i)];
         const auto& at = bodies_[std::size_t(i)]->getWorldTransform();
         std::vector<Touch> all, touches;
+        const bool isNear = wallAt(wall, at.getOrigin()).first < reach_[std::size_t(i)] + nearby;
         const auto look = [&](int id, const btVector3& x, double radius)
         {
             const auto [distance, normal] = wallAt(wall, x);
             const double gap = distance - radius;
             if (gap < nearby) all.push_back({id, x - radius * normal, x - distance * normal, normal, gap});
         };
-        if (shape.isSphere) look(0, at.getOrigin(), 0.5 * size_[std::size_t(i)]);
-        else
+        if (isNear && shape.isSphere) look(0, at.getOrigin(), 0.5 * size_[std::size_t(i)]);
+        else if (isNear)
             for (int k = 0; k < int(shape.corners.size()); ++k) look(k, at(size_[std::size_t(i)] * shape.corners[std::size_t(k)]), 0);
         // The deepest, then what is farthest from those taken: four points hold a body.
         while (!all.empty() && touches.size() < 4)
@@ -197,11 +198,12 @@ public:
         info.m_splitImpulsePenetrationThreshold = 0;
     }
 
-    void add(btRigidBody* body, const CollisionShape& shape, double size)
+    void add(btRigidBody* body, const CollisionShape& shape, double size, double reach)
     {
         constexpr int sphere = 1, mesh = 2;
         shapeOf_.push_back(&shape);
         size_.push_back(size);
+        reach_.push_back(reach);
         if (shape.isSphere) spheres_.push_back(int(bodies_.size()));
         bodies_.push_back(body);
         addRigidBody(body, shape.isSphere ? sphere : mesh, shape.isSphere ? mesh : sphere | mesh);
@@ -334,7 +336,7 @@ void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
         bodies.push_back(std::make_unique<btRigidBody>(info));
         bodies.back()->setActivationState(DISABLE_DEACTIVATION);
         bodies.back()->setUserIndex(int(bodies.size()) - 1);
-        world.add(bodies.back().get(), form, b.size);
+        world.add(bodies.back().get(), form, b.size, bed.reachOf(b));
     }
 
     // Shares of the velocities that are lost in a unit of time: while bodies fall, and once almost all are at rest, so that what rolls on stops.

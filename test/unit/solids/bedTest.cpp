@@ -1,5 +1,6 @@
 /// Beds are at rest, within their container, free of overlaps, as porous as beds are, and the same for the same seed.
 #include "BedReport.hpp"
+#include "CollisionShape.hpp"
 #include "TestCase.hpp"
 #include "closedSurface.hpp"
 #include "makeRock.hpp"
@@ -151,6 +152,38 @@ TEST(Bed, Rocks)
         {
             EXPECT_TRUE(x.x >= 0 && x.x <= 0.05 && x.y >= 0 && x.y <= 0.05 && x.z >= 0 && x.z <= 0.2);
         }
+}
+
+// A slender plate bent to a right angle, far from convex: what it collides as covers it, without closing the angle as its hull does.
+TEST(Bed, PartsCoverAnAngle)
+{
+    const auto shapeOf = [](const std::string& collision)
+    {
+        TriangleSurface angle; // an L of 3 x 3 and thickness 1, extruded by 1
+        const std::vector<std::array<double, 2>> outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+        for (const double z : {0.0, 1.0})
+            for (const auto& [x, y] : outline) angle.points.push_back({x, y, z});
+        for (int k = 0; k < 6; ++k)
+        {
+            const int l = (k + 1) % 6;
+            angle.triangles.push_back({k, l, l + 6});
+            angle.triangles.push_back({k, l + 6, k + 6});
+        }
+        for (const auto& [a, b, c] : std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}})
+        {
+            angle.triangles.push_back({a, c, b});
+            angle.triangles.push_back({a + 6, b + 6, c + 6});
+        }
+        const TestCase folder(
+            Files{{"constant/triSurface/angle.obj", objText({{"angle", angle}})},
+                  {"system/packParticlesDict", "solids { count 1; size { value 1; } container { type box; min (0 0 0); max (9 9 9); } "
+                                               "shapes ( { file \"angle.obj\"; collision " +
+                                                   collision + "; } ); }\n"}});
+        const Case c(folder.folder());
+        return makeCollisionShape(readSolidShape(c, readSolidsPlan(c).shapes[0])).description;
+    };
+    EXPECT_NE(shapeOf("automatic").find("convex parts, volumes together 1 of"), std::string::npos) << shapeOf("automatic");
+    EXPECT_NE(shapeOf("hull").find("convex hull, 40 % more volume"), std::string::npos) << shapeOf("hull");
 }
 
 // The files say the same: the dictionary's formula gives the merged surface, whose groups are the shapes and whose volume is that of the rocks.
