@@ -21,7 +21,7 @@ const Choice method{"method",
                     "settle",
                     "how the bed is made; of randomClose the porosity and the sizes decide on the number of spheres"};
 const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"},
-    count{"count", required, atLeast(1).saying("count {}: there is nothing to pack"), "number of solids"};
+    count{"count", required, between(1, 1e6).saying("count {}: 1 to a million solids can be packed"), "number of solids"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
 const Text meshFile{"file", byScene("a sphere"), "closed surface in constant/triSurface: .obj or .stl, normals outwards"};
 const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};

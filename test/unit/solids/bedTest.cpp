@@ -329,7 +329,7 @@ TEST(Bed, Mistakes)
         EXPECT_NE(error.find(what), std::string::npos) << what << "\nin\n" << error;
     };
     const std::string file = "system/packParticlesDict:";
-    says(errorOf("count 0;\n" + box + size), file + "3: count 0: there is nothing to pack");
+    says(errorOf("count 0;\n" + box + size), file + "3: count 0: 1 to a million solids can be packed");
     says(errorOf(box + size), file + "1: entry \"count\" is missing in \"solids\"");
     says(errorOf("count 2000;\n" + box + size), file + "3: 2000 solids have 0.00105 m^3, and the container has 0.001 m^3");
     says(errorOf("count 5;\n" + box + "size { value 0.2; }\n"), "solids of 0.2 m do not fit into a container of 0.1 m");
@@ -366,6 +366,35 @@ TEST(Bed, Mistakes)
     says(errorOf("count 5;\nfricton 1;\n" + box + size), file + "4: entry \"fricton\" is not used here. Did you mean \"friction\"?");
     const TestCase none(Files{{"system/packParticlesDict", "lattice cubic;\n"}});
     says(none.run("packParticles", "-solids").err, "has no section \"solids\"");
+}
+
+// A bed lies where gravity draws it: at the top of a box upside down, and along the axis of a tilted cylinder from its base on.
+TEST(Bed, LiesWhereGravityDrawsIt)
+{
+    auto files = withRocks("count 12;\ncontainer { type box; min (0.1 0.2 0.3); max (0.14 0.25 0.4); }\nsize { value 0.01; }\n");
+    files["constant/g"] = "value (0 0 9.81);\n";
+    const auto hanging = pack(files);
+    for (const auto& b : hanging.bed.bodies)
+    {
+        const auto x = hanging.plan.container.toWorld(b.centre);
+        EXPECT_GT(x.z, 0.37);
+        EXPECT_LT(x.z, 0.395 + 1e-5);
+        EXPECT_GT(x.x, 0.105 - 1e-5);
+        EXPECT_LT(x.x, 0.135 + 1e-5);
+        EXPECT_GT(x.y, 0.205 - 1e-5);
+        EXPECT_LT(x.y, 0.245 + 1e-5);
+    }
+    files = withRocks("count 12;\ncontainer { type cylinder; base (1 0 0); radius 0.02; height 0.1; }\nsize { value 0.01; }\n");
+    files["constant/g"] = "value (0 -3 -4);\n";
+    const auto tilted = pack(files);
+    for (const auto& b : tilted.bed.bodies)
+    {
+        const auto x = tilted.plan.container.toWorld(b.centre) - Vector<3>{1, 0, 0};
+        const double above = dot(x, Vector<3>{0, 0.6, 0.8});
+        EXPECT_GT(above, 0.005 - 1e-5);
+        EXPECT_LT(above, 0.03);
+        EXPECT_LT(mag(x - above * Vector<3>{0, 0.6, 0.8}), 0.015 + 1e-5);
+    }
 }
 
 // What stands out of the top is taken away where that is asked for.
