@@ -192,7 +192,7 @@ public:
         auto& info = getSolverInfo();
         info.m_numIterations = iterations;
         info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-        // The whole impulse of the step before: with Bullet's 0.85 of it spheres at rest kept shaking, and took four times as long.
+        // The whole impulse of the step before: with Bullet's 0.85 of it spheres at rest kept shaking, more than twice as long.
         info.m_warmstartingFactor = 1;
         info.m_splitImpulse = true; // overlaps are moved apart, not pushed apart: no energy comes of them
         info.m_splitImpulsePenetrationThreshold = 0;
