@@ -72,7 +72,8 @@ std::string chosenScheme(const Reading& reading)
 {
     auto& settings = reading.settings;
     const std::string explicitScheme = "predictorCorrector";
-    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams"))
+    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams") ||
+        reading.theCase.has("constant/openings"))
         return explicitScheme;
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double tension = infinity;

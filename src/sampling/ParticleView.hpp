@@ -2,6 +2,7 @@
 #pragma once
 #include "Cloud.hpp"
 #include "Geometry.hpp"
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct ParticleView
     double spacing = 0, support = 0;                        ///< [m]
     std::string kernel;
     const Geometry* geometry = nullptr;
+
+    std::map<std::string, double> numbers; ///< that models tell of the whole scene, by name (Part::columns)
 
     double time = 0, deltaT = 0, executionTime = 0;
     long step = 0;

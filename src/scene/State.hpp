@@ -51,11 +51,12 @@ struct Evolving
     bool advancedByModel = false;        ///< at steps of its own: prediction and kick leave it alone
     bool written = true;                 ///< into time folders; what is not follows from the rest
     std::string onDisk = {};             ///< where the file has another name
-    std::function<void(const Loading&)> missing = {};    ///< where the time folder has no such field; default 0
-    std::function<void(const Loading&)> loaded = {};     ///< what other fields of the time folder make of it
-    std::function<void(const Loading&)> check = {};      ///< throws CaseError where a value cannot be
-    std::function<double(const Dictionary&)> inlet = {}; ///< of what comes in, from the dictionary of its opening; default 0
-    std::string amount = {};                             ///< what openings call sum q m/rho_0 [m^3] of a fraction q, and count
+    std::function<void(const Loading&)> missing = {}; ///< where the time folder has no such field; default 0
+    std::function<void(const Loading&)> loaded = {};  ///< what other fields of the time folder make of it
+    std::function<void(const Loading&)> check = {};   ///< throws CaseError where a value cannot be
+    std::function<double(const Dictionary&, std::size_t phase)> inlet =
+        {};                  ///< of what comes in, from the dictionary of its opening; default 0
+    std::string amount = {}; ///< what openings call sum q m/rho_0 [m^3] of a fraction q, and count
 
     std::string startName() const { return value.name + "_0"; } ///< of the value at the start of a step
     const std::string& fileName() const { return onDisk.empty() ? value.name : onDisk; }

@@ -26,9 +26,12 @@ State stateOfAll(const Settings& settings)
     };
     m.check = [massOf](const Loading& loading)
     { loading.checkScale("m", "kg", 1e-3, 1e3, [&](std::size_t i) { return massOf(loading, i); }); };
-    m.inlet = [mass = (c.restDensity.empty() ? 1 : c.restDensity[0]) * volume](const Dictionary&) { return mass; };
+    m.inlet = [rho = c.restDensity, volume](const Dictionary&, std::size_t phase) { return rho[phase] * volume; };
     State state{x, v, m};
-    if (settings.multiphase()) state.push_back({stateField(Phase{})});
+    if (!settings.multiphase()) return state;
+    Evolving phase{stateField(Phase{})};
+    phase.inlet = [](const Dictionary&, std::size_t k) { return double(k); };
+    state.push_back(phase);
     return state;
 }
 

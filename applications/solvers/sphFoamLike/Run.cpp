@@ -286,6 +286,7 @@ ParticleView Run::view() const
     v.mass = simulation_->field("m").component[0];
     v.volume = simulation_->field("V").component[0];
     v.phase = simulation_->field("phase").component[0];
+    v.numbers = simulation_->summary().columns;
     v.time = time_.value();
     v.deltaT = time_.deltaT();
     v.executionTime = Clock::executionTime();

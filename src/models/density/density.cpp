@@ -107,7 +107,7 @@ void prepare(const Reading& reading)
         loading.checkScale("rho", "kg/m^3", leastCompression, mostCompression,
                            [&](std::size_t i) { return loading.coefficients.restDensity[loading.phaseOf(i)]; });
     };
-    rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&) { return restDensity.empty() ? 1.0 : restDensity[0]; };
+    rho.inlet = [restDensity = settings.coefficients.restDensity](const Dictionary&, std::size_t phase) { return restDensity[phase]; };
     settings.state.push_back(rho);
 }
 

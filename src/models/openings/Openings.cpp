@@ -18,6 +18,8 @@ namespace
 constexpr double spareDepth = 1;
 /// Of (rho/rho_0)^n, which a pressure far below 0 would make negative.
 constexpr double leastRatio = 1e-3;
+/// Between what is put behind an outlet and what stands there [spacings].
+constexpr double leastGap = 0.8;
 
 template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
 {
@@ -33,8 +35,12 @@ template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vec
 
 template<int dim>
 Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients,
-                        const State& state, const std::map<std::string, double>& restored)
-    : geometry_(geometry), coefficients_(coefficients), state_(state), depth_(2 * coefficients.support + spareDepth * coefficients.spacing)
+                        const State& state, const std::map<std::string, double>& restored, int supports)
+    : geometry_(geometry),
+      coefficients_(coefficients),
+      state_(state),
+      phases_(coefficients.restDensity.size()),
+      depth_(supports * coefficients.support + spareDepth * coefficients.spacing)
 {
     for (const auto& evolving : state)
         if (!evolving.amount.empty())
@@ -43,6 +49,8 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
             amountNames_.push_back(evolving.amount);
         }
     integrates_ = std::any_of(state.begin(), state.end(), [](const Evolving& q) { return q.value.name == Density::info.name; });
+    marks_ = std::ranges::any_of(openings, [](const Opening& opening) { return opening.markFrom.has_value(); });
+    startMass_.resize(phases_);
     startAmounts_.resize(counted_.size());
     heldAmounts_.resize(counted_.size());
     intoHeld_.resize(counted_.size());
@@ -54,9 +62,9 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
                             : opening.flowRate ? *opening.flowRate / section.area()
                                                : std::numeric_limits<double>::infinity();
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
-        gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, pressure, 0});
-        gates_.back().amounts.resize(counted_.size());
-        gates_.back().takenAmounts.resize(counted_.size());
+        const std::vector<double> none(phases_, 0.0), nothing(counted_.size(), 0.0);
+        gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, std::vector(phases_, pressure), none, none,
+                          none, nothing, nothing, densityOf(opening, section), 0, none});
     }
     for (const auto& a : gates_)
         for (const auto& b : gates_)
@@ -67,57 +75,69 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
                                 "before its plane and {:.4g} m behind",
                                 b.opening.name, a.opening.name, coefficients.support, depth_));
     for (const auto& gate : gates_) checkNormal(gate);
-    const auto restore = [&](const std::string& name, double& value)
+    restored_ = restored.contains(named("openingsStartMass", 0));
+    eachNumber(*this,
+               [&](const std::string& name, double& value, bool)
+               {
+                   if (const auto found = restored.find(name); found != restored.end()) value = found->second;
+               });
+}
+
+template<int dim> std::string Openings<dim>::named(const std::string& name, std::size_t phase) const
+{
+    return phases_ == 1 ? name : name + "_" + coefficients_.phases[phase];
+}
+
+template<int dim> void Openings<dim>::eachNumber(auto& self, const auto& visit)
+{
+    for (std::size_t k = 0; k < self.phases_; ++k) visit(self.named("openingsStartMass", k), self.startMass_[k], false);
+    if (self.marks_) visit("openingsTime", self.time_, false);
+    for (std::size_t q = 0; q < self.counted_.size(); ++q)
     {
-        const auto found = restored.find(name);
-        if (found != restored.end()) value = found->second;
-        return found != restored.end();
-    };
-    restored_ = restore("openingsStartMass", startMass_);
-    for (std::size_t q = 0; q < counted_.size(); ++q)
-    {
-        restore("openingsStart" + amountNames_[q], startAmounts_[q]);
-        restore("openingsHeld" + amountNames_[q], heldAmounts_[q]);
+        visit("openingsStart" + self.amountNames_[q], self.startAmounts_[q], false);
+        visit("openingsHeld" + self.amountNames_[q], self.heldAmounts_[q], false);
     }
-    for (auto& gate : gates_)
+    for (auto& gate : self.gates_)
     {
         const auto& name = gate.opening.name;
-        restore(name + "Mass", gate.mass);
-        restore(name + "Taken", gate.taken);
-        for (std::size_t q = 0; q < counted_.size(); ++q)
+        for (std::size_t k = 0; k < self.phases_; ++k)
         {
-            restore(name + amountNames_[q], gate.amounts[q]);
-            restore(name + "Taken" + amountNames_[q], gate.takenAmounts[q]);
+            visit(self.named(name + "Mass", k), gate.mass[k], false);
+            visit(self.named(name + "Taken", k), gate.taken[k], true);
+            visit(self.named(name + "Pressure", k), gate.pressure[k], false);
+            visit(self.named(name + "Slope", k), gate.slope[k], false);
         }
-        restore(name + "Speed", gate.speed);
-        restore(name + "Pressure", gate.pressure);
-        restore(name + "Slope", gate.slope);
+        for (std::size_t q = 0; q < self.counted_.size(); ++q)
+        {
+            visit(name + self.amountNames_[q], gate.amounts[q], false);
+            visit(name + "Taken" + self.amountNames_[q], gate.takenAmounts[q], true);
+        }
+        visit(name + "Speed", gate.speed, false);
+        visit(name + "Marked", gate.marked.mass, true);
+        visit(name + "MarkedTime", gate.marked.time, true);
+        visit(name + "MarkedSquare", gate.marked.square, true);
     }
 }
 
 template<int dim> std::map<std::string, double> Openings<dim>::state() const
 {
-    std::map<std::string, double> numbers{{"openingsStartMass", startMass_}};
-    for (std::size_t q = 0; q < counted_.size(); ++q)
-    {
-        numbers["openingsStart" + amountNames_[q]] = startAmounts_[q];
-        numbers["openingsHeld" + amountNames_[q]] = heldAmounts_[q];
-    }
-    for (const auto& gate : gates_)
-    {
-        const auto& name = gate.opening.name;
-        numbers[name + "Mass"] = gate.mass;
-        if (gate.taken > 0) numbers[name + "Taken"] = gate.taken;
-        for (std::size_t q = 0; q < counted_.size(); ++q)
-        {
-            numbers[name + amountNames_[q]] = gate.amounts[q];
-            if (gate.takenAmounts[q] > 0) numbers[name + "Taken" + amountNames_[q]] = gate.takenAmounts[q];
-        }
-        numbers[name + "Speed"] = gate.speed;
-        numbers[name + "Pressure"] = gate.pressure;
-        numbers[name + "Slope"] = gate.slope;
-    }
+    std::map<std::string, double> numbers;
+    eachNumber(*this,
+               [&](const std::string& name, double value, bool unlessZero)
+               {
+                   if (value != 0 || !unlessZero) numbers[name] = value;
+               });
     return numbers;
+}
+
+/// At rest, of what comes in: the mean over the section [kg/m^3].
+template<int dim> double Openings<dim>::densityOf(const Opening& opening, const Section& section) const
+{
+    const auto& rho = coefficients_.restDensity;
+    if (opening.layers.empty()) return rho[opening.stream.phase];
+    double sum = 0;
+    for (const auto& line : section.lines()) sum += rho[opening.streamAt(line.foot, dim).phase];
+    return sum / double(section.lines().size());
 }
 
 /// Whether a point lies in the domain, or within `beyond` of it.
@@ -149,6 +169,10 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
                 fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x,
                                  x.y, x.z, depth_));
         }
+    for (std::size_t k = 0; k < opening.layers.size(); ++k)
+        if (std::ranges::none_of(lines, [&](const auto& line) { return &opening.streamAt(line.foot, dim) == &opening.layers[k].stream; }))
+            fail(fmt::format("has no fluid in the part {} of its layers: it lies outside of the section, or within the parts before it",
+                             k + 1));
 }
 
 /// The normal points to the side on which the other openings are and where the scene is deeper than what is held outside of it.
@@ -176,7 +200,7 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
 
 template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
 {
-    return contains(gate.opening.extent, x - gate.opening.distance(x) * gate.opening.normal, dim);
+    return gate.opening.opensAt(x - gate.opening.distance(x) * gate.opening.normal, dim);
 }
 
 /// Whether b holds what a sees.
@@ -220,15 +244,15 @@ template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
-template<int dim>
-int Openings<dim>::assign(const FieldStore<dim>& store, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted)
+template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted)
 {
     const int before = int(holder), now = holderOf(x_i);
     const auto pass = [&](int gate, double sign)
     {
         if (gate == 0) return;
         auto& to = gates_[std::size_t(gate) - 1];
-        to.mass += sign * store.component(Mass::info.name, 0)[i];
+        to.mass[phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
+        if (marks_) mark(store, i, to, sign);
         for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountOf(store, *counted_[q], i, predicted);
     };
     if (counts_ && before != now)
@@ -238,6 +262,27 @@ int Openings<dim>::assign(const FieldStore<dim>& store, double& holder, std::siz
     }
     holder = now;
     return now;
+}
+
+/// A particle passes an opening, into the scene with a sign > 0: what comes in is marked by the time, what leaves tells how long it was there.
+template<int dim> void Openings<dim>::mark(FieldStore<dim>& store, std::size_t i, Gate& gate, double sign)
+{
+    double& enteredAt = store.component(EntryTime::info.name, 0)[i];
+    const double m = store.component(Mass::info.name, 0)[i];
+    if (!gate.opening.inlet)
+    {
+        if (enteredAt >= 0) gate.marked.add(-sign * m, time_ - enteredAt);
+        return;
+    }
+    if (sign > 0 && gate.opening.markFrom && time_ >= *gate.opening.markFrom) enteredAt = time_;
+    if (enteredAt >= 0) gate.marked.add(sign * m, 0);
+    if (sign < 0) enteredAt = EntryTime::notMarked;
+}
+
+template<int dim> void Openings<dim>::bring(FieldStore<dim>& store, std::size_t i, const Stream& stream) const
+{
+    for (const auto& [field, value] : stream.values) store.component(field, 0)[i] = value;
+    if (marks_) store.component(EntryTime::info.name, 0)[i] = EntryTime::notMarked;
 }
 
 template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, std::size_t owned, bool predicted)
@@ -255,7 +300,11 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
         if (starts) takenBy[i] = gone ? now : now == 0 ? farBeyond(x_i) : 0;
         if (starts && by && by->inlet)
-            for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = by->values.at(fraction->value.name);
+        {
+            const auto& stream = by->streamAt(x_i - by->distance(x_i) * by->normal, dim);
+            for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = stream.values.at(fraction->value.name);
+            if (phasesOf(store)(i) != stream.phase) bring(store, i, stream);
+        }
         if (!gone && !(starts && takenBy[i] > 0)) kept.push_back(int(i));
     }
     if (starts) countStart(store, owned, takenBy);
@@ -266,7 +315,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     }
     store.resize(owned);
     for (std::size_t k = 0; k < gates_.size(); ++k)
-        if (gates_[k].opening.inlet) insert(store, owned, int(k));
+        if (gates_[k].opening.inlet || !gates_[k].backflow.empty()) insert(store, owned, int(k));
     counts_ = true;
     return owned;
 }
@@ -281,9 +330,13 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
             owned, gates_.size() + 1, [&](std::size_t i) { return std::size_t(takenBy[i]); },
             [&](std::size_t i) { return takenBy[i] == 0 && holder[i] > 0 ? 0.0 : amount(i); });
     };
-    const auto mass = of([&](std::size_t i) { return m[i]; });
-    startMass_ = std::accumulate(mass.begin(), mass.end(), 0.0);
-    for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].taken = mass[k + 1];
+    const auto phase = phasesOf(store);
+    for (std::size_t p = 0; p < phases_; ++p)
+    {
+        const auto mass = of([&](std::size_t i) { return phase(i) == p ? m[i] : 0.0; });
+        startMass_[p] = std::accumulate(mass.begin(), mass.end(), 0.0);
+        for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].taken[p] = mass[k + 1];
+    }
     for (std::size_t q = 0; q < counted_.size(); ++q)
     {
         const auto amount = of([&](std::size_t i) { return amountOf(store, *counted_[q], i); });
@@ -292,7 +345,7 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
     }
 }
 
-/// Fills up the lines of an inlet from behind.
+/// Fills up lines from behind: of an inlet all, of an outlet those that move inwards, where what has left stands in no lattice and keeps its distance.
 template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
 {
     const auto& gate = gates_[std::size_t(k)];
@@ -300,23 +353,29 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     const auto& lines = gate.section.lines();
     const double row = gate.section.rowSpacing();
     std::vector<double> last(lines.size(), 0.5 * row); // the first stands half a row behind the plane
+    std::vector<Vector<3>> others;                     // of an outlet, what stands behind the plane, or next to it
     auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (std::size_t i = 0; i < owned; ++i)
     {
-        if (int(holder[i]) != k + 1) continue;
+        if (int(holder[i]) != k + 1 && opening.inlet) continue;
         const auto x_i = in3D(at<dim>(x, i));
+        if (!opening.inlet && opening.distance(x_i) < coefficients_.spacing) others.push_back(x_i);
+        if (int(holder[i]) != k + 1) continue;
         if (const int line = gate.section.lineAt(x_i); line >= 0)
             last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
     }
+    const auto clear = [&](const Vector<3>& place)
+    { return std::ranges::none_of(others, [&](const Vector<3>& other) { return mag(other - place) < leastGap * coefficients_.spacing; }); };
     std::vector<Vector<3>> places;
-    std::vector<double> profile;
+    std::vector<std::size_t> lineOf;
     for (std::size_t l = 0; l < lines.size(); ++l)
-        for (double s = last[l] - row; s > -depth_; s -= row)
-        {
-            places.push_back(lines[l].foot + s * opening.normal);
-            profile.push_back(lines[l].profile);
-        }
+        for (double s = last[l] - row; s > -depth_ && (opening.inlet || gate.backflow[l] > 0); s -= row)
+            if (const auto place = lines[l].foot + s * opening.normal; clear(place))
+            {
+                places.push_back(place);
+                lineOf.push_back(l);
+            }
     if (places.empty()) return;
 
     store.resize(owned + places.size()); // what is new is 0
@@ -325,12 +384,12 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     for (std::size_t q = 0; q < places.size(); ++q)
     {
         const std::size_t i = owned + q;
+        const auto& line = lines[lineOf[q]];
         put<dim>(x, i, in<dim>(places[q]));
-        put<dim>(v, i, in<dim>(gate.speed * profile[q] * opening.normal));
+        put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.backflow[lineOf[q]]) * opening.normal));
+        bring(store, i, opening.streamAt(line.foot, dim));
         for (const auto& evolving : state_)
         {
-            const auto value = opening.values.find(evolving.value.name);
-            if (value != opening.values.end()) store.component(evolving.value.name, 0)[i] = value->second;
             if (!store.has(evolving.startName())) continue;
             for (int c = 0; c < evolving.value.in(dim); ++c)
                 store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
@@ -392,12 +451,13 @@ template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
 template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
 {
     const double* const m = store.component(Mass::info.name, 0);
+    const auto phase = phasesOf(store);
     for (std::size_t q = 0; q < counted_.size(); ++q)
     {
         if (!counted_[q]->rate || counted_[q]->advancedByModel) continue;
         const double* const rate = store.component(counted_[q]->rate->name, 0);
         intoHeld_[q] = 0;
-        for (const int i : held_) intoHeld_[q] += rate[i] * m[i] / coefficients_.restDensity[0];
+        for (const int i : held_) intoHeld_[q] += rate[i] * m[i] / coefficients_.restDensity[phase(std::size_t(i))];
     }
     const auto clear = [&](const std::string& field)
     {
@@ -412,15 +472,19 @@ template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
     clear(TransportAcceleration::info.name);
 }
 
-/// What passes through the section, and p = a + b s by least squares.
-template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
+/// What passes through the section, and p = a + b s by least squares, of what `counts` in.
+template<int dim>
+typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gate& gate, double a, const auto& counts) const
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const p = store.component(Pressure::info.name, 0);
+    std::size_t count = 0;
     double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
     for (const int i : gate.near)
     {
+        if (!counts(std::size_t(i))) continue;
         const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i)))), w = weight(s);
+        ++count;
         n += w;
         v0 += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
         s1 += w * s;
@@ -428,28 +492,41 @@ template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate
         p0 += w * p[i];
         p1 += w * s * p[i];
     }
-    gate.inflow = n > 0 ? gate.section.area() * v0 / n : 0;
+    Fit of{n, v0, a, 0, false};
     const double spread = n * s2 - s1 * s1;
-    const bool enough = gate.near.size() > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
+    of.enough = count > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
     if (gate.opening.inlet)
     {
-        gate.slope = enough ? (n * p1 - s1 * p0) / spread : 0;
-        gate.pressure = n > 0 ? (p0 - gate.slope * s1) / n : coefficients_.backgroundPressure;
+        of.slope = of.enough ? (n * p1 - s1 * p0) / spread : 0;
+        of.pressure = n > 0 ? (p0 - of.slope * s1) / n : coefficients_.backgroundPressure;
     }
-    else gate.slope = enough ? (p1 - gate.pressure * s1) / s2 : 0;
+    else of.slope = of.enough ? (p1 - a * s1) / s2 : 0;
+    return of;
 }
 
-/// Along the normal, of each line [m/s]; infinite where an outlet's particles keep what they have, for none comes along behind them.
-template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
+/// A phase of which there is not enough before the plane has the pressure of all fluid there.
+template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
+{
+    const auto all = fit(store, gate, gate.pressure[0], [](std::size_t) { return true; });
+    const double area = gate.section.area();
+    gate.inflow = all.n > 0 ? area * all.v0 / all.n : 0;
+    const auto phase = phasesOf(store);
+    for (std::size_t k = 0; k < phases_; ++k)
+    {
+        const auto own = phases_ == 1 ? all : fit(store, gate, gate.pressure[k], [&](std::size_t i) { return phase(i) == k; });
+        gate.inflows[k] = all.n > 0 ? area * own.v0 / all.n : 0;
+        gate.pressure[k] = (own.enough ? own : all).pressure;
+        gate.slope[k] = (own.enough ? own : all).slope;
+    }
+}
+
+template<int dim> typename Openings<dim>::LineVelocities Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
 {
     const auto& lines = gate.section.lines();
-    std::vector<double> sum(lines.size(), 0), count(lines.size(), 0);
-    if (gate.opening.inlet)
-    {
-        for (std::size_t l = 0; l < lines.size(); ++l) sum[l] = gate.speed * lines[l].profile;
-        return sum;
-    }
+    const std::size_t n = lines.size();
+    std::vector<double> sum(n, 0), count(n, 0), sumOf(phases_ > 1 ? phases_ * n : 0, 0), countOf(sumOf);
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const auto phase = phasesOf(store);
     for (const int i : gate.near)
     {
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
@@ -458,46 +535,82 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
         const double w = weight(gate.opening.distance(x_i));
         sum[std::size_t(line)] += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
         count[std::size_t(line)] += w;
+        if (phases_ == 1) continue;
+        const std::size_t own = phase(std::size_t(i)) * n + std::size_t(line);
+        sumOf[own] += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        countOf[own] += w;
     }
-    for (std::size_t l = 0; l < sum.size(); ++l)
-        sum[l] = count[l] > 0 ? std::min(0.0, sum[l] / count[l]) : std::numeric_limits<double>::infinity();
-    return sum;
+    const auto mean = [](double s, double w) { return w > 0 ? s / w : std::numeric_limits<double>::infinity(); };
+    std::ranges::transform(sum, count, sum.begin(), mean);
+    std::ranges::transform(sumOf, countOf, sumOf.begin(), mean);
+    return {n, sumOf, sum};
+}
+
+template<int dim> std::vector<double> Openings<dim>::backflow(const Gate& gate, const LineVelocities& v) const
+{
+    if (!gate.opening.backflow) return {};
+    std::vector<double> inwards(v.lines, 0);
+    for (std::size_t l = 0; l < v.lines; ++l)
+        if (const double u = v.own(gate.opening.stream.phase, l); std::isfinite(u)) inwards[l] = std::max(0.0, u);
+    return inwards;
 }
 
 /// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
 template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
 {
     const auto& gate = gates_[std::size_t(store.component(Holder::info.name, 0)[i]) - 1];
-    const double p = gate.pressure + gate.slope * gate.opening.distance(x_i);
+    const std::size_t k = phasesOf(store)(i);
+    const double p = gate.pressure[k] + gate.slope[k] * gate.opening.distance(x_i);
     store.component(HeldPressure::info.name, 0)[i] = p;
     if (!integrates_) return;
-    const double ratio = 1 + (p - coefficients_.backgroundPressure) / coefficients_.stiffness[0];
+    const double ratio = 1 + (p - coefficients_.backgroundPressure) / coefficients_.stiffness[k];
     store.component(Density::info.name, 0)[i] =
-        coefficients_.restDensity[0] * std::pow(std::max(leastRatio, ratio), 1 / coefficients_.exponent[0]);
+        coefficients_.restDensity[k] * std::pow(std::max(leastRatio, ratio), 1 / coefficients_.exponent[k]);
 }
 
-template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT)
+/// Along the normal [m/s] of a particle that an outlet holds, by what comes along behind it; infinite where it keeps what it has. What stands in the way of the
+/// phase that comes back in, with nothing of its own behind it, becomes that phase.
+template<int dim>
+double Openings<dim>::leave(FieldStore<dim>& store, std::size_t i, const Phases& phase, const Gate& gate, const LineVelocities& v,
+                            std::size_t line) const
 {
+    const auto& stream = gate.opening.stream;
+    const bool back = gate.opening.backflow;
+    if (back && phase(i) != stream.phase && !std::isfinite(v.own(phase(i), line)) && gate.backflow[line] > 0) bring(store, i, stream);
+    const double own = v.own(phase(i), line), u = std::isfinite(own) ? own : v.ofAll[line];
+    return std::isfinite(u) && !(back && phase(i) == stream.phase) ? std::min(0.0, u) : u;
+}
+
+template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT, double time)
+{
+    time_ = time;
     for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT * intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
+    const auto phase = phasesOf(store);
+    std::vector<LineVelocities> velocity;
     for (auto& gate : gates_)
     {
         measure(store, gate);
+        velocity.push_back(gate.opening.inlet ? LineVelocities{} : velocities(store, gate));
+        gate.backflow = backflow(gate, velocity.back());
         if (!gate.opening.inlet || !gate.opening.pressure) continue;
         const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
-        gate.speed = std::clamp(gate.speed + deltaT * (behind - gate.pressure) / (coefficients_.restDensity[0] * depth_), 0.0, gate.most);
+        gate.speed =
+            std::clamp(gate.speed + deltaT * (behind - gate.pressure[gate.opening.stream.phase]) / (gate.density * depth_), 0.0, gate.most);
     }
-    std::vector<std::vector<double>> velocity;
-    for (const auto& gate : gates_) velocity.push_back(velocities(store, gate));
     for (const int i : held_)
     {
         const std::size_t k = std::size_t(holder[i]) - 1;
         const auto& gate = gates_[k];
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        if (const int line = gate.section.lineAt(x_i); line >= 0)
+        {
+            const double u = gate.opening.inlet ? gate.speed * gate.section.lines()[std::size_t(line)].profile
+                                                : leave(store, std::size_t(i), phase, gate, velocity[k], std::size_t(line));
+            if (std::isfinite(u)) put<dim>(v, std::size_t(i), in<dim>(u * gate.opening.normal));
+        }
         impose(store, std::size_t(i), x_i);
-        if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(velocity[k][std::size_t(line)]))
-            put<dim>(v, std::size_t(i), in<dim>(velocity[k][std::size_t(line)] * gate.opening.normal));
     }
 }
 
@@ -505,15 +618,28 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
 {
     std::vector<Flow> flows;
     for (const auto& gate : gates_)
+    {
+        const double let = gate.speed * gate.section.area();
+        auto ofPhases = gate.inflows;
+        if (gate.opening.inlet)
+        {
+            std::ranges::fill(ofPhases, 0.0);
+            double sum = 0;
+            for (const auto& line : gate.section.lines()) sum += line.profile;
+            for (const auto& line : gate.section.lines()) ofPhases[gate.opening.streamAt(line.foot, dim).phase] += let * line.profile / sum;
+        }
         flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts, gate.taken,
-                         gate.opening.inlet ? gate.speed * gate.section.area() : gate.inflow,
-                         gate.pressure - coefficients_.backgroundPressure});
+                         gate.opening.inlet ? let : gate.inflow, ofPhases,
+                         gate.pressure[gate.opening.stream.phase] - coefficients_.backgroundPressure,
+                         marks_ ? std::optional(gate.marked) : std::nullopt});
+    }
     return flows;
 }
 
 template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
 {
     const double* const m = store.component(Mass::info.name, 0);
+    const auto phase = phasesOf(store);
     for (std::size_t q = 0; q < counted_.size(); ++q)
     {
         if (counted_[q]->value.name != field) continue;
@@ -521,7 +647,7 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
         double intoHeld = 0;
         for (const int i : held_)
         {
-            intoHeld += deltaT * rate[i] * m[i] / coefficients_.restDensity[0];
+            intoHeld += deltaT * rate[i] * m[i] / coefficients_.restDensity[phase(std::size_t(i))];
             rate[i] = 0;
         }
         heldAmounts_[q] += intoHeld;
@@ -532,13 +658,13 @@ template<int dim>
 double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
 {
     const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
-    return store.component(name, 0)[i] * store.component(Mass::info.name, 0)[i] / coefficients_.restDensity[0];
+    return store.component(name, 0)[i] * store.component(Mass::info.name, 0)[i] / coefficients_.restDensity[phasesOf(store)(i)];
 }
 
-template<int dim> double Openings<dim>::freeMass(const FieldStore<dim>& store) const
+template<int dim> std::vector<double> Openings<dim>::freeMass(const FieldStore<dim>& store) const
 {
     const double *m = store.component(Mass::info.name, 0), *holder = store.component(Holder::info.name, 0);
-    return sum(store.owned(), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : m[i]; });
+    return groupSums(store.owned(), phases_, phasesOf(store), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : m[i]; });
 }
 
 template<int dim> double Openings<dim>::freeAmount(const FieldStore<dim>& store, const Evolving& fraction) const
@@ -560,20 +686,35 @@ template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& stor
         return largest > 0 ? (now - expected) / largest : 0;
     };
     Imbalance off;
-    off.mass = relative(freeMass(store), startMass_, [](const Gate& gate) { return gate.mass - gate.taken; });
+    const auto free = freeMass(store);
+    for (std::size_t k = 0; k < phases_; ++k)
+        off.mass.push_back(relative(free[k], startMass_[k], [&](const Gate& gate) { return gate.mass[k] - gate.taken[k]; }));
     for (std::size_t q = 0; q < counted_.size(); ++q)
         off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q],
                                        [&](const Gate& gate) { return gate.amounts[q] - gate.takenAmounts[q]; }));
     return off;
 }
 
+template<int dim> double Openings<dim>::volume() const
+{
+    double sum = 0;
+    for (const auto& gate : gates_)
+        for (std::size_t k = 0; k < phases_; ++k) sum += gate.mass[k] / coefficients_.restDensity[k];
+    return sum;
+}
+
 template<int dim> double Openings<dim>::power() const
 {
     double sum = 0;
     for (const auto& gate : gates_)
-        if (gate.opening.inlet)
-            sum += gate.speed * gate.section.area() *
-                   std::max(0.0, gate.pressure - coefficients_.backgroundPressure + 0.5 * coefficients_.restDensity[0] * sqr(gate.speed));
+    {
+        const std::size_t phase = gate.opening.stream.phase;
+        const double Q = gate.opening.inlet      ? gate.speed * gate.section.area()
+                         : gate.opening.backflow ? std::max(0.0, gate.inflows[phase])
+                                                 : 0;
+        const double u = gate.opening.inlet ? gate.speed : Q / gate.section.area();
+        sum += Q * std::max(0.0, gate.pressure[phase] - coefficients_.backgroundPressure + 0.5 * gate.density * sqr(u));
+    }
     return sum;
 }
 

@@ -8,13 +8,20 @@
 ///   both     p = a + b s                s [m] distance from the plane, < 0; a, b fitted to the fluid within H of the plane, at an outlet
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///
+/// Of several phases each has a mean v_l and a fit p of its own; where none of a phase comes along, those of all. Through an outlet with `backflow` that
+/// phase goes either way, by lines: lines that move inwards are filled up from behind with it, and what is held of another phase on such a line
+/// becomes it, once nothing of its own comes along any more. All else stands still there.
+///
+/// Beyond a plane they stand as deep as sums reach: twice the support H for sums of what has a sum itself (forces, of volumes), one more for the
+/// interface stress (gradC), three more for tension by curvature (colour, gradC, curvature, its mean): what the free particles feel is of a fluid that goes on.
+///
 /// An inlet that has a pressure p_in moves by the balance of forces on the plug of length l that it holds, and not faster than its velocity,
 /// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle is free from the evaluation on that finds it past an inlet's plane, and held from that
 /// on which finds it past an outlet's. Lines are filled up from behind, and what comes to the end of an outlet is taken away, when neighbour lists are
 /// rebuilt: both out of the scene's sight, so that when this happens decides nothing. What is packed further beyond a plane than is held there is taken away
 /// at the start.
 ///
-/// Counts what passes, and what is taken away at the start: what is free has grown by the one less the other, to round-off. Powder that migrates
+/// Counts what passes, by phases, and what is taken away at the start: what is free has grown by the one less the other, to round-off. Powder that migrates
 /// between held and free particles counts too.
 /// Verified by test/unit/openings and tutorials/verification/openChannel.
 #pragma once
@@ -23,6 +30,7 @@
 #include "Section.hpp"
 #include "State.hpp"
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 #include <vector>
@@ -30,25 +38,41 @@
 namespace sph
 {
 
+/// Of marked fluid that has left: how long after it came in.
+struct Transit
+{
+    double mass = 0, time = 0, square = 0; ///< sum m, sum m t, sum m t^2 [kg], [kg s], [kg s^2]
+    void add(double m, double t)
+    {
+        mass += m;
+        time += m * t;
+        square += m * t * t;
+    }
+    double mean() const { return mass > 0 ? time / mass : 0; }
+    double deviation() const { return mass > 0 ? std::sqrt(std::max(0.0, square / mass - mean() * mean())) : 0; }
+};
+
 /// What an opening is, what it has let pass, into the scene > 0, and its present state.
 struct Flow
 {
     std::string name;
     bool inlet = true;
-    double area = 0;             ///< [m^2], a length [m] in 2-D
-    std::size_t held = 0;        ///< particles beyond the plane
-    double mass = 0;             ///< since the first start [kg]; per metre of depth in 2-D
-    std::vector<double> amounts; ///< of what is counted beside it (Evolving::amount) [m^3]
-    double taken = 0;            ///< away at the start, from further beyond the plane than is held there [kg]
-    double flowRate = 0;         ///< [m^3/s], into the scene > 0
-    double pressure = 0;         ///< of the fluid at the plane [Pa], without the background pressure
+    double area = 0;                    ///< [m^2], a length [m] in 2-D
+    std::size_t held = 0;               ///< particles beyond the plane
+    std::vector<double> mass;           ///< of each phase since the first start [kg]; per metre of depth in 2-D
+    std::vector<double> amounts;        ///< of what is counted beside it (Evolving::amount) [m^3]
+    std::vector<double> taken;          ///< away at the start, from further beyond the plane than is held there [kg]
+    double flowRate = 0;                ///< [m^3/s], into the scene > 0
+    std::vector<double> flowRates;      ///< of each phase
+    double pressure = 0;                ///< of the fluid at the plane [Pa], without the background pressure
+    std::optional<Transit> marked = {}; ///< of what has passed; none where nothing is marked
 };
 
-/// By which the mass and the amounts of what is free miss what has passed and was taken away, relative to the largest of what is there, was there and
-/// has passed.
+/// By which the mass of each phase and the amounts of what is free miss what has passed and was taken away, relative to the largest of what is there,
+/// was there and has passed.
 struct Imbalance
 {
-    double mass = 0;
+    std::vector<double> mass;
     std::vector<double> amounts;
 };
 
@@ -57,9 +81,9 @@ template<int dim> class Openings
 public:
     /// Throws CaseError where an opening does not fit the scene: inside a wall, narrower than the kernel's support, with a duct that is not
     /// straight, out of the domain as far as the held particles reach, where another one holds particles, or with its normal out of the scene.
-    /// `restored` holds the numbers that `state` gave.
-    Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&,
-             const std::map<std::string, double>& restored);
+    /// `restored` holds the numbers that `state` gave; `supports`: depth of what is held.
+    Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored,
+             int supports = 2);
 
     /// Before particles are sorted: takes away and adds what has come and gone, and returns how many there are now. `predicted`: between prediction
     /// and correction, where what passes is what a particle had at the start of the step.
@@ -72,8 +96,8 @@ public:
     std::span<const int> held() const { return held_; }
     /// After an evaluation: takes from held particles what would move or change them, and keeps what goes into them by a kick.
     void hold(FieldStore<dim>&);
-    /// Once a step, after the kick: pressures and velocities of the held particles.
-    void drive(FieldStore<dim>&, double deltaT);
+    /// Once a step, after the kick: pressures and velocities of the held particles. `time` [s] at the end of the step.
+    void drive(FieldStore<dim>&, double deltaT, double time = 0);
     /// A rate is about to act for `deltaT` [s]: held particles keep what they have, and what would go into them is counted.
     void holdRate(FieldStore<dim>&, const std::string& field, double deltaT);
     /// Names of the amounts that are counted.
@@ -81,7 +105,10 @@ public:
 
     std::vector<Flow> flows() const;
     Imbalance imbalance(const FieldStore<dim>&) const;
-    /// Of the inlets upon the fluid [W]; never negative.
+    /// Volume at rest density that has come in, less what has left [m^3].
+    double volume() const;
+    bool marks() const { return marks_; }
+    /// Of what comes in upon the fluid [W]; never negative.
     double power() const;
     /// What a restart needs.
     std::map<std::string, double> state() const;
@@ -91,13 +118,29 @@ private:
     {
         Opening opening;
         Section section;
-        double most, speed;         ///< U of an inlet: its limit, and now
-        double pressure, slope;     ///< a and b
-        double mass = 0, taken = 0; ///< passed, and taken away at the start
-        std::vector<double> amounts = {}, takenAmounts = {};
-        double inflow = 0; ///< of what is near, through all of the section [m^3/s]
+        double most, speed;                  ///< U of an inlet: its limit, and now
+        std::vector<double> pressure, slope; ///< a and b, of each phase
+        std::vector<double> mass, taken;     ///< passed, and taken away at the start, of each phase
+        std::vector<double> amounts, takenAmounts;
+        double density = 0;                ///< at rest, of what comes in
+        double inflow = 0;                 ///< of what is near, through all of the section [m^3/s]
+        std::vector<double> inflows;       ///< of each phase
+        std::vector<double> backflow = {}; ///< velocity of lines of an outlet that are to be filled up [m/s]
+        Transit marked = {};
         std::size_t held = 0;
         std::vector<int> near = {}; ///< free particles within H
+    };
+    /// Of a particle's own phase on its line, and of all of them [m/s]; infinite where none comes along.
+    struct LineVelocities
+    {
+        std::size_t lines;
+        std::vector<double> ofPhase, ofAll;
+        double own(std::size_t phase, std::size_t line) const { return ofPhase.empty() ? ofAll[line] : ofPhase[phase * lines + line]; }
+    };
+    struct Fit
+    {
+        double n, v0, pressure, slope; ///< sums of weights, and of velocities; a and b
+        bool enough;
     };
     std::vector<Gate> gates_;
     const Geometry& geometry_;
@@ -106,13 +149,17 @@ private:
     bool integrates_ = false;              ///< density evolves
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
+    std::size_t phases_;
+    bool marks_ = false;                                        ///< some of what comes in
     double depth_;                                              ///< of the held particles beyond a plane [m]
+    double time_ = 0;                                           ///< [s]
     std::vector<int> close_, held_;                             ///< close_: all that may come near or be held before the next sorting
-    double startMass_ = 0;                                      ///< of what is free and what is taken away, at the first start [kg]
+    std::vector<double> startMass_;                             ///< of what is free and what is taken away, at the first start [kg]
     std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
     bool restored_ = false, counts_ = false;                    ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
+    double densityOf(const Opening&, const Section&) const;
     void checkNormal(const Gate&) const;
     /// Of a free particle at a distance s from a plane: what comes into reach and leaves it does so gradually.
     double weight(double s) const { return std::max(0.0, s * (coefficients_.support - s)); }
@@ -123,16 +170,32 @@ private:
     int holderOf(const Vector<3>& x) const;
     int farBeyond(const Vector<3>& x) const;
     /// Who holds a particle at x_i from now on; counts what passes. Returns 1 + the opening, or 0.
-    int assign(const FieldStore<dim>&, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted);
+    int assign(FieldStore<dim>&, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted);
     /// Of `close_`: those that are held, and those that are near.
     void list(FieldStore<dim>&);
+    void mark(FieldStore<dim>&, std::size_t i, Gate&, double sign);
+    /// Each number of a restart: visit(name, value, whether 0 goes without saying).
+    static void eachNumber(auto& self, const auto& visit);
+    std::string named(const std::string& name, std::size_t phase) const;
+    /// Of particles, looked up once.
+    struct Phases
+    {
+        const double* phase;
+        std::size_t operator()(std::size_t i) const { return phase ? std::size_t(phase[i]) : 0; }
+    };
+    Phases phasesOf(const FieldStore<dim>& store) const { return {phases_ > 1 ? store.component(Phase::info.name, 0) : nullptr}; }
+    void bring(FieldStore<dim>&, std::size_t i, const Stream&) const;
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
+    /// Those that move inwards with the phase that comes back in [m/s], 0 for all others.
+    std::vector<double> backflow(const Gate&, const LineVelocities&) const;
     void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
+    Fit fit(FieldStore<dim>&, const Gate&, double a, const auto& counts) const;
     void measure(FieldStore<dim>&, Gate&) const;
-    std::vector<double> velocities(FieldStore<dim>&, const Gate&) const;
+    LineVelocities velocities(FieldStore<dim>&, const Gate&) const;
+    double leave(FieldStore<dim>&, std::size_t i, const Phases&, const Gate&, const LineVelocities&, std::size_t line) const;
     /// Of what is free.
-    double freeMass(const FieldStore<dim>&) const;
+    std::vector<double> freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;
     double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i, bool predicted = false) const;
 };

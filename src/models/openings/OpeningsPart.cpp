@@ -2,13 +2,24 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace sph
 {
 
+namespace
+{
+double sumOf(const std::vector<double>& q) { return std::accumulate(q.begin(), q.end(), 0.0); }
+
+/// How far a force reaches through the sums that it is made of (Openings.hpp) [supports of the kernel].
+int supportsOfSums(const Settings& settings) { return !settings.surfaceTension ? 2 : settings.has("surfaceTension", "curvature") ? 5 : 3; }
+}
+
 template<int dim>
 OpeningsPart<dim>::OpeningsPart(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
-    : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored)
+    : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
+                supportsOfSums(particles.settings())),
+      phases_(particles.coefficients().phases)
 {}
 
 template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
@@ -17,7 +28,7 @@ template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
         return {{"hold", "dq/dt = 0 of what openings hold", [this](Particles<dim>& p, const Substep&) { openings_.hold(p.store()); }}};
     if (place == Place::afterKick)
         return {{"drive", "U and p of what openings hold",
-                 [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT); }}};
+                 [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT, s.time + s.deltaT); }}};
     return {};
 }
 
@@ -43,13 +54,24 @@ template<int dim> void OpeningsPart<dim>::holdRate(Particles<dim>& particles, co
     openings_.holdRate(particles.store(), field, deltaT);
 }
 
+template<int dim> std::string OpeningsPart<dim>::ofPhases(const std::vector<double>& q, const std::string& format) const
+{
+    if (q.size() == 1) return fmt::format(fmt::runtime(format), q[0]);
+    std::string text;
+    for (std::size_t k = 0; k < q.size(); ++k)
+        text += fmt::format("{}{} of {}", k == 0 ? "" : ", ", fmt::format(fmt::runtime(format), q[k]), phases_[k]);
+    return text;
+}
+
 template<int dim> std::string OpeningsPart<dim>::introduction() const
 {
     std::string lines;
     for (const auto& flow : openings_.flows())
         lines += fmt::format("Opening   : {}, {} of {:.4g} {}, {} particles held beyond its plane{}\n", flow.name,
                              flow.inlet ? "inlet" : "outlet", flow.area, dim == 3 ? "m^2" : "m", flow.held,
-                             flow.taken > 0 ? fmt::format(", {:.6g} kg further beyond taken away at the start", flow.taken) : "");
+                             sumOf(flow.taken) > 0
+                                 ? fmt::format(", {} further beyond taken away at the start", ofPhases(flow.taken, "{:.6g} kg"))
+                                 : "");
     return lines;
 }
 
@@ -63,13 +85,32 @@ template<int dim> std::string OpeningsPart<dim>::report(const Particles<dim>& pa
         std::string with;
         for (std::size_t q = 0; q < names.size(); ++q)
             with += fmt::format("{}{:.10g} m^3 of {}", q == 0 ? " with " : ", ", flow.amounts[q], names[q]);
-        lines += fmt::format("{}: {:.6g} m^3/s at {:.4g} Pa, passed {:.10g} kg{}{}\n", flow.name, flow.flowRate, flow.pressure, flow.mass,
-                             with, flow.taken > 0 ? fmt::format(", took away {:.10g} kg at the start", flow.taken) : "");
+        if (flow.marked && flow.marked->mass > 0)
+            with += flow.inlet ? fmt::format(", {:.6g} kg of it marked", flow.marked->mass)
+                               : fmt::format(", {:.6g} kg of it marked, {:.4g} s after it came in, standard deviation {:.4g} s",
+                                             flow.marked->mass, flow.marked->mean(), flow.marked->deviation());
+        lines += fmt::format("{}: {:.6g} m^3/s{} at {:.4g} Pa, passed {}{}{}\n", flow.name, flow.flowRate,
+                             phases_.size() > 1 ? " (" + ofPhases(flow.flowRates, "{:.6g}") + ")" : "", flow.pressure,
+                             ofPhases(flow.mass, "{:.10g} kg"), with,
+                             sumOf(flow.taken) > 0 ? fmt::format(", took away {} at the start", ofPhases(flow.taken, "{:.10g} kg")) : "");
     }
     const auto off = openings_.imbalance(particles.store());
-    lines += fmt::format("balance: mass off by {:.2g}", off.mass);
+    lines += "balance: mass off by " + ofPhases(off.mass, "{:.2g}");
     for (std::size_t q = 0; q < names.size(); ++q) lines += fmt::format(", {} by {:.2g}", names[q], off.amounts[q]);
+    if (phases_.size() > 1) lines += fmt::format(", volume let in {:.6g} m^3", openings_.volume());
     return lines + '\n';
+}
+
+template<int dim> Numbers OpeningsPart<dim>::columns(const Particles<dim>&) const
+{
+    Numbers columns;
+    if (!openings_.marks()) return columns;
+    for (const auto& flow : openings_.flows())
+        if (!flow.inlet)
+            columns.merge(Numbers{{"marked(" + flow.name + ")", flow.marked->mass},
+                                  {"transitTime(" + flow.name + ")", flow.marked->mean()},
+                                  {"transitDeviation(" + flow.name + ")", flow.marked->deviation()}});
+    return columns;
 }
 
 template<int dim> void OpeningsPart<dim>::save(Numbers& numbers) const { numbers.merge(openings_.state()); }

@@ -9,6 +9,10 @@ namespace sph
 template<int dim> class OpeningsPart final : public Part<dim>
 {
     Openings<dim> openings_;
+    std::vector<std::string> phases_;
+
+    /// One number of each phase: "1 kg of water, 2 kg of air".
+    std::string ofPhases(const std::vector<double>&, const std::string& format) const;
 
 public:
     OpeningsPart(Particles<dim>&, const Numbers& restored, const std::vector<Opening>&);
@@ -18,6 +22,7 @@ public:
     void moved(Particles<dim>&) override;
     void sorted(Particles<dim>&) override;
     void holdRate(Particles<dim>&, const std::string& field, double deltaT) override;
+    Numbers columns(const Particles<dim>&) const override;
     std::string introduction() const override;
     std::string report(const Particles<dim>&) const override;
     void save(Numbers&) const override;

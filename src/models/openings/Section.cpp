@@ -50,7 +50,7 @@ void Section::findExtents(const Opening& opening, const Geometry& geometry, doub
     const auto sample = [&](int d, int i) { return d < dimension_ - 1 ? from[d] + (i + 0.5) * (to[d] - from[d]) / samples(d) : 0.0; };
     const Box domain{geometry.low - margin * Vector<3>{1, 1, 1}, geometry.high + margin * Vector<3>{1, 1, 1}};
     const auto open = [&](const Vector<3>& x, double clearance)
-    { return contains(domain, x, dimension_) && contains(opening.extent, x, dimension_) && geometry.distance(x) > clearance; };
+    { return contains(domain, x, dimension_) && opening.opensAt(x, dimension_) && geometry.distance(x) > clearance; };
 
     double least[2] = {Box::infinity, Box::infinity}, most[2] = {-Box::infinity, -Box::infinity}, cell = 1;
     for (int d = 0; d < dimension_ - 1; ++d) cell *= (to[d] - from[d]) / samples(d);

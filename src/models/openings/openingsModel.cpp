@@ -1,5 +1,6 @@
 #include "openingsModel.hpp"
 #include "OpeningsPart.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
@@ -19,6 +20,14 @@ void prepare(const Reading& reading)
     settings.state.push_back(pressure);
 }
 
+/// When a particle came in.
+Evolving mark()
+{
+    Evolving enteredAt{stateField(EntryTime{})};
+    enteredAt.missing = [](const Loading& loading) { std::fill_n(loading.values[0], loading.size(), EntryTime::notMarked); };
+    return enteredAt;
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -31,13 +40,14 @@ void read(const Reading& reading)
                 opening.where, fmt::format("opening \"{}\" needs steps that sound limits: integration scheme implicit takes longer "
                                            "ones; take semiImplicit",
                                            opening.name));
-        else if (settings.multiphase() || !settings.integration.moves)
+        else if (!settings.integration.moves)
             reading.theCase.diagnostics().error(
                 opening.where,
-                fmt::format("opening \"{}\" needs {}", opening.name,
-                            settings.multiphase()
-                                ? "a scene of one phase: which phase comes in, and how phases leave together, is not settled"
-                                : "particles that move, which integration scheme quasiSteady leaves where they are; take semiImplicit"));
+                fmt::format("opening \"{}\" needs particles that move, which integration scheme quasiSteady leaves where they "
+                            "are; take semiImplicit",
+                            opening.name));
+    if (std::ranges::any_of(openings, [](const Opening& opening) { return opening.markFrom.has_value(); }))
+        settings.state.push_back(mark());
     if (!openings.empty()) settings.parts.push_back(partOf<OpeningsPart>(openings));
 }
 }

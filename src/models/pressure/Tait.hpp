@@ -60,4 +60,13 @@ struct TaitOfPhase
     }
 };
 
+/// The same, but for particles that an opening holds.
+struct TaitOfPhaseOrHeld : TaitOfPhase
+{
+    static constexpr auto name = "taitOfPhaseOrHeld";
+    using ReadsOwn = Fields<Density, Phase, Holder, HeldPressure>;
+    using TaitOfPhase::TaitOfPhase;
+    auto operator()(const auto& i) const { return i.holder > 0 ? i.p_h : TaitOfPhase::operator()(i); }
+};
+
 }

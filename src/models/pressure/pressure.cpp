@@ -78,7 +78,7 @@ void read(const Reading& reading)
     readBackground(reading);
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
-    reading.select(settings.multiphase() ? "taitOfPhase" : prescribed ? "taitOrHeld" : "tait");
+    reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : ""));
     const auto& gradient = settings.chosen.at(entry::pressureGradient.keyword());
     reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
     if (!settings.apart.empty()) reading.select("addPressure");

@@ -8,9 +8,9 @@ namespace sph
 
 template<int dim> Catalogue<dim> pressureTerms()
 {
-    return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, HuAdamsPressure, DensityWeightedPressure, MonaghanPressure, MassWeightedPressure,
-                     DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure, StiffnessOfPhase,
-                     UniformStiffness, ChangeAsDisplacement, CompressionOfChange, PressureResponse, PressureRate>();
+    return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, TaitOfPhaseOrHeld, HuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
+                     MassWeightedPressure, DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure,
+                     StiffnessOfPhase, UniformStiffness, ChangeAsDisplacement, CompressionOfChange, PressureResponse, PressureRate>();
 }
 
 template Catalogue<2> pressureTerms<2>();

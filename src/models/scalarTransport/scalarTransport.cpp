@@ -53,7 +53,7 @@ Evolving evolving(const TransportedScalar& scalar)
             if (!std::isfinite(loading.values[0][i]))
                 throw CaseError(fmt::format("{} has {} {}", loading.cloud.particle(i), name, loading.values[0][i]));
     };
-    c.inlet = [name = scalar.name](const Dictionary& d) { return d.get(name, units::none); };
+    c.inlet = [name = scalar.name](const Dictionary& d, std::size_t) { return d.get(name, units::none); };
     return c;
 }
 

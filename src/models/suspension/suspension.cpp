@@ -137,7 +137,7 @@ Evolving powderFraction(const Suspension& s)
                 throw CaseError(fmt::format("{} has the volume fraction of powder phi = {:.6g}: it lies from 0 to below phiMax, {:.6g}",
                                             loading.cloud.particle(i), phi, s.phiMax));
     };
-    powder.inlet = [s](const Dictionary& d)
+    powder.inlet = [s](const Dictionary& d, std::size_t)
     {
         const double phi = entry::phi(d, s.phi.value_or(0));
         if (!entry::phi.given(d) && !s.phi) entry::phi.error(d, "the volume fraction of the powder that comes in is missing");
