@@ -46,6 +46,7 @@ struct Opening
     double distance(const Vector<3>& x) const { return dot(x - point, normal); }
     /// Whether the plane is open at a point of it.
     bool opensAt(const Vector<3>& x, int dimension) const;
+    bool brings(std::size_t phase) const;
     const Stream& streamAt(const Vector<3>& x, int dimension) const;
 };
 

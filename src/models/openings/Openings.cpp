@@ -21,6 +21,9 @@ constexpr double leastRatio = 1e-3;
 /// Between what is put behind an outlet and what stands there [spacings].
 constexpr double leastGap = 0.8;
 
+/// Of a line of an outlet.
+bool comesBack(double velocity) { return velocity > 0 && std::isfinite(velocity); }
+
 template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
 {
     Vector<dim> q;
@@ -64,7 +67,7 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         const std::vector<double> none(phases_, 0.0), nothing(counted_.size(), 0.0);
         gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, std::vector(phases_, pressure), none, none,
-                          none, nothing, nothing, densityOf(opening, section), 0, none});
+                          none, nothing, nothing, densityOf(opening, section), 0, none, std::vector(section.lines().size(), 0.0)});
     }
     for (const auto& a : gates_)
         for (const auto& b : gates_)
@@ -274,7 +277,7 @@ template<int dim> void Openings<dim>::mark(FieldStore<dim>& store, std::size_t i
         if (enteredAt >= 0) gate.marked.add(-sign * m, time_ - enteredAt);
         return;
     }
-    if (sign > 0 && gate.opening.markFrom && time_ >= *gate.opening.markFrom) enteredAt = time_;
+    if (sign > 0 && gate.opening.markFrom && time_ >= *gate.opening.markFrom && gate.opening.brings(phasesOf(store)(i))) enteredAt = time_;
     if (enteredAt >= 0) gate.marked.add(sign * m, 0);
     if (sign < 0) enteredAt = EntryTime::notMarked;
 }
@@ -303,7 +306,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         {
             const auto& stream = by->streamAt(x_i - by->distance(x_i) * by->normal, dim);
             for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = stream.values.at(fraction->value.name);
-            if (phasesOf(store)(i) != stream.phase) bring(store, i, stream);
+            if (!gone && phasesOf(store)(i) != stream.phase) bring(store, i, stream);
         }
         if (!gone && !(starts && takenBy[i] > 0)) kept.push_back(int(i));
     }
@@ -315,7 +318,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     }
     store.resize(owned);
     for (std::size_t k = 0; k < gates_.size(); ++k)
-        if (gates_[k].opening.inlet || !gates_[k].backflow.empty()) insert(store, owned, int(k));
+        if (gates_[k].opening.inlet || gates_[k].opening.backflow) insert(store, owned, int(k));
     counts_ = true;
     return owned;
 }
@@ -370,7 +373,7 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     std::vector<Vector<3>> places;
     std::vector<std::size_t> lineOf;
     for (std::size_t l = 0; l < lines.size(); ++l)
-        for (double s = last[l] - row; s > -depth_ && (opening.inlet || gate.backflow[l] > 0); s -= row)
+        for (double s = last[l] - row; s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
             if (const auto place = lines[l].foot + s * opening.normal; clear(place))
             {
                 places.push_back(place);
@@ -386,7 +389,7 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
         const std::size_t i = owned + q;
         const auto& line = lines[lineOf[q]];
         put<dim>(x, i, in<dim>(places[q]));
-        put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.backflow[lineOf[q]]) * opening.normal));
+        put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.velocity[lineOf[q]]) * opening.normal));
         bring(store, i, opening.streamAt(line.foot, dim));
         for (const auto& evolving : state_)
         {
@@ -422,6 +425,14 @@ template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predic
     list(store);
 }
 
+/// On a line that moves inwards all is what comes back in: what else has left is gone.
+template<int dim> void Openings<dim>::replace(FieldStore<dim>& store, std::size_t i, const Gate& gate, const Vector<3>& x_i) const
+{
+    const int line = gate.section.lineAt(x_i);
+    if (line >= 0 && comesBack(gate.velocity[std::size_t(line)]) && phasesOf(store)(i) != gate.opening.stream.phase)
+        bring(store, i, gate.opening.stream);
+}
+
 template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
 {
     const auto x = store.pointers(Position{});
@@ -438,7 +449,9 @@ template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
         if (holder[i] > 0)
         {
             held_.push_back(i);
-            ++gates_[std::size_t(holder[i]) - 1].held;
+            auto& gate = gates_[std::size_t(holder[i]) - 1];
+            ++gate.held;
+            if (gate.opening.backflow) replace(store, std::size_t(i), gate, x_i);
             impose(store, std::size_t(i), x_i);
             continue;
         }
@@ -520,39 +533,32 @@ template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate
     }
 }
 
-template<int dim> typename Openings<dim>::LineVelocities Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
+/// Along the normal, of each line of an outlet [m/s]; infinite where its particles keep what they have, for none comes along behind them. Of several phases
+/// the mean is by mass: liquid decides. Inwards goes what comes back in alone: a line along which another phase comes stands still.
+template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
 {
-    const auto& lines = gate.section.lines();
-    const std::size_t n = lines.size();
-    std::vector<double> sum(n, 0), count(n, 0), sumOf(phases_ > 1 ? phases_ * n : 0, 0), countOf(sumOf);
+    const auto& opening = gate.opening;
+    std::vector<double> sum(gate.section.lines().size(), 0), count(sum);
+    std::vector<bool> mayReturn(sum.size(), opening.backflow);
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const m = phases_ > 1 ? store.component(Mass::info.name, 0) : nullptr;
     const auto phase = phasesOf(store);
     for (const int i : gate.near)
     {
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
         const int line = gate.section.lineAt(x_i);
         if (line < 0) continue;
-        const double w = weight(gate.opening.distance(x_i));
-        sum[std::size_t(line)] += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
+        const double w = weight(opening.distance(x_i)) * (m ? m[i] : 1);
+        sum[std::size_t(line)] += w * dot(in3D(at<dim>(v, std::size_t(i))), opening.normal);
         count[std::size_t(line)] += w;
-        if (phases_ == 1) continue;
-        const std::size_t own = phase(std::size_t(i)) * n + std::size_t(line);
-        sumOf[own] += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
-        countOf[own] += w;
+        if (phase(std::size_t(i)) != opening.stream.phase) mayReturn[std::size_t(line)] = false;
     }
-    const auto mean = [](double s, double w) { return w > 0 ? s / w : std::numeric_limits<double>::infinity(); };
-    std::ranges::transform(sum, count, sum.begin(), mean);
-    std::ranges::transform(sumOf, countOf, sumOf.begin(), mean);
-    return {n, sumOf, sum};
-}
-
-template<int dim> std::vector<double> Openings<dim>::backflow(const Gate& gate, const LineVelocities& v) const
-{
-    if (!gate.opening.backflow) return {};
-    std::vector<double> inwards(v.lines, 0);
-    for (std::size_t l = 0; l < v.lines; ++l)
-        if (const double u = v.own(gate.opening.stream.phase, l); std::isfinite(u)) inwards[l] = std::max(0.0, u);
-    return inwards;
+    for (std::size_t l = 0; l < sum.size(); ++l)
+    {
+        const double u = count[l] > 0 ? sum[l] / count[l] : std::numeric_limits<double>::infinity();
+        sum[l] = count[l] > 0 && !mayReturn[l] ? std::min(0.0, u) : u;
+    }
+    return sum;
 }
 
 /// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
@@ -568,48 +574,34 @@ template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t
         coefficients_.restDensity[k] * std::pow(std::max(leastRatio, ratio), 1 / coefficients_.exponent[k]);
 }
 
-/// Along the normal [m/s] of a particle that an outlet holds, by what comes along behind it; infinite where it keeps what it has. What stands in the way of the
-/// phase that comes back in, with nothing of its own behind it, becomes that phase.
-template<int dim>
-double Openings<dim>::leave(FieldStore<dim>& store, std::size_t i, const Phases& phase, const Gate& gate, const LineVelocities& v,
-                            std::size_t line) const
-{
-    const auto& stream = gate.opening.stream;
-    const bool back = gate.opening.backflow;
-    if (back && phase(i) != stream.phase && !std::isfinite(v.own(phase(i), line)) && gate.backflow[line] > 0) bring(store, i, stream);
-    const double own = v.own(phase(i), line), u = std::isfinite(own) ? own : v.ofAll[line];
-    return std::isfinite(u) && !(back && phase(i) == stream.phase) ? std::min(0.0, u) : u;
-}
-
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT, double time)
 {
     time_ = time;
     for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT * intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
-    const auto phase = phasesOf(store);
-    std::vector<LineVelocities> velocity;
     for (auto& gate : gates_)
     {
         measure(store, gate);
-        velocity.push_back(gate.opening.inlet ? LineVelocities{} : velocities(store, gate));
-        gate.backflow = backflow(gate, velocity.back());
-        if (!gate.opening.inlet || !gate.opening.pressure) continue;
-        const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
-        gate.speed =
-            std::clamp(gate.speed + deltaT * (behind - gate.pressure[gate.opening.stream.phase]) / (gate.density * depth_), 0.0, gate.most);
+        if (!gate.opening.inlet)
+        {
+            gate.velocity = velocities(store, gate);
+            continue;
+        }
+        if (gate.opening.pressure)
+        {
+            const double behind = *gate.opening.pressure + coefficients_.backgroundPressure;
+            const double p = gate.pressure[gate.opening.stream.phase];
+            gate.speed = std::clamp(gate.speed + deltaT * (behind - p) / (gate.density * depth_), 0.0, gate.most);
+        }
+        std::ranges::transform(gate.section.lines(), gate.velocity.begin(), [&](const auto& line) { return gate.speed * line.profile; });
     }
     for (const int i : held_)
     {
-        const std::size_t k = std::size_t(holder[i]) - 1;
-        const auto& gate = gates_[k];
+        const auto& gate = gates_[std::size_t(holder[i]) - 1];
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
-        if (const int line = gate.section.lineAt(x_i); line >= 0)
-        {
-            const double u = gate.opening.inlet ? gate.speed * gate.section.lines()[std::size_t(line)].profile
-                                                : leave(store, std::size_t(i), phase, gate, velocity[k], std::size_t(line));
-            if (std::isfinite(u)) put<dim>(v, std::size_t(i), in<dim>(u * gate.opening.normal));
-        }
+        if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(gate.velocity[std::size_t(line)]))
+            put<dim>(v, std::size_t(i), in<dim>(gate.velocity[std::size_t(line)] * gate.opening.normal));
         impose(store, std::size_t(i), x_i);
     }
 }

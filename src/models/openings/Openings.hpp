@@ -8,9 +8,8 @@
 ///   both     p = a + b s                s [m] distance from the plane, < 0; a, b fitted to the fluid within H of the plane, at an outlet
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///
-/// Of several phases each has a mean v_l and a fit p of its own; where none of a phase comes along, those of all. Through an outlet with `backflow` that
-/// phase goes either way, by lines: lines that move inwards are filled up from behind with it, and what is held of another phase on such a line
-/// becomes it, once nothing of its own comes along any more. All else stands still there.
+/// Of several phases each has a fit p of its own, or that of all where it has none, and v_l is a mean by mass. An outlet with `backflow` lets that phase
+/// in again, by lines: a line along which nothing else comes may move inwards, is filled up from behind, and what else is held on it becomes that phase.
 ///
 /// Beyond a plane they stand as deep as sums reach: twice the support H for sums of what has a sum itself (forces, of volumes), one more for the
 /// interface stress (gradC), three more for tension by curvature (colour, gradC, curvature, its mean): what the free particles feel is of a fluid that goes on.
@@ -125,17 +124,10 @@ private:
         double density = 0;                ///< at rest, of what comes in
         double inflow = 0;                 ///< of what is near, through all of the section [m^3/s]
         std::vector<double> inflows;       ///< of each phase
-        std::vector<double> backflow = {}; ///< velocity of lines of an outlet that are to be filled up [m/s]
+        std::vector<double> velocity = {}; ///< of each line [m/s]
         Transit marked = {};
         std::size_t held = 0;
         std::vector<int> near = {}; ///< free particles within H
-    };
-    /// Of a particle's own phase on its line, and of all of them [m/s]; infinite where none comes along.
-    struct LineVelocities
-    {
-        std::size_t lines;
-        std::vector<double> ofPhase, ofAll;
-        double own(std::size_t phase, std::size_t line) const { return ofPhase.empty() ? ofAll[line] : ofPhase[phase * lines + line]; }
     };
     struct Fit
     {
@@ -187,13 +179,11 @@ private:
     void bring(FieldStore<dim>&, std::size_t i, const Stream&) const;
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
-    /// Those that move inwards with the phase that comes back in [m/s], 0 for all others.
-    std::vector<double> backflow(const Gate&, const LineVelocities&) const;
+    void replace(FieldStore<dim>&, std::size_t i, const Gate&, const Vector<3>& x_i) const;
     void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
     Fit fit(FieldStore<dim>&, const Gate&, double a, const auto& counts) const;
     void measure(FieldStore<dim>&, Gate&) const;
-    LineVelocities velocities(FieldStore<dim>&, const Gate&) const;
-    double leave(FieldStore<dim>&, std::size_t i, const Phases&, const Gate&, const LineVelocities&, std::size_t line) const;
+    std::vector<double> velocities(FieldStore<dim>&, const Gate&) const;
     /// Of what is free.
     std::vector<double> freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;

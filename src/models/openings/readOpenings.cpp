@@ -48,6 +48,11 @@ bool Opening::opensAt(const Vector<3>& x, int dimension) const
            std::ranges::none_of(without, [&](const Opening& other) { return other.opensAt(x, dimension); });
 }
 
+bool Opening::brings(std::size_t phase) const
+{
+    return stream.phase == phase || std::ranges::any_of(layers, [&](const Layer& layer) { return layer.stream.phase == phase; });
+}
+
 const Stream& Opening::streamAt(const Vector<3>& x, int dimension) const
 {
     const auto layer = std::ranges::find_if(layers, [&](const Layer& each) { return contains(each.extent, x, dimension); });
