@@ -5,6 +5,8 @@
 #include "forEachFoot.hpp"
 #include "readBox.hpp"
 #include "reduce.hpp"
+#include "words.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 
@@ -19,6 +21,10 @@ const Scalar length{"length", units::m, byScene("the shortest period of the doma
     porosity{"porosity", units::none, byScene("the share of sampled points outside of the walls"),
              positiveUpTo(1).saying("porosity is a fraction of the bed, above 0 and at most 1"), "share of the pores in the bed"};
 const Count samples{"samples", 64, atLeast(2), "points in each direction by which porosity and wall area are found"};
+const ListOf<double> sections{"sections", units::m, std::vector<double>{},
+                              "coordinates, along `direction`, of planes that flow is measured through"};
+const Direction along{"direction", byScene("that of gravity, else x"), "of the flow through the sections; along a coordinate"};
+const Word drain{"drain", byScene("none"), "outlet by which the residence of marked liquid is measured"};
 const SubDictionary region{"region", byScene("the domain"), "the bed"};
 }
 
@@ -58,6 +64,18 @@ double wallAreaBelow(const Foot& f, double V, double layer)
     return growth > 0 ? V / (layer * growth) : 0;
 }
 
+/// Of a hat about a section [spacings].
+constexpr double halfWidth = 2;
+
+/// The direction of the largest component.
+Vector<3> alongCoordinate(const Vector<3>& v)
+{
+    const auto sign = [](double q) { return q < 0 ? -1.0 : 1.0; };
+    const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+    if (x >= y && x >= z) return {sign(v.x), 0, 0};
+    return y >= z ? Vector<3>{0, sign(v.y), 0} : Vector<3>{0, 0, sign(v.z)};
+}
+
 double defaultLength(const Geometry& g)
 {
     const auto size = g.high - g.low;
@@ -77,6 +95,8 @@ BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& c
       length_(entry::length(d, defaultLength(context.geometry))),
       porosity_(entry::porosity.ifGiven(d)),
       samples_(entry::samples(d)),
+      sections_(entry::sections(d)),
+      drain_(entry::drain.ifGiven(d).value_or("")),
       where_(d.location())
 {
     const auto region = entry::region(d);
@@ -85,11 +105,14 @@ BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& c
     const auto size = high_ - low_;
     if (!(size.x > 0 && size.y > 0 && (size.z > 0 || context.geometry.dimension == 2)))
         entry::region.error(d, "min must lie below max in each direction");
+    direction_ = entry::along(d, Vector<3>{});
+    if (entry::along.given(d) && mag(direction_ - alongCoordinate(direction_)) > 1e-9) entry::along.error(d, "must be along a coordinate");
 }
 
 EntryList BedHydrodynamics::entries()
 {
-    return {entry::liquid, entry::length, entry::porosity, {entry::region, {entry::min, entry::max}}, entry::samples};
+    return {entry::liquid,  entry::length,   entry::porosity, {entry::region, {entry::min, entry::max}},
+            entry::samples, entry::sections, entry::along,    entry::drain};
 }
 
 bool BedHydrodynamics::inBed(const Vector<3>& x) const
@@ -116,6 +139,35 @@ void BedHydrodynamics::sampleBed(double layer)
                            });
     if (!porosity_) porosity_ = pores.inPore / double(all);
     wallArea_ = pores.wallArea;
+}
+
+std::vector<double> BedHydrodynamics::superficialAt(double at, const ParticleView& view, const SampledField& U, std::size_t phases) const
+{
+    const auto n = mag(direction_) > 0 ? direction_ : mag(view.g) > 0 ? alongCoordinate(view.g) : Vector<3>{1, 0, 0};
+    const Vector<3> coordinate{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    const auto size = high_ - low_;
+    const double width = halfWidth * view.spacing;
+    const double area = size.x * size.y * (view.dimension == 3 ? size.z : 1) / dot(size, coordinate);
+    return groupSums(
+        view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
+        [&](std::size_t i)
+        {
+            const double hat = std::max(0.0, 1 - std::abs(dot(position(view, i), coordinate) - at) / width) / width;
+            return hat > 0 ? view.volume[i] * dot(Vector<3>{U(0, i), U(1, i), U(2, i)}, n) * hat / area : 0.0;
+        });
+}
+
+double BedHydrodynamics::numberOf(const char* what, const ParticleView& view) const
+{
+    const auto found = view.numbers.find(fmt::format("{}({})", what, drain_));
+    if (found != view.numbers.end()) return found->second;
+    std::vector<std::string> drains;
+    for (const auto& [name, _] : view.numbers)
+        if (name.starts_with("transitTime(")) drains.push_back(name.substr(12, name.size() - 13));
+    throw CaseError(where_, drains.empty()
+                                ? "drain needs liquid that an inlet of constant/openings marks (`markFrom 0;` there), and is known while a "
+                                  "case runs alone"
+                                : fmt::format("drain \"{}\" is unknown. {}", drain_, suggestion(drain_, "outlets", drains)));
 }
 
 void BedHydrodynamics::execute(const ParticleView& view)
@@ -153,7 +205,7 @@ void BedHydrodynamics::execute(const ParticleView& view)
         columns.insert(columns.end(), {"superficial" + phase, "interstitial" + phase});
         cells.insert(cells.end(), {cell(u.amount / bed), cell(u.particles > 0 ? u.value() : Vector<3>{})});
     }
-    const auto add = [&](const char* name, double value)
+    const auto add = [&](const std::string& name, double value)
     {
         columns.push_back(name);
         cells.push_back(cell(value));
@@ -165,6 +217,19 @@ void BedHydrodynamics::execute(const ParticleView& view)
         add("Ca", mu * mag(superficial) / gamma);
     }
     if (mu > 0) add("Re", rho * mag(superficial) * length_ / mu);
+
+    for (std::size_t s = 0; s < sections_.size(); ++s)
+    {
+        const auto through = superficialAt(sections_[s], view, U, phases);
+        for (std::size_t k = 0; k < phases; ++k)
+            add(fmt::format("section{}{}", s + 1, k < phases_.size() ? "_" + phases_[k] : ""), through[k]);
+    }
+    if (!drain_.empty())
+    {
+        add("markedLeft", numberOf("marked", view));
+        add("residenceTime", numberOf("transitTime", view));
+        add("residenceDeviation", numberOf("transitDeviation", view));
+    }
 
     if (!table_)
         table_.emplace(context_.file("bedHydrodynamics.dat"),

@@ -4,6 +4,7 @@
 
 namespace sph
 {
+class SampledField;
 
 /// How liquid sits and moves in a packed bed
 ///
@@ -13,6 +14,11 @@ namespace sph
 ///   Bo = rho g L^2/gamma (gravity over capillarity),  Ca = mu |u|/gamma,  Re = rho |u| L/mu,  u: superficial, of the liquid
 ///
 ///     type bedHydrodynamics;  liquid water;  length 2e-3;  porosity 0.388;  region { min (..); max (..); }  samples 64;
+///     sections (0.01 0.02);  direction (0 0 -1);  drain out;
+///
+/// `sections`: superficial velocities along `direction` through planes at these coordinates, sum_k V_i u_i.n w_i/A, w a hat of 2 spacings to either side,
+/// A the bed's section. `drain`: an outlet of constant/openings; of marked liquid (`markFrom` there) the mass that has left through it, and the mean
+/// and the standard deviation of the time that it took.
 ///
 /// `liquid`: by default the first phase. `length` L [m]: the shortest period of the domain, or its extent in x. `porosity`: by
 /// default the fraction of `samples` points per direction that lie outside the walls. `region`: the bed, by default the domain.
@@ -27,12 +33,18 @@ class BedHydrodynamics : public FunctionObject
     std::optional<double> porosity_, wallArea_;
     Vector<3> low_, high_;
     int samples_;
+    Vector<3> direction_;
+    std::vector<double> sections_;
+    std::string drain_;
     Location where_;
     std::optional<OutputTable> table_;
     std::string report_;
 
     void sampleBed(double layer);
     bool inBed(const Vector<3>&) const;
+    /// Of each phase along `direction` through the bed's section at a coordinate [m/s].
+    std::vector<double> superficialAt(double, const ParticleView&, const SampledField& U, std::size_t phases) const;
+    double numberOf(const char* what, const ParticleView&) const;
 
 public:
     static EntryList entries();

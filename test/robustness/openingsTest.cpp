@@ -126,16 +126,61 @@ TEST(Openings, AcrossAPeriodicDirection)
 
 TEST(Openings, WithWhatTheyDoNotGoWith)
 {
-    Damaged phases(goodDuct());
-    std::filesystem::remove(phases.folder() / "constant/transportProperties");
-    phases.replace(file, "    phi 0.45;\n", "");
-    phases.write("constant/phaseProperties",
-                 "phases (water oil); water { rho 1000; mu 10; soundSpeed 15; } oil { rho 1000; mu 10; soundSpeed 15; }\n");
-    phases.isRefused("sphFoamLike", {file + ":1: ", "a scene of one phase"});
     Damaged creeping(goodDuct());
     creeping.replace("system/sphSchemes", "semiImplicit", "quasiSteady");
     creeping.replace("system/sphSchemes", "shifting 2", "shifting 0");
     creeping.isRefused("sphFoamLike", {file + ":1: ", "particles that move"});
+}
+
+// Which phase comes in must be said, and be there.
+TEST(Openings, PhasesThatAreNone)
+{
+    const auto refused = [](const Files& files, const std::string& from, const std::string& to, const std::vector<std::string>& words)
+    {
+        SCOPED_TRACE(from + " -> " + to);
+        auto damaged = files;
+        auto& text = damaged[file];
+        text.replace(text.find(from), from.size(), to);
+        const TestCase c(damaged);
+        const auto outcome = c.run("sphFoamLike", "-dry-run");
+        EXPECT_EQ(outcome.code, 1);
+        for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    };
+    const auto layers = layersCase(), drip = dripCase();
+    refused(layers, "    phase water;\n", "", {file + ":1: ", "\"phase\" is missing", "Known phases: water, gas"});
+    refused(layers, "phase water", "phase watr", {file + ":8: ", "\"watr\" is unknown. Did you mean \"water\"?"});
+    refused(layers, "phase gas", "phase oil", {file + ":11: ", "\"oil\" is unknown", "water, gas"});
+    refused(layers, "phase gas;", "", {file + ":11: ", "\"phase\" is missing"});
+    refused(layers, "backflow gas", "backflow air", {file + ":20: ", "\"air\" is unknown", "water, gas"});
+    refused(layers, "backflow gas", "backflw gas", {file + ":20: ", "Did you mean \"backflow\"?"});
+    refused(drip, "    radius 0.15;\n", "", {file + ":1: ", "\"radius\" is missing"});
+    refused(drip, "radius 0.15", "radius -0.15", {file + ":5: ", "radius"});
+    refused(drip, "((0.5 1 0))", "()", {file + ":4: ", "a point at least"});
+    refused(drip, "flowRate 0.12;", "", {file + ":1: ", "how much comes in is missing"});
+    refused(drip, "flowRate 0.12;", "pressure 3;", {file + ":7: ", "\"pressure\" is not used"});
+    refused(drip, "phase water;", "phase water; markFrom -1;", {file + ":8: ", "markFrom"});
+}
+
+// Where they cannot be: nearer to each other than they are wide, narrower than the kernel, in a wall.
+TEST(Openings, DripsThatDoNotFit)
+{
+    const auto refused = [](const std::string& from, const std::string& to, const std::vector<std::string>& words)
+    {
+        SCOPED_TRACE(to);
+        auto files = dripCase();
+        auto& text = files[file];
+        text.replace(text.find(from), from.size(), to);
+        const TestCase c(files);
+        c.runWell("packParticles");
+        c.runWell("meshToGhost");
+        const auto outcome = c.run("sphFoamLike");
+        EXPECT_EQ(outcome.code, 1);
+        for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    };
+    refused("((0.5 1 0))", "((0.4 1 0) (0.6 1 0))", {file + ":1: ", "\"drip2\" overlaps \"drip1\""});
+    refused("radius 0.15", "radius 0.05", {file + ":1: ", "\"drip1\" is 0.1 m wide, less than the support of the kernel"});
+    refused("((0.5 1 0))", "((0.5 1.5 0))", {file + ":1: ", "\"drip1\" needs 0.44 m of domain beyond its plane"});
+    refused("((0.5 1 0))", "((1.5 1 0))", {file + ":1: ", "\"drip1\" has no fluid in its plane"});
 }
 
 // An error, or a result without anything that is not finite.

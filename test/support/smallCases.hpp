@@ -74,6 +74,45 @@ inline Files openCase()
     return files;
 }
 
+/// Two layers of the same viscosity that come in through one inlet and leave together.
+inline Files layersCase()
+{
+    auto files = openCase();
+    files.erase("constant/transportProperties");
+    files.erase("constant/g");
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel quinticSpline; }\nintegration { scheme semiImplicit; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; fill ( { region all; phase water; } { region box; min (-9 0.5 0); max (9 9 0); phase gas; } );\n";
+    files["constant/phaseProperties"] =
+        "phases (water gas); water { rho 100; mu 10; soundSpeed 15; } gas { rho 10; mu 10; soundSpeed 50; }\n";
+    files["constant/openings"] =
+        "gate\n{\n    type inlet;\n    point (0 0 0);\n    normal (1 0 0);\n    velocity 0.5;\n    profile developed;\n    phase water;\n    layers\n    "
+        "(\n        { phase gas; min (-9 0.5 0); max (9 9 0); }\n    );\n}\nvent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    "
+        "pressure 0;\n    backflow gas;\n}\n";
+    return files;
+}
+
+/// Water drips into gas above an outlet; the plane it drips from is open to the gas.
+inline Files dripCase()
+{
+    auto files = layersCase();
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nsurfaceTension curvature;\nintegration { scheme semiImplicit; }\n";
+    files["system/packParticlesDict"] = "lattice cubic; allowEmpty yes; fill ( { region all; phase gas; } );\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 -0.6 0); max (1 1.6 0); }\nwalls\n{\n    left { type plane; point (0 0 0); normal (1 0 "
+        "0); contactAngle 90; }\n    right { type plane; point (1 0 0); normal (-1 0 0); contactAngle 90; }\n}\n";
+    files["constant/phaseProperties"] =
+        "phases (water gas); water { rho 100; mu 1; soundSpeed 10; } gas { rho 1; mu 0.1; soundSpeed 30; exponent 1.4; "
+        "}\nsigma ( (water gas) 4 );\n";
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -1 0);\n";
+    files["constant/openings"] =
+        "drip\n{\n    type drip;\n    points ((0.5 1 0));\n    radius 0.15;\n    normal (0 -1 0);\n    flowRate 0.12;\n    phase water;\n}\nsky\n{\n    "
+        "type outlet;\n    point (0 1 0);\n    normal (0 -1 0);\n    backflow gas;\n}\ndrain\n{\n    type outlet;\n    point (0 0 0);\n    normal (0 1 "
+        "0);\n    backflow gas;\n}\n";
+    return files;
+}
+
 /// A grain in a periodic box: curved wall, integrated density with diffusion, shifting.
 inline Files grainCase()
 {

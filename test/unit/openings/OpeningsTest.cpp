@@ -351,6 +351,198 @@ TEST(Openings, GoOnFromTheNumbersOfTheirState)
     EXPECT_EQ(second.state(), first.state());
 }
 
+/// Water of density 2 and gas of density 0.5, the water below.
+struct TwoPhases : Scene
+{
+    TwoPhases()
+    {
+        c.phases = {"water", "gas"};
+        c.restDensity = {2, 0.5};
+        evolving.push_back({stateField(Phase{})});
+        evolving.push_back({stateField(EntryTime{})});
+        store.allocateState(Phase{});
+        store.allocateState(EntryTime{});
+        store.resize(0);
+    }
+    Stream streamOf(std::size_t phase) const
+    {
+        return {phase, {{"m", c.restDensity[phase] * dx * dx}, {"phi", 0}, {"phase", double(phase)}}};
+    }
+    void fillWithBoth(double from, double to, double u)
+    {
+        const auto first = owned;
+        fill(from, to, u, 0);
+        for (std::size_t i = first; i < owned; ++i)
+        {
+            const auto phase = std::size_t(store.component("positions", 1)[i] > 0.5);
+            for (const auto& [field, value] : streamOf(phase).values) store.component(field, 0)[i] = value;
+            store.component("enteredAt", 0)[i] = EntryTime::notMarked;
+        }
+    }
+    Opening gateOfBoth() const
+    {
+        auto gate = inlet();
+        gate.velocity = 0.5;
+        gate.stream = streamOf(0);
+        gate.layers = {{{{-9, 0.5, -9}, {9, 9, 9}}, streamOf(1)}};
+        return gate;
+    }
+};
+
+// Round-off aside, by counts: what of each phase is there, has come in and has left.
+TEST(Openings, LetInPhasesByLayers)
+{
+    TwoPhases scene;
+    scene.fillWithBoth(0, 1, 0.5);
+    Openings<2> openings({scene.gateOfBoth(), outlet(0)}, scene.geometry, scene.c, scene.evolving, {});
+    scene.exchange(openings);
+    for (int step = 0; step < 200; ++step)
+    {
+        scene.drift(0.01);
+        if (step % 7 == 0) scene.exchange(openings);
+        else openings.follow(scene.store, false);
+        openings.drive(scene.store, 0.01, 0.01 * (step + 1));
+        for (std::size_t i = 0; i < scene.owned; ++i)
+            ASSERT_EQ(scene.store.component("phase", 0)[i], scene.store.component("positions", 1)[i] > 0.5 ? 1 : 0);
+    }
+    const auto gate = openings.flows().at(0), vent = openings.flows().at(1);
+    EXPECT_NEAR(gate.mass.at(0), 2 * 0.5, 0.5 * 2 * dx); // rho U t by half of the width, to a row
+    EXPECT_NEAR(gate.mass.at(1), 0.5 * 0.5, 0.5 * 0.5 * dx);
+    EXPECT_NEAR(gate.mass.at(0), -vent.mass.at(0), 1e-12);
+    EXPECT_NEAR(gate.mass.at(1), -vent.mass.at(1), 1e-12);
+    EXPECT_NEAR(gate.flowRates.at(0), 0.25, 1e-12);
+    EXPECT_NEAR(vent.flowRates.at(1), -0.25, 1e-12);
+    for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-14);
+    EXPECT_NEAR(openings.volume(), 0, 1e-14);
+
+    // And after a restart.
+    Openings<2> second({scene.gateOfBoth(), outlet(0)}, scene.geometry, scene.c, scene.evolving, openings.state());
+    scene.exchange(second);
+    EXPECT_EQ(second.state(), openings.state());
+}
+
+// Plug flow: all that is marked takes L/U from plane to plane, to a step; what was there before, and came in before, does not count.
+TEST(Openings, TellHowLongWhatTheyMarkTakes)
+{
+    TwoPhases scene;
+    scene.fillWithBoth(0, 1, 0.5);
+    auto gate = scene.gateOfBoth();
+    gate.markFrom = 0.5;
+    Openings<2> openings({gate, outlet(0)}, scene.geometry, scene.c, scene.evolving, {});
+    scene.exchange(openings);
+    const double deltaT = 0.01;
+    const auto run = [&](int from, int to)
+    {
+        for (int step = from; step < to; ++step)
+        {
+            scene.drift(deltaT);
+            if (step % 7 == 0) scene.exchange(openings);
+            else openings.follow(scene.store, false);
+            openings.drive(scene.store, deltaT, deltaT * (step + 1));
+        }
+    };
+    run(0, 245);
+    EXPECT_EQ(openings.flows().at(1).marked->mass, 0);
+    run(245, 400);
+    const auto marked = openings.flows().at(1).marked.value();
+    EXPECT_NEAR(openings.flows().at(0).marked->mass, (2 + 0.5) * 0.5 * 0.5 * 3.5, 2 * 2.5 * 0.5 * dx);
+    EXPECT_NEAR(marked.mass, (2 + 0.5) * 0.5 * 0.5 * 1.5, 2 * 2.5 * 0.5 * dx);
+    EXPECT_NEAR(marked.mean(), 1 / 0.5, deltaT);
+    EXPECT_LT(marked.deviation(), deltaT);
+}
+
+// p = 5 + 8 (1 - x) in water, 5 + 3 (1 - x) in gas: each held particle continues that of its phase.
+TEST(Openings, ContinueThePressureOfEachPhase)
+{
+    TwoPhases scene;
+    scene.fillWithBoth(-0.6, 1.6, 0.5);
+    Openings<2> openings({scene.gateOfBoth(), outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
+    scene.exchange(openings);
+    const auto pressureAt = [&](std::size_t i)
+    { return 5 + (scene.store.component("phase", 0)[i] > 0 ? 3 : 8) * (1 - scene.store.component("positions", 0)[i]); };
+    for (std::size_t i = 0; i < scene.owned; ++i) scene.store.component("p", 0)[i] = pressureAt(i);
+    openings.drive(scene.store, 0.01);
+    EXPECT_EQ(openings.held().size(), 120u);
+    for (const int i : openings.held()) EXPECT_NEAR(scene.store.component("heldPressure", 0)[i], pressureAt(std::size_t(i)), 1e-12);
+}
+
+// Gas is drawn in through the upper half of an outlet while water leaves through the lower one; then the flow of the water turns too: it stands.
+TEST(Openings, LetComeBackWhatMay)
+{
+    TwoPhases scene;
+    scene.fillWithBoth(0, 1.6, 0.5);
+    auto vent = outlet(0);
+    vent.backflow = true;
+    vent.stream = scene.streamOf(1);
+    Openings<2> openings({vent}, scene.geometry, scene.c, scene.evolving, {});
+    scene.exchange(openings);
+    const auto flowAt = [&](double ofWater, double ofGas)
+    {
+        for (std::size_t i = 0; i < scene.owned; ++i)
+            if (scene.store.component("heldBy", 0)[i] == 0)
+                scene.store.component("U", 0)[i] = scene.store.component("phase", 0)[i] > 0 ? ofGas : ofWater;
+    };
+    for (int step = 0; step < 54; ++step)
+    {
+        flowAt(0.5, -0.5);
+        openings.drive(scene.store, 0.01);
+        scene.drift(0.01);
+        scene.exchange(openings);
+    }
+    const double half = 3 * dx * 0.5; // three rows have passed either way
+    EXPECT_NEAR(openings.flows().at(0).mass.at(0), -2 * half, 1e-12);
+    EXPECT_NEAR(openings.flows().at(0).mass.at(1), 0.5 * half, 1e-12);
+    EXPECT_NEAR(openings.volume(), 0, 1e-13);
+    for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-13);
+    EXPECT_EQ(openings.held().size(), 60u); // filled up from behind
+    for (const int i : openings.held())
+        EXPECT_EQ(scene.store.component("phase", 0)[i], scene.store.component("positions", 1)[i] > 0.5 ? 1 : 0);
+    flowAt(-0.5, -0.5);
+    openings.drive(scene.store, 0.01);
+    for (const int i : openings.held()) EXPECT_EQ(scene.store.component("U", 0)[i], scene.store.component("phase", 0)[i] > 0 ? -0.5 : 0);
+    // Gas comes along all lines: what is held of the water is gone.
+    for (std::size_t i = 0; i < scene.owned; ++i)
+        if (scene.store.component("heldBy", 0)[i] == 0) scene.store.component("phase", 0)[i] = 1;
+    openings.drive(scene.store, 0.01);
+    openings.follow(scene.store, false);
+    for (const int i : openings.held())
+    {
+        EXPECT_EQ(scene.store.component("phase", 0)[i], 1);
+        EXPECT_EQ(scene.store.component("m", 0)[i], 0.5 * dx * dx);
+    }
+}
+
+// A strip of water in a plane that is open to gas: each holds its part, and their areas make up the plane's.
+TEST(Openings, CutADripOutOfAnOpenPlane)
+{
+    TwoPhases scene;
+    scene.fillWithBoth(0, 2, 0);
+    auto drip = scene.gateOfBoth();
+    drip.name = "drip1";
+    drip.layers.clear();
+    drip.point = {0, 0.5, 0};
+    drip.radius = 0.2;
+    auto sky = outlet(0);
+    sky.point = {0, 0, 0};
+    sky.normal = {1, 0, 0};
+    sky.backflow = true;
+    sky.stream = scene.streamOf(1);
+    sky.without = {drip};
+    Openings<2> openings({sky, drip}, scene.geometry, scene.c, scene.evolving, {});
+    scene.fillWithBoth(-0.6, 0, 0);
+    scene.exchange(openings);
+    EXPECT_NEAR(openings.flows().at(0).area, 0.6, 1e-9);
+    EXPECT_NEAR(openings.flows().at(1).area, 0.4, 1e-9);
+    EXPECT_EQ(openings.flows().at(0).held, 36u);
+    EXPECT_EQ(openings.flows().at(1).held, 24u);
+    for (const int i : openings.held())
+    {
+        const bool inside = std::abs(scene.store.component("positions", 1)[i] - 0.5) < 0.2;
+        EXPECT_EQ(scene.store.component("heldBy", 0)[i], inside ? 2 : 1);
+        EXPECT_EQ(scene.store.component("phase", 0)[i], inside || scene.store.component("positions", 1)[i] < 0.5 ? 0 : 1);
+    }
+}
+
 void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)
 {
     try
@@ -366,6 +558,13 @@ void refuses(const Opening& opening, const Geometry& geometry, const std::string
 
 TEST(Openings, MustFitTheirScene)
 {
+    auto empty = inlet();
+    empty.layers = {{{{-1, 0.5, -1}, {1, 1, 1}}, {}}, {{{-1, 0.7, -1}, {1, 0.8, 1}}, {}}};
+    refuses(empty, channel(1), "no fluid in the part 2 of its layers");
+    auto narrow = inlet();
+    narrow.point = {0, 0.5, 0};
+    narrow.radius = 0.1;
+    refuses(narrow, channel(1), "less than the support of the kernel");
     auto inWall = inlet();
     inWall.extent = {{-1, 1.2, -1}, {1, 1.5, 1}};
     refuses(inWall, channel(1), "inside a wall");

@@ -1,3 +1,4 @@
+#include "CaseError.hpp"
 #include "Conservation.hpp"
 #include "Particles.hpp"
 #include "PatchTree.hpp"
@@ -278,6 +279,52 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
     EXPECT_NEAR(number(9), 1000 * 9.81 * 1e-4 / 0.072, 1e-9);
     EXPECT_NEAR(number(10), 1e-3 * 0.1 / 0.072, 1e-12);
     EXPECT_NEAR(number(11), 1000 * 0.1 * 0.01 / 1e-3, 1e-9);
+}
+
+// Water falls at 0.4 in the lower half of x, gas rises at 0.1 in the other: half of each through any section that the hat does not leave the box at.
+TEST(BedHydrodynamics, flowThroughSectionsAndResidence)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.phases = {"water", "air"};
+    particles.setPhase([](Vector<3> x) { return x.x < 0.5 ? 0 : 1; });
+    particles.setU([](Vector<3> x) { return Vector<3>{0, x.x < 0.5 ? -0.4 : 0.1, 0}; });
+    auto view = particles.view();
+    view.numbers = {{"marked(out)", 3}, {"transitTime(out)", 0.25}, {"transitDeviation(out)", 0.02}};
+    const std::string bed = "bed { type bedHydrodynamics; porosity 1; sections (0.5 0.31); direction (0 -1 0); drain out; }";
+    auto functions = f.make(particles, bed);
+    ASSERT_EQ(f.mistakes(), "");
+    functions.execute(view, f.time, true, false);
+    const auto text = f.folder.read("postProcessing/bed/0/bedHydrodynamics.dat");
+    const std::string columns =
+        "section1_water\tsection1_air\tsection2_water\tsection2_air\tmarkedLeft\tresidenceTime\tresidenceDeviation\n";
+    EXPECT_NE(text.find(columns), std::string::npos) << text;
+    const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
+    const auto fromEnd = [&](std::size_t k) { return std::stod(row.at(row.size() - k)); };
+    EXPECT_NEAR(fromEnd(7), 0.2, 1e-12);
+    EXPECT_NEAR(fromEnd(6), -0.05, 1e-12);
+    EXPECT_NEAR(fromEnd(5), 0.2, 1e-12);
+    EXPECT_NEAR(fromEnd(4), -0.05, 1e-12);
+    EXPECT_EQ(fromEnd(3), 3);
+    EXPECT_EQ(fromEnd(2), 0.25);
+    EXPECT_EQ(fromEnd(1), 0.02);
+
+    const auto says = [&](const std::string& word)
+    {
+        try
+        {
+            functions.execute(view, f.time, true, false);
+            ADD_FAILURE() << word;
+        }
+        catch (const CaseError& e)
+        {
+            EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+        }
+    };
+    view.numbers = {{"transitTime(outt)", 0.25}};
+    says("drain \"out\" is unknown. Did you mean \"outt\"?");
+    view.numbers.clear();
+    says("drain needs liquid that an inlet of constant/openings marks");
 }
 
 TEST(BedHydrodynamics, porosityOfASphereIsSampled)
