@@ -193,9 +193,9 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
     {
         const auto inScene = [&](double s)
         { return inDomain(line.foot + s * opening.normal, 0) && geometry_.inFluid(line.foot + s * opening.normal); };
-        double s = 0;
-        while (s < depth_ && inScene(s + 0.5 * coefficients_.spacing)) s += coefficients_.spacing;
-        deepest = std::max(deepest, s);
+        // Grains of a bed may stand in the way.
+        for (double s = 0; s < depth_; s += coefficients_.spacing)
+            if (inScene(s + 0.5 * coefficients_.spacing)) deepest = std::max(deepest, s + coefficients_.spacing);
     }
     if (deepest < depth_)
         fail(fmt::format("{:.4g} m of scene before its plane, less than the {:.4g} m that it holds beyond", deepest, depth_));
