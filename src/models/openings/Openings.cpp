@@ -191,11 +191,10 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
     double deepest = 0;
     for (const auto& line : gate.section.lines())
     {
-        const auto inScene = [&](double s)
-        { return inDomain(line.foot + s * opening.normal, 0) && geometry_.inFluid(line.foot + s * opening.normal); };
+        const auto at = [&](double s) { return line.foot + s * opening.normal; };
         // Grains of a bed may stand in the way.
-        for (double s = 0; s < depth_; s += coefficients_.spacing)
-            if (inScene(s + 0.5 * coefficients_.spacing)) deepest = std::max(deepest, s + coefficients_.spacing);
+        for (double s = 0.5 * coefficients_.spacing; deepest < depth_ && inDomain(at(s), 0); s += coefficients_.spacing)
+            if (geometry_.inFluid(at(s))) deepest = std::max(deepest, s + 0.5 * coefficients_.spacing);
     }
     if (deepest < depth_)
         fail(fmt::format("{:.4g} m of scene before its plane, less than the {:.4g} m that it holds beyond", deepest, depth_));
