@@ -4,6 +4,7 @@
 #include "Duct.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <set>
 
 namespace sph::test
@@ -541,6 +542,22 @@ TEST(Openings, CutADripOutOfAnOpenPlane)
         EXPECT_EQ(scene.store.component("heldBy", 0)[i], inside ? 2 : 1);
         EXPECT_EQ(scene.store.component("phase", 0)[i], inside || scene.store.component("positions", 1)[i] < 0.5 ? 0 : 1);
     }
+}
+
+// A round drip in three dimensions: its lines lie within the radius, and as many particles come in as its area says.
+TEST(Openings, DripRoundInThreeDimensions)
+{
+    auto drip = inlet();
+    drip.point = {0, 0.5, 0.5};
+    drip.radius = 0.3;
+    const Section section(drip, squareDuct(), 0.1);
+    EXPECT_NEAR(section.area(), std::numbers::pi * 0.09, 0.01 * std::numbers::pi * 0.09);
+    for (const auto& line : section.lines()) EXPECT_LT(mag(line.foot - drip.point), 0.3);
+    EXPECT_NEAR(section.rowSpacing() * section.area() / double(section.lines().size()), 1e-3, 1e-15);
+    auto sky = outlet(0);
+    sky.without = {drip};
+    EXPECT_FALSE(sky.opensAt({0, 0.5, 0.6}, 3));
+    EXPECT_TRUE(sky.opensAt({0, 0.9, 0.9}, 3));
 }
 
 void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)

@@ -98,6 +98,27 @@ TEST(OpenScene, GasMakesRoomForWhatDripsIn)
     EXPECT_EQ(lastAfter(log, "Leaked: "), 0);
 }
 
+// A film through half of the top, exactly as wide as it says, beside gas that leaves by the other half.
+TEST(OpenScene, AFluxIsCutOutOfAnOpenPlane)
+{
+    auto files = dripCase();
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);\n";
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("0.08"), 4, "0.4");
+    control.replace(control.find("0.02"), 4, "0.4");
+    auto& openings = files["constant/openings"];
+    openings.replace(0, openings.find("sky"),
+                     "spray { type flux; point (0 1 0); min (0.5 1 0); max (1 1 0); normal (0 -1 0); velocity 0.5; phase water; }\n");
+    const TestCase c(files);
+    const auto log = packAndRun(c);
+    EXPECT_NE(log.find("spray, inlet of 0.5 m, 110 particles held"), std::string::npos) << log;
+    EXPECT_NE(log.find("sky, outlet of 0.5 m, "), std::string::npos) << log;
+    const auto passed = log.substr(log.rfind("spray: 0.25 m^3/s (0.25 of water, 0 of gas)"));
+    EXPECT_NEAR(std::stod(passed.substr(passed.find("passed ") + 7)), 100 * 0.25 * 0.4, 100 * 0.5 * 0.05);
+    EXPECT_LT(std::abs(lastAfter(log, "volume let in ")), 0.06);
+    EXPECT_LT(std::abs(lastAfter(log, "balance: mass off by ")), 1e-14);
+}
+
 // Plug flow between walls that slip: marked liquid takes L/U through the channel, to a step, and so says the table of the bed.
 TEST(OpenScene, MarkedLiquidTakesTheTimeOfPlugFlow)
 {
