@@ -504,7 +504,7 @@ typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gat
         p0 += w * p[i];
         p1 += w * s * p[i];
     }
-    Fit of{n, v0, a, 0, false};
+    Fit of{n, v0, s1, p0, a, 0, false};
     const double spread = n * s2 - s1 * s1;
     of.enough = count > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
     if (gate.opening.inlet)
@@ -516,19 +516,29 @@ typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gat
     return of;
 }
 
-/// A phase of which there is not enough before the plane has the pressure of all fluid there.
+/// A phase of which there is not enough before the plane has the pressure of all fluid there. At an outlet beside the phase that may come back others
+/// have its pressure and, as a constant, what they have more than it in the mean: the jump across their surface, which is not the outlet's to give.
 template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
 {
-    const auto all = fit(store, gate, gate.pressure[0], [](std::size_t) { return true; });
-    const double area = gate.section.area();
+    const auto& opening = gate.opening;
+    const double given = opening.inlet ? 0 : coefficients_.backgroundPressure + *opening.pressure, area = gate.section.area();
+    const auto all = fit(store, gate, given, [](std::size_t) { return true; });
     gate.inflow = all.n > 0 ? area * all.v0 / all.n : 0;
     const auto phase = phasesOf(store);
+    std::vector<Fit> fits;
+    for (std::size_t k = 0; k < phases_; ++k)
+        fits.push_back(phases_ == 1 ? all : fit(store, gate, given, [&](std::size_t i) { return phase(i) == k; }));
+    const auto& gas = fits[opening.stream.phase];
     for (std::size_t k = 0; k < phases_; ++k)
     {
-        const auto own = phases_ == 1 ? all : fit(store, gate, gate.pressure[k], [&](std::size_t i) { return phase(i) == k; });
+        const auto& own = fits[k];
+        const auto& used = own.enough ? own : all;
         gate.inflows[k] = all.n > 0 ? area * own.v0 / all.n : 0;
-        gate.pressure[k] = (own.enough ? own : all).pressure;
-        gate.slope[k] = (own.enough ? own : all).slope;
+        gate.pressure[k] = used.pressure;
+        gate.slope[k] = used.slope;
+        if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.n == 0) continue;
+        gate.slope[k] = gas.slope;
+        gate.pressure[k] = (own.p0 - gas.slope * own.s1) / own.n;
     }
 }
 

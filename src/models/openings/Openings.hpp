@@ -132,7 +132,8 @@ private:
     };
     struct Fit
     {
-        double n, v0, pressure, slope; ///< sums of weights, and of velocities; a and b
+        double n, v0, s1, p0;   ///< sums of weights, of velocities, of distances and of pressures
+        double pressure, slope; ///< a and b
         bool enough;
     };
     std::vector<Gate> gates_;

@@ -91,7 +91,7 @@ void addToys(Settings& settings)
     Evolving charge{stateField(Charge{}), stateField(ChargeRate{})},
         salt{stateField(Charge{}, "salt"), stateField(ChargeRate{}, "dsaltdt")}, spin{stateField(Spin{}), stateField(SpinRate{})},
         number{stateField(Number{})}, hidden{stateField(Number{}, "hidden")};
-    charge.inlet = [](const Dictionary& d) { return d.getPositive("charge", units::none, 1); };
+    charge.inlet = [](const Dictionary& d, std::size_t) { return d.getPositive("charge", units::none, 1); };
     charge.missing = [](const Loading& loading)
     {
         if (loading.restarted) throw CaseError("the charge is lost");
@@ -336,8 +336,8 @@ TEST(State, ComesInThroughInletsAndIsHeldThere)
     const Case withCharge(folder.folder());
     const auto openings = readOpenings(withCharge, geometry, settings.coefficients, settings.state);
     withCharge.diagnostics().throwIfAny();
-    EXPECT_EQ(openings.at(0).values.at("charge"), 3);
-    EXPECT_FALSE(openings.at(0).values.contains("salt"));
+    EXPECT_EQ(openings.at(0).stream.values.at("charge"), 3);
+    EXPECT_FALSE(openings.at(0).stream.values.contains("salt"));
     settings.parts.front() = partOf<OpeningsPart>(openings);
 
     const auto simulation = makeSimulation(settings, geometry, {}, {});
