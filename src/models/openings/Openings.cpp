@@ -347,7 +347,8 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
     }
 }
 
-/// Fills up lines from behind: of an inlet all, of an outlet those that move inwards, where what has left stands in no lattice and keeps its distance.
+/// Fills up lines from behind: of an inlet all; of an outlet those that move inwards, out of the scene's sight and at a distance from what has left, which
+/// stands in no lattice.
 template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
 {
     const auto& gate = gates_[std::size_t(k)];
@@ -372,7 +373,8 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     std::vector<Vector<3>> places;
     std::vector<std::size_t> lineOf;
     for (std::size_t l = 0; l < lines.size(); ++l)
-        for (double s = last[l] - row; s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
+        for (double s = (opening.inlet ? last[l] : std::min(last[l], coefficients_.support - depth_)) - row;
+             s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
             if (const auto place = lines[l].foot + s * opening.normal; clear(place))
             {
                 places.push_back(place);
