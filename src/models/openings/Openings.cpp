@@ -373,7 +373,7 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     std::vector<Vector<3>> places;
     std::vector<std::size_t> lineOf;
     for (std::size_t l = 0; l < lines.size(); ++l)
-        for (double s = (opening.inlet ? last[l] : std::min(last[l], coefficients_.support - depth_)) - row;
+        for (double s = (opening.inlet ? last[l] : std::min(last[l], -coefficients_.support)) - row;
              s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
             if (const auto place = lines[l].foot + s * opening.normal; clear(place))
             {
@@ -564,9 +564,23 @@ template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>&
         count[std::size_t(line)] += w;
         if (phase(std::size_t(i)) != opening.stream.phase) mayReturn[std::size_t(line)] = false;
     }
+    // A line that keeps what it has is filled up all the same.
+    std::vector<double> sumHeld(sum.size(), 0), countHeld(sum.size(), 0);
+    const double* const holder = store.component(Holder::info.name, 0);
+    for (std::size_t q = 0; q < held_.size() && opening.backflow; ++q)
+    {
+        const auto i = std::size_t(held_[q]);
+        if (&gates_[std::size_t(holder[i]) - 1] != &gate) continue;
+        const int line = gate.section.lineAt(in3D(at<dim>(x, i)));
+        if (line < 0) continue;
+        sumHeld[std::size_t(line)] += dot(in3D(at<dim>(v, i)), opening.normal);
+        ++countHeld[std::size_t(line)];
+    }
     for (std::size_t l = 0; l < sum.size(); ++l)
     {
-        const double u = count[l] > 0 ? sum[l] / count[l] : std::numeric_limits<double>::infinity();
+        const double u = count[l] > 0       ? sum[l] / count[l]
+                         : countHeld[l] > 0 ? sumHeld[l] / countHeld[l]
+                                            : std::numeric_limits<double>::infinity();
         sum[l] = count[l] > 0 && !mayReturn[l] ? std::min(0.0, u) : u;
     }
     return sum;
