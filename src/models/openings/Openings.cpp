@@ -519,14 +519,21 @@ typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gat
 }
 
 /// A phase of which there is not enough before the plane has the pressure of all fluid there. At an outlet beside the phase that may come back others
-/// have its pressure and, as a constant, what they have more than it in the mean: the jump across their surface, which is not the outlet's to give.
+/// have its pressure and, as a constant, what they have more than it in the mean: the jump across their surface, which is not the outlet's to give. What comes
+/// back starts from rest at the outlet's pressure: a = p - rho u^2/2, u its mean velocity inwards.
 template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
 {
     const auto& opening = gate.opening;
-    const double given = opening.inlet ? 0 : coefficients_.backgroundPressure + *opening.pressure, area = gate.section.area();
+    const double area = gate.section.area();
+    double given = opening.inlet ? 0 : coefficients_.backgroundPressure + *opening.pressure;
+    const auto phase = phasesOf(store);
+    if (opening.backflow)
+    {
+        const auto back = fit(store, gate, given, [&](std::size_t i) { return phase(i) == opening.stream.phase; });
+        given -= 0.5 * gate.density * sqr(back.n > 0 ? std::max(0.0, back.v0 / back.n) : 0);
+    }
     const auto all = fit(store, gate, given, [](std::size_t) { return true; });
     gate.inflow = all.n > 0 ? area * all.v0 / all.n : 0;
-    const auto phase = phasesOf(store);
     std::vector<Fit> fits;
     for (std::size_t k = 0; k < phases_; ++k)
         fits.push_back(phases_ == 1 ? all : fit(store, gate, given, [&](std::size_t i) { return phase(i) == k; }));

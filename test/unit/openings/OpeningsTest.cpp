@@ -498,6 +498,7 @@ TEST(Openings, LetComeBackWhatMay)
     EXPECT_EQ(openings.held().size(), 60u); // filled up from behind
     for (const int i : openings.held())
         EXPECT_EQ(scene.store.component("phase", 0)[i], scene.store.component("positions", 1)[i] > 0.5 ? 1 : 0);
+    EXPECT_NEAR(openings.flows().at(0).pressure, -0.5 * 0.5 * sqr(0.5), 1e-12); // what it has cost to come in
     flowAt(-0.5, -0.5);
     openings.drive(scene.store, 0.01);
     for (const int i : openings.held()) EXPECT_EQ(scene.store.component("U", 0)[i], scene.store.component("phase", 0)[i] > 0 ? -0.5 : 0);
