@@ -9,7 +9,8 @@
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///
 /// Of several phases each has a fit p of its own, or that of all where it has none, and v_l is a mean by mass. An outlet with `backflow` lets that phase
-/// in again, by lines: a line along which nothing else comes may move inwards, is filled up from behind, and what else is held on it becomes that phase.
+/// in again, by lines: a line along which nothing else comes may move inwards, is filled up from behind, and what else is held on it becomes that phase. It
+/// starts from rest outside, a = p - rho u^2/2, and beside it other phases have its pressure and the jump across their surface, which is measured.
 ///
 /// Beyond a plane they stand as deep as sums reach: twice the support H for forces, one more with the interface stress (gradC), two more with tension by
 /// curvature (colour, gradC, curvature, its mean). At a plane interface across an opening, at rest, the tension pulls at the free particles with 1e-5
