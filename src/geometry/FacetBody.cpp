@@ -213,7 +213,7 @@ void FacetBody::averageNormals()
         f.planar = std::ranges::all_of(f.cornerNormals, [&](int c) { return mag(cornerNormals_[std::size_t(c)] - f.normal) < flatAngle; });
 }
 
-Foot FacetBody::foot(const Vector<3>& x) const
+Foot FacetBody::foot(const Vector<3>& x, double within) const
 {
     const auto on = [&](int t)
     {
@@ -221,11 +221,11 @@ Foot FacetBody::foot(const Vector<3>& x) const
         return nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2));
     };
     const auto [distance, t] = tree_.nearest(
-        x, Box::infinity, [&](int k) { return mag(x - on(k).point); }, [](const auto&) { return false; });
+        x, within, [&](int k) { return mag(x - on(k).point); }, [](const auto&) { return false; });
     Foot result;
     if (t < 0)
     {
-        result.distance = std::numeric_limits<double>::quiet_NaN();
+        result.distance = std::isnan(x.x + x.y + x.z) ? std::numeric_limits<double>::quiet_NaN() : Box::infinity;
         return result;
     }
     const auto& f = facets_[std::size_t(t)];
@@ -352,9 +352,9 @@ void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hid
         {
             const auto& f = facets_[std::size_t(t)];
             const double depth = dot(f.normal, x - corner(f, 0));
-            if (depth < -behind - reach * (1 - std::cos(mostTurned_)) || isHidden(hidden, t) || !mayMirror(t, x, hidden)) return;
+            if (depth < -behind - reach * (1 - std::cos(mostTurned_)) || depth > reach || isHidden(hidden, t)) return;
             const auto near = nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point;
-            if (mag(x - near) > reach) return;
+            if (mag(x - near) > reach || !mayMirror(t, x, hidden)) return;
             // Facets of one face whose planes go on over one another give the same image.
             const bool twin = std::ranges::any_of(found,
                                                   [&](int u)

@@ -61,8 +61,9 @@ public:
     /// Facets of `surface` with these indices, which must be closed: every edge joins two facets that run along it in opposite directions.
     FacetBody(const FacetSurface& surface, std::span<const int> facets, const FacetScale&);
 
-    /// The nearest place of the surface: signed distance by angle-weighted normals (Baerentzen & Aanaes 2005).
-    Foot foot(const Vector<3>& x) const;
+    /// The nearest place of the surface: signed distance by angle-weighted normals (Baerentzen & Aanaes 2005). Infinitely far where none is as near as
+    /// `within`.
+    Foot foot(const Vector<3>& x, double within = Box::infinity) const;
     double distance(const Vector<3>& x) const { return foot(x).distance; }
 
     /// Facets that lie in other solids, one flag each, none where there are no such: what they would own is left to the faces beside them, which go on
@@ -91,6 +92,7 @@ public:
     /// Calls f(foot) for each face that x lies over, within reach, and for the nearest edge or vertex where it lies over none.
     template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
     {
+        if (distanceTo(bounds(), x) > reach) return;
         std::vector<int> found;
         findMirrors(x, reach, 0.5 * scale_.spacing, {}, found);
         bool any = false;
@@ -101,7 +103,7 @@ public:
                 any = true;
             }
         if (any) return;
-        if (const Foot nearest = foot(x); nearest.distance <= reach) f(nearest);
+        if (const Foot nearest = foot(x, reach); nearest.distance <= reach) f(nearest);
     }
 
     const std::vector<Facet>& facets() const { return facets_; }

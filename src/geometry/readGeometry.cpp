@@ -155,6 +155,14 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
         patch.walls[std::size_t(found - mesh->regions.begin())] = int(g.walls.size());
         auto wall = readWallProperties(region, g.dimension, true);
         wall.name = name + "." + region.keyword();
+        if (!wall.wets) // as the rest of the mesh
+        {
+            const auto& whole = g.walls[std::size_t(patch.wall)];
+            wall.wets = whole.wets;
+            wall.contactAngle = whole.contactAngle;
+            wall.contactAngles = whole.contactAngles;
+            wall.anglesAt = whole.anglesAt;
+        }
         g.walls.push_back(wall);
     }
     for (auto& body : mesh->bodies)

@@ -197,7 +197,8 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, cons
                                    next.mirrors[std::size_t(before)] = {p, facet};
                                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
                                    ++next.entry.reflections;
-                                   next.speed *= speedOf(f);
+                                   // In small hollows an image is faster still; lists would be built anew at every step for it.
+                                   next.speed *= std::min(speedOf(f), 2.0);
                                    if (before > 0 && !goesOn && geometry_->mayBeCovered(p) &&
                                        !fillsCorner(p, (last - 1)->patch, in3D(next.x), source))
                                        return;

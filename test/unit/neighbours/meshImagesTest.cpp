@@ -1,8 +1,8 @@
 /// Images in meshes: what is behind a surface is filled once, whatever its edges and vertices.
 #include "TriangleMesh.hpp"
+#include "meshes.hpp"
 #include "scenes.hpp"
 #include <gtest/gtest.h>
-#include <map>
 #include <numbers>
 
 namespace sph
@@ -12,29 +12,6 @@ namespace
 
 using namespace test;
 constexpr double H = 1, spacing = 1.0 / 3;
-
-/// Triangles of an outline, counter-clockwise around its first point and star-shaped around it, drawn along z.
-FacetSurface prism(const std::vector<Vector<3>>& outline, double from, double to)
-{
-    FacetSurface s;
-    const int n = int(outline.size());
-    for (const double z : {from, to})
-        for (const auto& p : outline) s.points.push_back({p.x, p.y, z});
-    for (int k = 1; k + 1 < n; ++k)
-    {
-        s.triangles.push_back({0, k + 1, k});
-        s.triangles.push_back({n, n + k, n + k + 1});
-    }
-    for (int k = 0; k < n; ++k)
-    {
-        const int next = (k + 1) % n;
-        s.triangles.push_back({k, next, n + next});
-        s.triangles.push_back({k, n + next, n + k});
-    }
-    s.regions = {"all"};
-    s.region.assign(s.triangles.size(), 0);
-    return s;
-}
 
 /// The solid around a wedge of fluid along z, of that angle [degrees] from the x axis on.
 FacetSurface aroundWedge(double angle)
@@ -124,12 +101,6 @@ TEST(MeshImages, FillWhatIsBehindAnEdgeOnce)
     EXPECT_GT(worstAlone, 0.4);
 }
 
-FacetSurface turnedInside(FacetSurface s)
-{
-    for (auto& t : s.triangles) std::swap(t[1], t[2]);
-    return s;
-}
-
 // Corners of a cube, of a box, and where a concave edge ends among convex ones, from either side. Where three faces meet, each image has a share
 // of a half: what is within half a spacing of the line where they are as near counts one and a half times, 2 to 3 % beside the corner.
 TEST(MeshImages, FillWhatIsBehindACornerOnce)
@@ -143,43 +114,11 @@ TEST(MeshImages, FillWhatIsBehindACornerOnce)
         Vector<3> vertex, into;
     };
     for (const auto& [name, surface, vertex, into] :
-         {Corner{"cube", square, {4, 4, 4}, {1, 1, 1}}, Corner{"box", turnedInside(square), {4, 4, 4}, {-1, -1, -1}},
+         {Corner{"cube", square, {4, 4, 4}, {1, 1, 1}}, Corner{"box", turned(square), {4, 4, 4}, {-1, -1, -1}},
           Corner{"above the concave edge", L, {0, 0, 4}, {0.5, 0.5, 1}}, Corner{"in it", L, {0, 0, 4}, {0.5, 0.5, -0.5}},
-          Corner{"above the solid", L, {0, 0, 4}, {-0.5, -0.5, 1}}, Corner{"in a cavity", turnedInside(L), {0, 0, 4}, {-0.5, -0.5, -1}},
-          Corner{"beside its edge", turnedInside(L), {0, 0, 4}, {0.5, -0.5, -0.5}}})
+          Corner{"above the solid", L, {0, 0, 4}, {-0.5, -0.5, 1}}, Corner{"in a cavity", turned(L), {0, 0, 4}, {-0.5, -0.5, -1}},
+          Corner{"beside its edge", turned(L), {0, 0, 4}, {0.5, -0.5, -0.5}}})
         for (const double r : {0.1, 0.4}) EXPECT_NEAR(filled(meshScene(surface), vertex + r * into).sum, 1, 0.035) << name << ", " << r;
-}
-
-FacetSurface icosphere(double R, int halvings)
-{
-    FacetSurface s;
-    const double t = 0.5 * (1 + std::sqrt(5));
-    s.points = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
-                {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-    s.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                   {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-    for (int k = 0; k < halvings; ++k)
-    {
-        std::map<std::pair<int, int>, int> middle;
-        const auto between = [&](int a, int b)
-        {
-            const auto [at, isNew] = middle.try_emplace(std::minmax(a, b), int(s.points.size()));
-            if (isNew) s.points.push_back(0.5 * (s.points[std::size_t(a)] + s.points[std::size_t(b)]));
-            return at->second;
-        };
-        std::vector<std::array<int, 3>> finer;
-        for (const auto& [a, b, c] : s.triangles)
-        {
-            const int ab = between(a, b), bc = between(b, c), ca = between(c, a);
-            for (const auto& f : {std::array{a, ab, ca}, std::array{b, bc, ab}, std::array{c, ca, bc}, std::array{ab, bc, ca}})
-                finer.push_back(f);
-        }
-        s.triangles = finer;
-    }
-    for (auto& p : s.points) p = R / mag(p) * p;
-    s.regions = {"all"};
-    s.region.assign(s.triangles.size(), 0);
-    return s;
 }
 
 // Facets from five spacings down to half of one, around the fluid and in it: faces that stand for themselves, then a smooth surface.
@@ -190,7 +129,7 @@ TEST(MeshImages, FillWhatIsBehindASphereOnceAtAnySizeOfFacets)
         for (const bool inside : {false, true})
         {
             const auto s = icosphere(R, halvings);
-            const auto g = meshScene(inside ? turnedInside(s) : s);
+            const auto g = meshScene(inside ? turned(s) : s);
             for (const double d : {0.1, 0.4})
             {
                 const Vector<3> x = (inside ? R - d : R + d) * Vector<3>{0.3, 0.95394, 0};
