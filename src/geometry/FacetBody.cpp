@@ -1,9 +1,7 @@
 #include "FacetBody.hpp"
 #include "components.hpp"
 #include <algorithm>
-#include <map>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
 
 namespace sph
@@ -389,20 +387,23 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
                     [&](const FacetTree::Node& node) { return node.patch >= 0 && node.patch != f.patch; })
                 .first;
     double toFront = Box::infinity, toBack = own.D;
-    const double least = tree_
-                             .nearest(
-                                 y, own.t + std::numbers::sqrt2 * scale_.spacing,
-                                 [&](int t)
-                                 {
-                                     if (isHidden(hidden, t) || !areRivals(f, facets_[std::size_t(t)])) return Box::infinity;
-                                     const Claim c = claim(t, y);
-                                     auto& nearest = std::isinf(c.t) ? toFront : toBack;
-                                     nearest = std::min(nearest, c.D);
-                                     return own.t + 2 / std::max(mag(facets_[std::size_t(t)].normal - f.normal), flatAngle) * (c.t - own.t);
-                                 },
-                                 [&](const FacetTree::Node& node)
-                                 { return node.patch == f.patch && node.halfAngle + angleBetween(node.axis, f.normal) < rivalAngle; })
-                             .first;
+    // Of two facets that meet at an angle the difference counts as much more as their normals differ less; a share that has faded out is 0 whatever it is.
+    const auto rival = [&](int t)
+    {
+        if (isHidden(hidden, t) || !areRivals(f, facets_[std::size_t(t)])) return Box::infinity;
+        const Claim c = claim(t, y);
+        auto& nearest = std::isinf(c.t) ? toFront : toBack;
+        nearest = std::min(nearest, c.D);
+        return own.t + 2 / std::max(mag(facets_[std::size_t(t)].normal - f.normal), flatAngle) * (c.t - own.t);
+    };
+    const double faded = std::numbers::sqrt2 * scale_.spacing;
+    double beside = own.t + faded; // the neighbours first: they are most of what competes
+    for (const int t : f.across) beside = std::min(beside, rival(t));
+    if (beside < own.t - faded) return (beside - own.t) / std::numbers::sqrt2;
+    const auto [least, _] =
+        tree_.nearest(y, beside, rival,
+                      [&](const FacetTree::Node& node)
+                      { return node.patch == f.patch && node.halfAngle + angleBetween(node.axis, f.normal) < rivalAngle; });
     // What is mirrored to a place in the fluid is nobody's.
     if (toFront <= toBack * (1 + 1e-9))
         if (const double s = distance(y); s > 0) return -s - own.t;

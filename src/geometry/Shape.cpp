@@ -12,12 +12,6 @@ double Shape::distanceTo(const Box& box) const
                          gap(own.low.z, own.high.z, box.low.z, box.high.z)});
 }
 
-double distanceTo(const Box& b, const Vector<3>& x)
-{
-    const auto outside = [](double low, double q, double high) { return std::max({0.0, low - q, q - high}); };
-    return mag(Vector<3>{outside(b.low.x, x.x, b.high.x), outside(b.low.y, x.y, b.high.y), outside(b.low.z, x.z, b.high.z)});
-}
-
 TriangleSurface triangulate(const Shape& shape, const Box& within, double size)
 {
     auto surface = cropped(shape.triangles(within, size), within);

@@ -8,6 +8,7 @@
 #pragma once
 #include "TriangleSurface.hpp"
 #include "Vector.hpp"
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -69,7 +70,11 @@ struct Box
 };
 
 /// 0 within the box [m].
-double distanceTo(const Box&, const Vector<3>&);
+inline double distanceTo(const Box& b, const Vector<3>& x)
+{
+    const auto outside = [](double low, double q, double high) { return std::max({0.0, low - q, q - high}); };
+    return mag(Vector<3>{outside(b.low.x, x.x, b.high.x), outside(b.low.y, x.y, b.high.y), outside(b.low.z, x.z, b.high.z)});
+}
 
 enum class FluidSide
 {

@@ -134,30 +134,18 @@ namespace
 /// The wall itself, and one for each region of its mesh that has properties of its own: "<wall>.<region>".
 void readMeshWall(const Dictionary& dict, Geometry& g)
 {
-    if (g.dimension == 2)
-        return shapeType().error(dict, "a mesh is a surface in space, and a 2-D scene does not vary with z: use planes and circles");
     const auto name = dict.keyword();
     readTriSurface(dict); // meshToGhost acts on it
-    const auto mesh = readMesh(name, g, dict.diagnostics());
-    if (!mesh) return;
-    Patch patch{nullptr, int(g.walls.size()), {}};
-    g.walls.push_back(readWallProperties(dict, g.dimension, true));
-    patch.walls.assign(mesh->regions.size(), patch.wall);
-    for (const auto& region : regionsOf(dict))
+    const auto whole = readWallProperties(dict, g.dimension, true);
+    const int base = int(g.walls.size());
+    g.walls.push_back(whole);
+    const auto own = regionsOf(dict);
+    for (const auto& region : own)
     {
-        const auto found = std::ranges::find(mesh->regions, region.keyword());
-        if (found == mesh->regions.end())
-        {
-            dict.error("regions", fmt::format("region \"{}\" is unknown. {}", region.keyword(),
-                                              suggestion(region.keyword(), "regions of this mesh", mesh->regions)));
-            continue;
-        }
-        patch.walls[std::size_t(found - mesh->regions.begin())] = int(g.walls.size());
         auto wall = readWallProperties(region, g.dimension, true);
         wall.name = name + "." + region.keyword();
         if (!wall.wets) // as the rest of the mesh
         {
-            const auto& whole = g.walls[std::size_t(patch.wall)];
             wall.wets = whole.wets;
             wall.contactAngle = whole.contactAngle;
             wall.contactAngles = whole.contactAngles;
@@ -165,9 +153,22 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
         }
         g.walls.push_back(wall);
     }
-    for (auto& body : mesh->bodies)
+    if (g.dimension == 2)
+        return shapeType().error(dict, "a mesh is a surface in space, and a 2-D scene does not vary with z: use planes and circles");
+    const auto mesh = readMesh(name, g, dict.diagnostics());
+    if (!mesh) return;
+    Patch patch{nullptr, base, std::vector<int>(mesh->regions.size(), base)};
+    for (std::size_t k = 0; k < own.size(); ++k)
     {
-        patch.shape = std::move(body);
+        const auto found = std::ranges::find(mesh->regions, own[k].keyword());
+        if (found != mesh->regions.end()) patch.walls[std::size_t(found - mesh->regions.begin())] = base + 1 + int(k);
+        else
+            dict.error("regions", fmt::format("region \"{}\" is unknown. {}", own[k].keyword(),
+                                              suggestion(own[k].keyword(), "regions of this mesh", mesh->regions)));
+    }
+    for (const auto& body : mesh->bodies)
+    {
+        patch.shape = body;
         g.originals.push_back(patch);
     }
 }
