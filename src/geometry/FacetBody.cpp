@@ -2,6 +2,7 @@
 #include "components.hpp"
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 #include <unordered_map>
 
 namespace sph
@@ -25,6 +26,9 @@ constexpr double widestInHollow = 1;
 
 /// Largest distance of a particle over a hollow's radius for which its image has the volume factor of eq. (18).
 constexpr double mostCurved = 0.6;
+
+/// Of the coordinates of a facet: what lies over the joint of two lies over both.
+constexpr double onJoint = 1e-10;
 
 double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(mag(cross(a, b)), dot(a, b)); }
 
@@ -285,7 +289,7 @@ std::optional<FacetBody::Prism> FacetBody::prism(int facet, const Vector<3>& x) 
     const double l1 = dot(cross(v, e2 + d * m2), C) / dot(C, C), l2 = dot(cross(e1 + d * m1, v), C) / dot(C, C);
     Prism p;
     p.l = {1 - l1 - l2, l1, l2};
-    p.inside = p.l[0] >= 0 && l1 >= 0 && l2 >= 0;
+    p.inside = std::ranges::all_of(p.l, [](double l) { return l >= -onJoint; });
     const auto normal = N0 + l1 * m1 + l2 * m2;
     const double length = mag(normal);
     p.foot.distance = d * length;
@@ -309,7 +313,7 @@ FacetBody::Prism FacetBody::plane(int facet, const Vector<3>& x) const
     Prism p;
     const double l1 = dot(cross(v, e2), C) / dot(C, C), l2 = dot(cross(e1, v), C) / dot(C, C);
     p.l = {1 - l1 - l2, l1, l2};
-    p.inside = p.l[0] >= 0 && l1 >= 0 && l2 >= 0;
+    p.inside = std::ranges::all_of(p.l, [](double l) { return l >= -onJoint; });
     p.foot.distance = dot(f.normal, v);
     p.foot.normal = f.normal;
     p.foot.region = f.region;
@@ -317,22 +321,22 @@ FacetBody::Prism FacetBody::plane(int facet, const Vector<3>& x) const
 }
 
 /// Over the facet, or beyond no edge but such as its plane goes on across, and the image not far beyond where that of the face across begins.
-bool FacetBody::mayMirror(int facet, const Vector<3>& x, Hidden hidden) const
+FacetBody::Lies FacetBody::lies(int facet, const Vector<3>& x, Hidden hidden) const
 {
-    if (const auto p = prism(facet, x); p && p->inside) return true;
+    if (const auto p = prism(facet, x); p && p->inside) return Lies::over;
     const auto& f = facets_[std::size_t(facet)];
-    if (!f.isCreased()) return false;
+    if (!f.isCreased()) return Lies::elsewhere;
     const auto p = plane(facet, x);
     for (std::size_t k = 0; k < 3; ++k)
-        if (p.l[k] < 0 && f.edges[k] <= EdgeKind::smooth) return false;
+        if (p.l[k] < 0 && f.edges[k] <= EdgeKind::smooth) return Lies::elsewhere;
     const auto y = mirrorImage(x, p.foot);
     const double own = claim(facet, y).t;
     for (std::size_t k = 0; k < 3; ++k)
-        if (p.l[k] < 0 && !isHidden(hidden, f.across[k]) && claim(f.across[k], y).t < own - scale_.spacing) return false;
-    return true;
+        if (p.l[k] < 0 && !isHidden(hidden, f.across[k]) && claim(f.across[k], y).t < own - scale_.spacing) return Lies::elsewhere;
+    return Lies::beside;
 }
 
-void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<int>& found) const
+void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<std::pair<int, Lies>>& found) const
 {
     tree_.visit(
         [&](const FacetTree::Node& node)
@@ -352,16 +356,22 @@ void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hid
             const double depth = dot(f.normal, x - corner(f, 0));
             if (depth < -behind - reach * (1 - std::cos(mostTurned_)) || depth > reach || isHidden(hidden, t)) return;
             const auto near = nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point;
-            if (mag(x - near) > reach || !mayMirror(t, x, hidden)) return;
-            // Facets of one face whose planes go on over one another give the same image.
-            const bool twin = std::ranges::any_of(found,
-                                                  [&](int u)
-                                                  {
-                                                      const auto& g = facets_[std::size_t(u)];
-                                                      return g.patch == f.patch && dot(g.normal, f.normal) > 1 - 1e-6 &&
-                                                             std::abs(dot(f.normal, corner(g, 0) - corner(f, 0))) < 1e-3 * scale_.spacing;
-                                                  });
-            if (!twin) found.push_back(t);
+            if (mag(x - near) > reach) return;
+            const auto where = lies(t, x, hidden);
+            if (where == Lies::elsewhere) return;
+            // Facets of one face, over whose joint x lies or whose planes go on over one another, give the same image: that which x lies over sees it.
+            for (auto& [u, other] : found)
+            {
+                const auto& g = facets_[std::size_t(u)];
+                const bool samePlane = g.patch == f.patch && dot(g.normal, f.normal) > 1 - 1e-6 &&
+                                       std::abs(dot(f.normal, corner(g, 0) - corner(f, 0))) < 1e-3 * scale_.spacing;
+                const bool joined =
+                    where == Lies::over && other == Lies::over && std::ranges::find(f.across, u) != f.across.end() && g.patch == f.patch;
+                if (!samePlane && !joined) continue;
+                if (where > other) std::tie(u, other) = std::pair{t, where};
+                return;
+            }
+            found.emplace_back(t, where);
         });
 }
 

@@ -74,11 +74,10 @@ public:
     /// in soon (foot.margin > -fade). The foot of `image = x - 2 distance normal`.
     template<class F> void forEachMirror(const Vector<3>& x, double reach, double behind, double fade, Hidden hidden, const F& f) const
     {
-        std::vector<int> found;
+        std::vector<std::pair<int, Lies>> found;
         findMirrors(x, reach, behind, hidden, found);
-        for (const int t : found)
+        for (auto [facet, _] : found)
         {
-            int facet = t;
             const Foot foot = mirror(facet, x, hidden);
             if (foot.distance < -behind || foot.distance > reach || !(foot.margin > -fade)) continue;
             f(facet, foot);
@@ -93,10 +92,10 @@ public:
     template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
     {
         if (distanceTo(bounds(), x) > reach) return;
-        std::vector<int> found;
+        std::vector<std::pair<int, Lies>> found;
         findMirrors(x, reach, 0.5 * scale_.spacing, {}, found);
         bool any = false;
-        for (const int t : found)
+        for (const auto& [t, _] : found)
             if (const auto over = prism(t, x); over && over->inside && sees(x, t))
             {
                 f(over->foot);
@@ -119,6 +118,13 @@ public:
     double mostTurned() const { return mostTurned_; }
 
 private:
+    /// Where a point is from a facet; beside it across its edges alone.
+    enum class Lies : unsigned char
+    {
+        elsewhere,
+        beside,
+        over
+    };
     struct Prism
     {
         Foot foot;
@@ -141,8 +147,8 @@ private:
     const Vector<3>& corner(const Facet& f, int k) const { return points_[std::size_t(f.points[std::size_t(k)])]; }
     std::optional<Prism> prism(int facet, const Vector<3>& x) const;
     Prism plane(int facet, const Vector<3>& x) const;
-    void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<int>& found) const;
-    bool mayMirror(int facet, const Vector<3>& x, Hidden hidden) const;
+    void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<std::pair<int, Lies>>& found) const;
+    Lies lies(int facet, const Vector<3>& x, Hidden hidden) const;
     /// Distance of y to a facet, and t_f(y), see above: infinite where y is in front of it.
     struct Claim
     {
