@@ -18,7 +18,7 @@ constexpr FacetScale scale{0.1, 0.26};
 // The nearest place of a cube by its mathematics, at 1000 places in and around it: faces, edges and corners.
 TEST(TriangleMesh, TellsTheSignedDistanceToACube)
 {
-    const auto bodies = bodiesOf(block({0, 0, 0}, {1, 1, 1}), scale);
+    const auto bodies = bodiesOf(ofOneRegion(block({0, 0, 0}, {1, 1, 1})), scale);
     ASSERT_EQ(bodies.size(), 1u);
     for (int k = 0; k < 1000; ++k)
     {
@@ -42,7 +42,7 @@ TEST(TriangleMesh, TellsConvexFromConcave)
     for (const bool inside : {false, true})
     {
         const auto s = block({0, 0, 0}, {1, 1, 1});
-        const auto body = bodiesOf(inside ? turned(s) : s, scale)[0];
+        const auto body = bodiesOf(ofOneRegion(inside ? inverted(s) : s), scale)[0];
         EXPECT_EQ(body->patches(), 6);
         for (const auto& f : body->facets())
             for (const auto edge : f.edges) EXPECT_TRUE(edge == EdgeKind::flat || edge == (inside ? EdgeKind::concave : EdgeKind::convex));
@@ -55,8 +55,8 @@ TEST(TriangleMesh, TellsTheCurvatureThatSmallFacetsStandFor)
     const double R = 1;
     for (const bool inside : {false, true})
     {
-        const auto s = icosphere(R, 4);
-        const auto body = bodiesOf(inside ? turned(s) : s, scale)[0];
+        const auto s = icosphere(4, R);
+        const auto body = bodiesOf(ofOneRegion(inside ? inverted(s) : s), scale)[0];
         EXPECT_EQ(body->patches(), 1);
         EXPECT_FALSE(body->hasCreases());
         double sum = 0;
@@ -86,13 +86,13 @@ TEST(TriangleMesh, TellsTheCurvatureThatSmallFacetsStandFor)
 TEST(TriangleMesh, TakesBodiesApartAndLeavesCavitiesTogether)
 {
     const auto small = block({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}), big = block({0, 0, 0}, {1, 1, 1});
-    EXPECT_EQ(bodiesOf(together(big, block({0.9, 0.9, 0.9}, {2, 2, 2})), scale).size(), 2u);
-    const auto hollow = bodiesOf(together(big, turned(small)), scale);
+    EXPECT_EQ(bodiesOf(ofOneRegion(together(big, block({0.9, 0.9, 0.9}, {2, 2, 2}))), scale).size(), 2u);
+    const auto hollow = bodiesOf(ofOneRegion(together(big, inverted(small))), scale);
     ASSERT_EQ(hollow.size(), 1u);
     EXPECT_NEAR(hollow[0]->distance({0.5, 0.5, 0.5}), 0.3, 1e-14);
     EXPECT_NEAR(hollow[0]->distance({0.5, 0.5, 0.1}), -0.1, 1e-14);
     EXPECT_NEAR(hollow[0]->distance({0.5, 0.5, -0.1}), 0.1, 1e-14);
-    EXPECT_EQ(bodiesOf(together(turned(big), small), scale).size(), 2u);
+    EXPECT_EQ(bodiesOf(ofOneRegion(together(inverted(big), small)), scale).size(), 2u);
 }
 
 /// A case with a mesh that has been prepared.
@@ -100,7 +100,7 @@ struct MeshCase
 {
     std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "meshCase";
     std::shared_ptr<Diagnostics> diagnostics = std::make_shared<Diagnostics>();
-    FacetSurface surface = block({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+    FacetSurface surface = ofOneRegion(block({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}));
 
     MeshCase()
     {

@@ -1,10 +1,9 @@
 /// Meshes as the text of files.
 #pragma once
-#include "TriangleSurface.hpp"
+#include "meshes.hpp"
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
-#include <map>
 #include <string>
 
 namespace sph::test
@@ -19,57 +18,6 @@ inline Mesh box(const Vector<3>& low = {0, 0, 0}, const Vector<3>& high = {1, 1,
     for (int i = 0; i < 8; ++i) m.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
     m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-    return m;
-}
-
-/// 20 4^n facets on a sphere, normals outwards.
-inline Mesh icosphere(int n, double radius = 1, const Vector<3>& centre = {})
-{
-    const double g = (1 + std::sqrt(5.0)) / 2;
-    Mesh m{{{-1, g, 0},
-            {1, g, 0},
-            {-1, -g, 0},
-            {1, -g, 0},
-            {0, -1, g},
-            {0, 1, g},
-            {0, -1, -g},
-            {0, 1, -g},
-            {g, 0, -1},
-            {g, 0, 1},
-            {-g, 0, -1},
-            {-g, 0, 1}},
-           {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-            {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
-    for (int level = 0; level < n; ++level)
-    {
-        std::map<std::pair<int, int>, int> middles;
-        const auto middle = [&](int a, int b)
-        {
-            const auto [entry, isNew] = middles.try_emplace({std::min(a, b), std::max(a, b)}, int(m.points.size()));
-            if (isNew) m.points.push_back(0.5 * (m.points[std::size_t(a)] + m.points[std::size_t(b)]));
-            return entry->second;
-        };
-        std::vector<std::array<int, 3>> finer;
-        for (const auto& [a, b, c] : m.triangles)
-        {
-            const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-        }
-        m.triangles = finer;
-    }
-    for (auto& p : m.points) p = centre + radius / mag(p) * p;
-    return m;
-}
-
-inline Mesh together(Mesh a, const Mesh& b)
-{
-    append(a, b);
-    return a;
-}
-
-inline Mesh inverted(Mesh m)
-{
-    for (auto& t : m.triangles) std::swap(t[1], t[2]);
     return m;
 }
 

@@ -14,7 +14,7 @@ using namespace test;
 constexpr double H = 1, spacing = 1.0 / 3;
 
 /// The solid around a wedge of fluid along z, of that angle [degrees] from the x axis on.
-FacetSurface aroundWedge(double angle)
+TriangleSurface aroundWedge(double angle)
 {
     const double R = 40, a = angle * std::numbers::pi / 180, rest = 2 * std::numbers::pi - a;
     std::vector<Vector<3>> outline{{0, 0, 0}};
@@ -28,13 +28,13 @@ double wendland(double r) // C2 of support 1, of integral 1
     return r < 1 ? 21 / (2 * std::numbers::pi) * q * q * q * q * (4 * r + 1) : 0;
 }
 
-Geometry meshScene(const FacetSurface& s)
+Geometry meshScene(const TriangleSurface& s)
 {
     Geometry g;
     g.low = {-10, -10, -10};
     g.high = {10, 10, 10};
     g.facetScale = {spacing, H};
-    for (const auto& body : bodiesOf(s, g.facetScale)) g.originals.push_back({std::make_shared<TriangleMesh>(body), 0});
+    for (const auto& body : bodiesOf(ofOneRegion(s), g.facetScale)) g.originals.push_back({std::make_shared<TriangleMesh>(body), 0});
     g.walls.resize(1);
     repeatPeriodically(g, 1.2 * H);
     return g;
@@ -110,14 +110,14 @@ TEST(MeshImages, FillWhatIsBehindACornerOnce)
     struct Corner
     {
         const char* name;
-        FacetSurface surface;
+        TriangleSurface surface;
         Vector<3> vertex, into;
     };
     for (const auto& [name, surface, vertex, into] :
-         {Corner{"cube", square, {4, 4, 4}, {1, 1, 1}}, Corner{"box", turned(square), {4, 4, 4}, {-1, -1, -1}},
+         {Corner{"cube", square, {4, 4, 4}, {1, 1, 1}}, Corner{"box", inverted(square), {4, 4, 4}, {-1, -1, -1}},
           Corner{"above the concave edge", L, {0, 0, 4}, {0.5, 0.5, 1}}, Corner{"in it", L, {0, 0, 4}, {0.5, 0.5, -0.5}},
-          Corner{"above the solid", L, {0, 0, 4}, {-0.5, -0.5, 1}}, Corner{"in a cavity", turned(L), {0, 0, 4}, {-0.5, -0.5, -1}},
-          Corner{"beside its edge", turned(L), {0, 0, 4}, {0.5, -0.5, -0.5}}})
+          Corner{"above the solid", L, {0, 0, 4}, {-0.5, -0.5, 1}}, Corner{"in a cavity", inverted(L), {0, 0, 4}, {-0.5, -0.5, -1}},
+          Corner{"beside its edge", inverted(L), {0, 0, 4}, {0.5, -0.5, -0.5}}})
         for (const double r : {0.1, 0.4}) EXPECT_NEAR(filled(meshScene(surface), vertex + r * into).sum, 1, 0.035) << name << ", " << r;
 }
 
@@ -128,8 +128,8 @@ TEST(MeshImages, FillWhatIsBehindASphereOnceAtAnySizeOfFacets)
     for (const int halvings : {1, 2, 3, 5})
         for (const bool inside : {false, true})
         {
-            const auto s = icosphere(R, halvings);
-            const auto g = meshScene(inside ? turned(s) : s);
+            const auto s = icosphere(halvings, R);
+            const auto g = meshScene(inside ? inverted(s) : s);
             for (const double d : {0.1, 0.4})
             {
                 const Vector<3> x = (inside ? R - d : R + d) * Vector<3>{0.3, 0.95394, 0};
