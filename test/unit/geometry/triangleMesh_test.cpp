@@ -98,7 +98,8 @@ TEST(TriangleMesh, TakesBodiesApartAndLeavesCavitiesTogether)
 /// A case with a mesh that has been prepared.
 struct MeshCase
 {
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "meshCase";
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
     std::shared_ptr<Diagnostics> diagnostics = std::make_shared<Diagnostics>();
     FacetSurface surface = ofOneRegion(block({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75}));
 
