@@ -23,13 +23,14 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
     const auto add = [&](const LayerParticle& particle, Vector<3> x, int original)
     {
         Particle p{in<dim>(x), particle.volumeFactor, original, unsigned(walls_.size()), 0};
-        forEachFootAlone(geometry, x, 0,
-                         [&](const Foot& foot, int k)
-                         {
-                             if (foot.distance == 0 || p.walls == dim) return;
-                             walls_.push_back({k, geometry.patches[std::size_t(k)].wallAt(foot.region), foot, x - foot.distance * foot.normal});
-                             ++p.walls;
-                         });
+        forEachFootAlone(
+            geometry, x, 0,
+            [&](const Foot& foot, int k)
+            {
+                if (foot.distance == 0 || p.walls == dim) return;
+                walls_.push_back({k, geometry.patches[std::size_t(k)].wallAt(foot.region), foot, x - foot.distance * foot.normal});
+                ++p.walls;
+            });
         if (p.walls == 0)
             throw CaseError({"constant/lagrangian/wallLayers/positions", 0},
                             fmt::format("the particle at ({:.6g} {:.6g} {:.6g}) does not lie in a wall: run meshToGhost again", x.x, x.y,

@@ -344,9 +344,10 @@ public:
                 images.forEachWallNear(x,
                                        [&](const Foot& foot, const Patch& patch)
                                        {
-                                           soFar = term_(soFar, own,
-                                                         WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2, patch.wallAt(foot.region),
-                                                                       foot.smooth, patch.shape->uniformlyCurved()});
+                                           soFar =
+                                               term_(soFar, own,
+                                                     WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2,
+                                                                   patch.wallAt(foot.region), foot.smooth, patch.shape->uniformlyCurved()});
                                        });
                 const auto set = [&](int c, double q) { result_[c][i] = q; };
                 if constexpr (requires { term_.finish(soFar); }) eachComponent(term_.finish(soFar), set);

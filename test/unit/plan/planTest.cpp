@@ -42,7 +42,8 @@ TEST(Plan, RefusesTwoProvidersOfOneField)
 
 TEST(Plan, AsksWhereSeveralCouldProvide)
 {
-    EXPECT_EQ(errorOf({"huAdamsPressure"}, {"m"}), "term \"huAdamsPressure\" reads \"p\": select one of tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld");
+    EXPECT_EQ(errorOf({"huAdamsPressure"}, {"m"}),
+              "term \"huAdamsPressure\" reads \"p\": select one of tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld");
 }
 
 // The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom. Of the gradient of
