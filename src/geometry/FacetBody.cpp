@@ -2,7 +2,7 @@
 #include "components.hpp"
 #include <algorithm>
 #include <numbers>
-#include <tuple>
+#include <ranges>
 #include <unordered_map>
 
 namespace sph
@@ -14,6 +14,8 @@ namespace
 constexpr double degree = std::numbers::pi / 180;
 /// Neighbours that turn by less are one plane; binary STL has seven digits.
 constexpr double flatAngle = 0.05 * degree;
+/// A patch whose facets all turn by less is one plane.
+constexpr double onePlane = 0.5 * degree;
 /// Small facets that turn by more than this against one another make an edge.
 constexpr double sharpAngle = 30 * degree;
 /// Of one smooth patch, facets turned by more than this against one another compete for what is behind them: both sides of a ridge that ends.
@@ -31,6 +33,11 @@ constexpr double mostCurved = 0.6;
 constexpr double onJoint = 1e-10;
 
 double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(mag(cross(a, b)), dot(a, b)); }
+
+int cornerAt(const FacetBody::Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); }
+
+/// The volume factor has no curvature beyond which an image would stand for any volume.
+double boundedCurvature(double k, double distance, double spacing) { return std::min(k, mostCurved / std::max(distance, 1e-9 * spacing)); }
 
 }
 
@@ -58,6 +65,8 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
         f.region = surface.region[std::size_t(chosen[std::size_t(t)])];
         const auto &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
         f.normal = unitVector(cross(b - a, c - a));
+        f.middle = (a + b + c) / 3;
+        f.radius = std::max({mag(a - f.middle), mag(b - f.middle), mag(c - f.middle)});
         volume_ += dot(a, cross(b, c)) / 6;
         facets_.push_back(f);
     }
@@ -75,6 +84,7 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
         creased.push_back(f.isCreased());
     }
     tree_.annotate(normals, patch, creased);
+    sunk_ = 1 - std::cos(mostTurned_);
 }
 
 /// Who is across each edge.
@@ -114,10 +124,8 @@ void FacetBody::classify()
             pointNormals_[std::size_t(f.points[std::size_t(k)])] += angleBetween(q - p, r - p) * f.normal;
 
             const Facet& g = facets_[std::size_t(f.across[std::size_t(k)])];
-            int opposite = 0;
-            while (g.across[std::size_t(opposite)] != int(&f - facets_.data()) ||
-                   std::ranges::find(f.points, g.points[std::size_t(opposite)]) != f.points.end())
-                if (++opposite == 2) break;
+            const auto isOfBoth = [&](int point) { return std::ranges::find(f.points, point) != f.points.end(); };
+            const int opposite = std::min(int(std::ranges::find_if_not(g.points, isOfBoth) - g.points.begin()), 2);
             const double turn = angleBetween(f.normal, g.normal);
             const bool convex = dot(f.normal, corner(g, opposite) - q) < 0;
             auto& kind = f.edges[std::size_t(k)];
@@ -164,10 +172,9 @@ void FacetBody::numberPatches()
 }
 
 /// The normals N_k of the corners: of those facets around each that flat and smooth edges join, weighted with their angles, and as long as a mean plane's
-/// distance of 1 wants.
+/// distance of 1 wants. Where they do not close around the corner, the way out of the patch there.
 void FacetBody::averageNormals()
 {
-    const auto cornerAt = [](const Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); };
     for (auto& f : facets_) f.cornerNormals.fill(-1);
     std::vector<std::pair<int, int>> fan; // facet, corner
     for (int seed = 0; seed < int(facets_.size()); ++seed)
@@ -182,11 +189,16 @@ void FacetBody::averageNormals()
                 fan.emplace_back(t, at);
             };
             add(seed, k);
+            std::vector<Vector<3>> border; // the edges where it ends, in the direction of their facets
             for (const int turn : {1, 2})
                 for (int t = seed, at = k;;)
                 {
                     const std::size_t side = std::size_t((at + turn) % 3);
-                    if (facets_[std::size_t(t)].edges[side] > EdgeKind::smooth) break;
+                    if (const auto& f = facets_[std::size_t(t)]; f.edges[side] > EdgeKind::smooth)
+                    {
+                        border.push_back(corner(f, int(side + 2) % 3) - corner(f, int(side + 1) % 3));
+                        break;
+                    }
                     t = facets_[std::size_t(t)].across[side];
                     at = cornerAt(facets_[std::size_t(t)], point);
                     if (at == 3 || facets_[std::size_t(t)].cornerNormals[std::size_t(at)] >= 0) break;
@@ -210,9 +222,26 @@ void FacetBody::averageNormals()
             for (const auto& c : fan) height += angle(c) / angles * dot(n, facets_[std::size_t(c.first)].normal);
             for (const auto& c : fan) mostTurned_ = std::max(mostTurned_, angleBetween(n, facets_[std::size_t(c.first)].normal));
             cornerNormals_.push_back(n / std::max(height, 0.5));
+
+            // As far beyond either edge as beyond the other.
+            Vector<3> way;
+            for (const auto& edge : border) way += unitVector(cross(edge, n));
+            const auto out = mag(way) > 0.1 ? unitVector(way) : border.empty() ? n : unitVector(cross(border[0], n));
+            outward_.push_back(out / (border.empty() ? 1 : std::max(dot(out, unitVector(cross(border[0], n))), 0.3)));
         }
+    flatPatch_.assign(std::size_t(patches_), 1);
+    std::vector<const Facet*> first(std::size_t(patches_), nullptr);
     for (auto& f : facets_)
-        f.planar = std::ranges::all_of(f.cornerNormals, [&](int c) { return mag(cornerNormals_[std::size_t(c)] - f.normal) < flatAngle; });
+    {
+        const auto normals = f.cornerNormals | std::views::transform([&](int c) { return cornerNormals_[std::size_t(c)]; });
+        f.planar = std::ranges::all_of(normals, [&](const auto& N) { return mag(N - f.normal) < flatAngle; });
+        f.lean = 0;
+        if (!f.planar)
+            for (const auto& N : normals) f.lean = std::max(f.lean, mag(cross(N, f.normal)) / std::max(dot(N, f.normal), 0.1));
+        const Facet*& one = first[std::size_t(f.patch)];
+        if (!one) one = &f;
+        if (!f.planar || angleBetween(f.normal, one->normal) > onePlane) flatPatch_[std::size_t(f.patch)] = 0;
+    }
 }
 
 Foot FacetBody::foot(const Vector<3>& x, double within) const
@@ -265,11 +294,7 @@ Foot FacetBody::foot(const Vector<3>& x, double within) const
 std::optional<FacetBody::Prism> FacetBody::prism(int facet, const Vector<3>& x) const
 {
     const auto& f = facets_[std::size_t(facet)];
-    if (f.planar)
-    {
-        auto flat = plane(facet, x);
-        return flat;
-    }
+    if (f.planar) { return plane(facet, x); }
     const auto N = [&](std::size_t k) -> const Vector<3>& { return cornerNormals_[std::size_t(f.cornerNormals[k])]; };
     const auto &P0 = corner(f, 0), N0 = N(0);
     const auto e1 = corner(f, 1) - P0, e2 = corner(f, 2) - P0, m1 = N(1) - N0, m2 = N(2) - N0, w = x - P0;
@@ -298,10 +323,8 @@ std::optional<FacetBody::Prism> FacetBody::prism(int facet, const Vector<3>& x) 
     // J(d)/J(0) = 1 - (k1 + k2) d + k1 k2 d^2
     const double J0 = dot(c0, normal), sum = -dot(c1, normal) / J0 / length, product = dot(c2, normal) / J0 / (length * length);
     const double root = std::sqrt(std::max(0.0, 0.25 * sum * sum - product));
-    // Near a centre of curvature an image would stand for any volume.
-    const double largest = mostCurved / std::max(p.foot.distance, 1e-9 * scale_.spacing);
-    p.foot.k1 = std::min(0.5 * sum + root, largest);
-    p.foot.k2 = std::min(0.5 * sum - root, largest);
+    p.foot.k1 = boundedCurvature(0.5 * sum + root, p.foot.distance, scale_.spacing);
+    p.foot.k2 = boundedCurvature(0.5 * sum - root, p.foot.distance, scale_.spacing);
     return p;
 }
 
@@ -320,58 +343,110 @@ FacetBody::Prism FacetBody::plane(int facet, const Vector<3>& x) const
     return p;
 }
 
-/// Over the facet, or beyond no edge but such as its plane goes on across, and the image not far beyond where that of the face across begins.
-FacetBody::Lies FacetBody::lies(int facet, const Vector<3>& x, Hidden hidden) const
+std::optional<FacetBody::Strip> FacetBody::strip(int facet, int edge, const Vector<3>& x) const
 {
-    if (const auto p = prism(facet, x); p && p->inside) return Lies::over;
     const auto& f = facets_[std::size_t(facet)];
-    if (!f.isCreased()) return Lies::elsewhere;
-    const auto p = plane(facet, x);
-    for (std::size_t k = 0; k < 3; ++k)
-        if (p.l[k] < 0 && f.edges[k] <= EdgeKind::smooth) return Lies::elsewhere;
-    const auto y = mirrorImage(x, p.foot);
-    const double own = claim(facet, y).t;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (p.l[k] < 0 && !isHidden(hidden, f.across[k]) && claim(f.across[k], y).t < own - scale_.spacing) return Lies::elsewhere;
-    return Lies::beside;
+    const int start = (edge + 1) % 3, end = (edge + 2) % 3;
+    const auto N = [&](int k) -> const Vector<3>& { return cornerNormals_[std::size_t(f.cornerNormals[std::size_t(k)])]; };
+    const auto out = [&](int k) -> const Vector<3>& { return outward_[std::size_t(f.cornerNormals[std::size_t(k)])]; };
+    const auto e = corner(f, end) - corner(f, start), turn = N(end) - N(start), spread = out(end) - out(start), w = x - corner(f, start);
+    // x lies in the plane of b and N at s: (w - s e).(b x N) = 0.
+    double s = dot(w, e) / dot(e, e);
+    for (int k = 0; k < 8; ++k)
+    {
+        const auto b = out(start) + s * spread, n = N(start) + s * turn, C = cross(b, n), v = w - s * e;
+        const double step = dot(v, C) / (dot(v, cross(spread, n) + cross(b, turn)) - dot(e, C));
+        if (!std::isfinite(step)) return {};
+        s -= step;
+        if (std::abs(step) < 1e-13 * (1 + std::abs(s))) break;
+    }
+    const auto b = out(start) + s * spread, n = N(start) + s * turn, C = cross(b, n), v = w - s * e;
+    const double d = dot(cross(b, v), C) / dot(C, C), a = dot(cross(v, n), C) / dot(C, C), length = mag(n);
+    // J(d)/J(0) = 1 - k d, J = (e + a b' + d N').(b x N)
+    const double J0 = dot(e + a * spread, C), J = J0 + d * dot(turn, C);
+    if (!(J0 * J > 0)) return {};
+    Strip strip{{}, s, a};
+    strip.foot.distance = d * length;
+    strip.foot.normal = n / length;
+    strip.foot.region = f.region;
+    strip.foot.k1 = boundedCurvature(-dot(turn, C) / J0 / length, strip.foot.distance, scale_.spacing);
+    return strip;
 }
 
-void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<std::pair<int, Lies>>& found) const
+void FacetBody::goAlongBorder(int& facet, int& edge, int turn) const
 {
+    const int point = facets_[std::size_t(facet)].points[std::size_t((edge + turn) % 3)], facetBefore = facet;
+    int at = (edge + turn) % 3;
+    do {
+        const auto& f = facets_[std::size_t(facet)];
+        edge = (at + turn) % 3;
+        if (f.edges[std::size_t(edge)] > EdgeKind::smooth) return;
+        facet = f.across[std::size_t(edge)];
+        at = cornerAt(facets_[std::size_t(facet)], point);
+    } while (facet != facetBefore && at < 3);
+}
+
+/// Over the facet, or beyond an edge of its patch's border, and the image not far beyond where that of the face across begins.
+FacetBody::Place FacetBody::placeOf(int facet, const Vector<3>& x, Hidden hidden) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    const auto from = x - f.middle;
+    const double height = dot(f.normal, from), aside2 = dot(from, from) - height * height, widest = f.radius + std::abs(height) * f.lean;
+    if (aside2 < 1.001 * widest * widest)
+        if (const auto p = prism(facet, x); p && p->inside) return {facet, Lies::over, p->foot};
+    if (!f.isCreased()) return {facet};
+    const auto ownsMore = [&](const Foot& foot, auto isBeyond)
+    {
+        const auto y = mirrorImage(x, foot);
+        const double own = claim(facet, y).t;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (isBeyond(k) && !isHidden(hidden, f.across[k]) && claim(f.across[k], y).t < own - scale_.spacing) return false;
+        return true;
+    };
+    if (flatPatch_[std::size_t(f.patch)])
+    {
+        const auto p = plane(facet, x);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (p.l[k] < 0 && f.edges[k] <= EdgeKind::smooth) return {facet};
+        if (ownsMore(p.foot, [&](std::size_t k) { return p.l[k] < 0; })) return {facet, Lies::beside, p.foot};
+        return {facet};
+    }
+    for (int edge = 0; edge < 3; ++edge)
+        if (f.edges[std::size_t(edge)] > EdgeKind::smooth)
+            if (const auto p = strip(facet, edge, x); p && p->s >= -onJoint && p->s <= 1 + onJoint && p->a > 0)
+                if (ownsMore(p->foot, [&](std::size_t k) { return int(k) == edge; })) return {facet, Lies::beside, p->foot};
+    return {facet};
+}
+
+void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<Place>& found) const
+{
+    const double below = behind + reach * sunk_;
     tree_.visit(
         [&](const FacetTree::Node& node)
         {
             if (distanceTo(node.box, x) > reach) return false;
-            if (node.creased) return true;
-            // Only over facets whose normals look at x.
-            const auto way = x - 0.5 * (node.box.low + node.box.high);
-            const double radius = 0.5 * mag(node.box.high - node.box.low) + behind, length = mag(way);
-            if (length <= radius) return true;
-            const double room = node.halfAngle + mostTurned_ + std::asin(radius / length);
-            return room >= std::numbers::pi || dot(way, node.axis) >= length * std::cos(room);
+            return node.creased || node.mayLookAt(x, behind, mostTurned_);
         },
         [&](int t)
         {
             const auto& f = facets_[std::size_t(t)];
-            const double depth = dot(f.normal, x - corner(f, 0));
-            if (depth < -behind - reach * (1 - std::cos(mostTurned_)) || depth > reach || isHidden(hidden, t)) return;
-            const auto near = nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point;
-            if (mag(x - near) > reach) return;
-            const auto where = lies(t, x, hidden);
-            if (where == Lies::elsewhere) return;
-            // Facets of one face, over whose joint x lies or whose planes go on over one another, give the same image: that which x lies over sees it.
-            for (auto& [u, other] : found)
+            const double depth = dot(f.normal, x - corner(f, 0)), near = reach + f.radius;
+            if (depth < -below || depth > reach || isHidden(hidden, t)) return;
+            if (const auto way = x - f.middle; dot(way, way) > near * near) return;
+            if (mag(x - nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point) > reach) return;
+            const auto place = placeOf(t, x, hidden);
+            if (place.lies == Lies::elsewhere) return;
+            // Facets of one patch, over whose joint x lies or whose planes go on over one another, give the same image: that which x lies over sees it.
+            const auto y = mirrorImage(x, place.foot);
+            for (auto& other : found)
             {
-                const auto& g = facets_[std::size_t(u)];
-                const bool samePlane = g.patch == f.patch && dot(g.normal, f.normal) > 1 - 1e-6 &&
-                                       std::abs(dot(f.normal, corner(g, 0) - corner(f, 0))) < 1e-3 * scale_.spacing;
-                const bool joined =
-                    where == Lies::over && other == Lies::over && std::ranges::find(f.across, u) != f.across.end() && g.patch == f.patch;
-                if (!samePlane && !joined) continue;
-                if (where > other) std::tie(u, other) = std::pair{t, where};
+                if (facets_[std::size_t(other.facet)].patch != f.patch || mag(mirrorImage(x, other.foot) - y) > 2e-3 * scale_.spacing ||
+                    dot(other.foot.normal, place.foot.normal) < 1 - 1e-6)
+                    continue;
+                if (place.lies > other.lies) other = place;
                 return;
             }
-            found.emplace_back(t, where);
+            found.push_back(place);
         });
 }
 
@@ -397,44 +472,58 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
                     [&](const FacetTree::Node& node) { return node.patch >= 0 && node.patch != f.patch; })
                 .first;
     double toFront = Box::infinity, toBack = own.D;
+    const double faded = std::numbers::sqrt2 * scale_.spacing;
+    double least = own.t + faded;
     // Of two facets that meet at an angle the difference counts as much more as their normals differ less; a share that has faded out is 0 whatever it is.
     const auto rival = [&](int t)
     {
-        if (isHidden(hidden, t) || !areRivals(f, facets_[std::size_t(t)])) return Box::infinity;
+        const auto& g = facets_[std::size_t(t)];
+        if (isHidden(hidden, t) || !areRivals(f, g)) return Box::infinity;
+        const double weight = 2 / std::max(mag(g.normal - f.normal), flatAngle), depth = dot(g.normal, corner(g, 0) - y);
+        // No nearer than this: most need not be looked at.
+        const double D = std::max(mag(g.middle - y) - g.radius, std::abs(depth));
+        if (D > std::min(toFront, toBack) && (depth < 0 || own.t + weight * (2 * D - depth - own.t) > least)) return Box::infinity;
         const Claim c = claim(t, y);
         auto& nearest = std::isinf(c.t) ? toFront : toBack;
         nearest = std::min(nearest, c.D);
-        return own.t + 2 / std::max(mag(facets_[std::size_t(t)].normal - f.normal), flatAngle) * (c.t - own.t);
+        const double value = own.t + weight * (c.t - own.t);
+        least = std::min(least, value);
+        return value;
     };
-    const double faded = std::numbers::sqrt2 * scale_.spacing;
-    double beside = own.t + faded; // the neighbours first: they are most of what competes
-    for (const int t : f.across) beside = std::min(beside, rival(t));
-    if (beside < own.t - faded) return (beside - own.t) / std::numbers::sqrt2;
-    const auto [least, _] =
-        tree_.nearest(y, beside, rival,
-                      [&](const FacetTree::Node& node)
-                      { return node.patch == f.patch && node.halfAngle + angleBetween(node.axis, f.normal) < rivalAngle; });
+    for (const int t : f.across) rival(t); // the neighbours first: they are most of what competes
+    if (least < own.t - faded) return (least - own.t) / std::numbers::sqrt2;
+    tree_.nearest(y, least, rival,
+                  [&](const FacetTree::Node& node) {
+                      return node.patch == f.patch && node.halfAngle < rivalAngle &&
+                             dot(node.axis, f.normal) > std::cos(rivalAngle - node.halfAngle);
+                  });
     // What is mirrored to a place in the fluid is nobody's.
     if (toFront <= toBack * (1 + 1e-9))
         if (const double s = distance(y); s > 0) return -s - own.t;
     return (least - own.t) / std::numbers::sqrt2;
 }
 
+Foot FacetBody::withMargin(const Place& place, const Vector<3>& x, Hidden hidden) const
+{
+    Foot foot = place.foot;
+    const auto y = mirrorImage(x, foot);
+    if (place.lies == Lies::over) foot.margin = margin(place.facet, y, {foot.distance, foot.distance}, false, hidden);
+    else if (foot.distance < 0) foot.margin = -Box::infinity; // beside an edge and behind the face: in front of the next one
+    else foot.margin = margin(place.facet, y, claim(place.facet, y), true, hidden);
+    return foot;
+}
+
 Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
 {
-    int from = -1;
-    for (int turn = 0; turn < 100; ++turn)
+    const int mostMoves = 100;
+    std::optional<Prism> over;
+    for (int from = -1, move = 0; move < mostMoves; ++move)
     {
-        const auto p = prism(facet, x);
-        const auto& f = facets_[std::size_t(facet)];
-        if (p && p->inside)
-        {
-            Foot foot = p->foot;
-            foot.margin = margin(facet, mirrorImage(x, foot), {foot.distance, foot.distance}, false, hidden);
-            return foot;
-        }
+        over = prism(facet, x);
+        if (over && over->inside) return withMargin({facet, Lies::over, over->foot}, x, hidden);
         // Over the neighbour that x has gone furthest to, where no edge is between.
-        const auto l = p ? p->l : plane(facet, x).l;
+        const auto& f = facets_[std::size_t(facet)];
+        const auto l = over ? over->l : plane(facet, x).l;
         int next = -1;
         double furthest = 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -447,15 +536,26 @@ Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
         from = facet;
         facet = next;
     }
+    const auto& f = facets_[std::size_t(facet)];
+    if (flatPatch_[std::size_t(f.patch)]) return withMargin({facet, Lies::beside, plane(facet, x).foot}, x, hidden);
+    if (!f.isCreased()) return withMargin({facet, Lies::over, (over ? *over : plane(facet, x)).foot}, x, hidden);
+    // Beyond the border of a curved patch: along it to the edge whose strip x lies in.
+    const auto l = over ? over->l : plane(facet, x).l;
+    int edge = -1;
+    for (int k = 0; k < 3; ++k)
+        if (f.edges[std::size_t(k)] > EdgeKind::smooth && (edge < 0 || l[std::size_t(k)] < l[std::size_t(edge)])) edge = k;
     Foot foot = plane(facet, x).foot;
-    const auto y = mirrorImage(x, foot);
-    if (foot.distance < 0)
+    for (int turn = 0, move = 0; move < mostMoves; ++move)
     {
-        foot.margin = -Box::infinity; // beside an edge and behind its plane: in front of the next face
-        return foot;
+        const auto p = strip(facet, edge, x);
+        if (!p) break;
+        foot = p->foot;
+        const int way = p->s > 1 ? 2 : p->s < 0 ? 1 : 0;
+        if (way == 0 || (turn != 0 && way != turn)) break;
+        turn = way;
+        goAlongBorder(facet, edge, turn);
     }
-    foot.margin = margin(facet, y, claim(facet, y), true, hidden);
-    return foot;
+    return withMargin({facet, Lies::beside, foot}, x, hidden);
 }
 
 bool FacetBody::sees(const Vector<3>& x, int facet) const

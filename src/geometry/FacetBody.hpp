@@ -11,7 +11,12 @@
 /// J(-d)/J(d) of this map, J = (dP + d dN)x(dP + d dN).N, is that of eq. (18) of Barker et al. (2012) with curvatures from J. In flat faces x' is the
 /// plain mirror image.
 ///
-/// At convex and concave edges faces go on in their planes, and every place y behind the surface belongs to one face: that of the least
+/// At convex and concave edges faces go on, flat ones in their planes, curved ones in strips: beyond each edge of the patch's border
+///
+///     x = q(s) + a b(s) + d N(s),    0 <= s <= 1 along the edge, a > 0,
+///
+/// with b(s) between the directions b_k perpendicular to N_k and to the border at its ends, so that neighbouring strips share their sides as prisms do.
+/// Every place y behind the surface belongs to one face: that of the least
 ///
 ///     t_f(y) = 2 D_f - h_f        D_f distance to the face, h_f depth below its plane [m]
 ///
@@ -51,6 +56,9 @@ public:
         bool planar; ///< its corner normals are its own
         int patch, region;
         Vector<3> normal; ///< unit, into the fluid
+        Vector<3> middle;
+        double radius; ///< of a sphere around `middle` that holds the facet [m]
+        double lean;   ///< of the most oblique corner normal: how far it goes along the facet for each unit along the normal
 
         bool isCreased() const
         {
@@ -74,13 +82,12 @@ public:
     /// in soon (foot.margin > -fade). The foot of `image = x - 2 distance normal`.
     template<class F> void forEachMirror(const Vector<3>& x, double reach, double behind, double fade, Hidden hidden, const F& f) const
     {
-        std::vector<std::pair<int, Lies>> found;
+        std::vector<Place> found;
         findMirrors(x, reach, behind, hidden, found);
-        for (auto [facet, _] : found)
+        for (const auto& place : found)
         {
-            const Foot foot = mirror(facet, x, hidden);
-            if (foot.distance < -behind || foot.distance > reach || !(foot.margin > -fade)) continue;
-            f(facet, foot);
+            if (place.foot.distance < -behind || place.foot.distance > reach) continue;
+            if (const Foot foot = withMargin(place, x, hidden); foot.margin > -fade) f(place.facet, foot);
         }
     }
     /// The foot of the mirror image of x in that face of the body that `facet`, which becomes the one that x is over, is a part of.
@@ -92,13 +99,13 @@ public:
     template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
     {
         if (distanceTo(bounds(), x) > reach) return;
-        std::vector<std::pair<int, Lies>> found;
+        std::vector<Place> found;
         findMirrors(x, reach, 0.5 * scale_.spacing, {}, found);
         bool any = false;
-        for (const auto& [t, _] : found)
-            if (const auto over = prism(t, x); over && over->inside && sees(x, t))
+        for (const auto& place : found)
+            if (place.lies == Lies::over && sees(x, place.facet))
             {
-                f(over->foot);
+                f(place.foot);
                 any = true;
             }
         if (any) return;
@@ -110,7 +117,7 @@ public:
     const Box& bounds() const { return tree_.nodes().front().box; }
     /// Signed: positive for a body in the fluid, negative for one around it [m^3].
     double volume() const { return volume_; }
-    /// Smallest radius of what is smooth where its centre lies in the fluid, or anywhere [m].
+    /// Smallest radius of curvature of its smooth edges, convex and concave [m]; infinite where there are none.
     double smallestRadius() const { return smallestRadius_; }
     bool hasCreases() const { return tree_.nodes().front().creased; }
     int patches() const { return patches_; }
@@ -125,18 +132,32 @@ private:
         beside,
         over
     };
+    struct Place
+    {
+        int facet;
+        Lies lies = Lies::elsewhere;
+        Foot foot = {}; ///< without margin
+    };
     struct Prism
     {
         Foot foot;
         std::array<double, 3> l; ///< coordinates of the facet
         bool inside;
     };
+    struct Strip
+    {
+        Foot foot;
+        double s, a;
+    };
 
     std::vector<Vector<3>> points_, pointNormals_, cornerNormals_;
+    std::vector<Vector<3>> outward_; ///< b_k of each corner normal on the border of its patch
+    std::vector<char> flatPatch_;    ///< one plane
     std::vector<Facet> facets_;
     FacetTree tree_;
     FacetScale scale_;
     double volume_ = 0, smallestRadius_ = Box::infinity, mostTurned_ = 0;
+    double sunk_ = 0; ///< 1 - cos(mostTurned)
     int patches_ = 0;
 
     void join();
@@ -147,8 +168,12 @@ private:
     const Vector<3>& corner(const Facet& f, int k) const { return points_[std::size_t(f.points[std::size_t(k)])]; }
     std::optional<Prism> prism(int facet, const Vector<3>& x) const;
     Prism plane(int facet, const Vector<3>& x) const;
-    void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<std::pair<int, Lies>>& found) const;
-    Lies lies(int facet, const Vector<3>& x, Hidden hidden) const;
+    std::optional<Strip> strip(int facet, int edge, const Vector<3>& x) const;
+    /// Round the end of an edge of a patch's border (the one where the corner (edge + turn) % 3 is), within the patch, to the next edge of its border.
+    void goAlongBorder(int& facet, int& edge, int turn) const;
+    void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<Place>& found) const;
+    Place placeOf(int facet, const Vector<3>& x, Hidden hidden) const;
+    Foot withMargin(const Place&, const Vector<3>& x, Hidden hidden) const;
     /// Distance of y to a facet, and t_f(y), see above: infinite where y is in front of it.
     struct Claim
     {

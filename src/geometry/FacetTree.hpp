@@ -5,6 +5,8 @@
 #pragma once
 #include "Shape.hpp"
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -45,6 +47,15 @@ public:
         int first = 0, last = 0; ///< positions in order()
         int left = -1, right = -1;
         bool isLeaf() const { return left < 0; }
+        /// Whether x, or what is nearer to it than `within`, may lie before triangles below, whose normals may be off by `slack` [rad].
+        bool mayLookAt(const Vector<3>& x, double within, double slack) const
+        {
+            const auto way = x - 0.5 * (box.low + box.high);
+            const double radius = 0.5 * mag(box.high - box.low) + within, length = mag(way);
+            if (length <= radius) return true;
+            const double room = halfAngle + slack + std::asin(radius / length);
+            return room >= std::numbers::pi || dot(way, axis) >= length * std::cos(room);
+        }
     };
 
     FacetTree() = default;
