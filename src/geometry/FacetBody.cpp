@@ -26,6 +26,13 @@ constexpr double widestSmooth = 3;
 /// In hollows as tight as the support only facets below a spacing stand for the curve: others, for themselves, fill what lies behind its centre.
 constexpr double widestInHollow = 1;
 
+/// Among what competes for a place, facets within so many spacings count as one.
+constexpr double finest = 0.1;
+/// Facets within so many spacings know together how deep they have no rivals, in layers.
+constexpr double grainSize = 0.4;
+constexpr double layer = 0.25;
+constexpr int mostLayers = 32;
+constexpr unsigned char notFound = 255;
 /// Largest distance of a particle over a hollow's radius for which its image has the volume factor of eq. (18).
 constexpr double mostCurved = 0.6;
 
@@ -35,6 +42,15 @@ constexpr double onJoint = 1e-10;
 double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(mag(cross(a, b)), dot(a, b)); }
 
 int cornerAt(const FacetBody::Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); }
+
+/// That of y below the plane of a facet of the node, no more than the distance to it.
+double greatestDepth(const FacetTree::Node& node, const Vector<3>& y)
+{
+    const auto way = 0.5 * (node.box.low + node.box.high) - y;
+    const double length = mag(way), along = dot(way, node.axis), radius = 0.5 * mag(node.box.high - node.box.low);
+    if (along >= length * node.cosine) return length + radius;
+    return radius + along * node.cosine + std::sqrt(std::max((length * length - along * along) * (1 - node.cosine * node.cosine), 0.0));
+}
 
 /// The volume factor has no curvature beyond which an image would stand for any volume.
 double boundedCurvature(double k, double distance, double spacing) { return std::min(k, mostCurved / std::max(distance, 1e-9 * spacing)); }
@@ -85,6 +101,16 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
     }
     tree_.annotate(normals, patch, creased);
     sunk_ = 1 - std::cos(mostTurned_);
+
+    grainOf_.assign(facets_.size(), -1);
+    for (int n = 0; n < int(tree_.nodes().size()); ++n) // parents come first
+    {
+        const auto& node = tree_.nodes()[std::size_t(n)];
+        if (grainOf_[std::size_t(node.first)] < 0 && mag(node.box.high - node.box.low) < grainSize * scale_.spacing)
+            std::fill(grainOf_.begin() + node.first, grainOf_.begin() + node.last, n);
+    }
+    safeLayers_ = std::vector<std::atomic<unsigned char>>(tree_.nodes().size());
+    for (auto& n : safeLayers_) n = notFound;
 }
 
 /// Who is across each edge.
@@ -252,7 +278,7 @@ Foot FacetBody::foot(const Vector<3>& x, double within) const
         return nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2));
     };
     const auto [distance, t] = tree_.nearest(
-        x, within, [&](int k) { return mag(x - on(k).point); }, [](const auto&) { return false; });
+        x, within, 0, [&](int k) { return mag(x - on(k).point); }, [](const auto&, double) { return false; });
     Foot result;
     if (t < 0)
     {
@@ -463,14 +489,16 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
 {
     const auto& f = facets_[std::size_t(facet)];
     if (!hasCreases() && tree_.nodes().front().halfAngle < 0.5 * rivalAngle) return Box::infinity;
+    if (!extended && own.D < safeDepth(facet)) return Box::infinity;
+    const double grain = finest * scale_.spacing;
     // In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
     if (extended)
-        own.t =
-            tree_
-                .nearest(
-                    y, own.t * (1 + 1e-12), [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
-                    [&](const FacetTree::Node& node) { return node.patch >= 0 && node.patch != f.patch; })
-                .first;
+        own.t = tree_
+                    .nearest(
+                        y, own.t * (1 + 1e-12), grain,
+                        [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
+                        [&](const FacetTree::Node& node, double) { return node.patch >= 0 && node.patch != f.patch; })
+                    .first;
     double toFront = Box::infinity, toBack = own.D;
     const double faded = std::numbers::sqrt2 * scale_.spacing;
     double least = own.t + faded;
@@ -492,15 +520,60 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     };
     for (const int t : f.across) rival(t); // the neighbours first: they are most of what competes
     if (least < own.t - faded) return (least - own.t) / std::numbers::sqrt2;
-    tree_.nearest(y, least, rival,
-                  [&](const FacetTree::Node& node) {
-                      return node.patch == f.patch && node.halfAngle < rivalAngle &&
-                             dot(node.axis, f.normal) > std::cos(rivalAngle - node.halfAngle);
+    tree_.nearest(y, least, grain, rival,
+                  [&](const FacetTree::Node& node, double D)
+                  {
+                      const double cosine = node.mostTurned(f.normal);
+                      if (node.patch == f.patch && cosine > rivalCosine) return true;
+                      // The weight is 1/sin of half the angle.
+                      const double weight = std::numbers::sqrt2 / std::sqrt(1 - cosine);
+                      return D > std::min(toFront, toBack) && own.t + weight * (2 * D - greatestDepth(node, y) - own.t) > least;
                   });
     // What is mirrored to a place in the fluid is nobody's.
     if (toFront <= toBack * (1 + 1e-9))
         if (const double s = distance(y); s > 0) return -s - own.t;
     return (least - own.t) / std::numbers::sqrt2;
+}
+
+double FacetBody::safeDepth(int facet) const
+{
+    const int n = grainOf_[std::size_t(facet)];
+    if (n < 0) return 0;
+    const double thickness = layer * scale_.spacing;
+    auto& known = safeLayers_[std::size_t(n)];
+    int layers = known.load(std::memory_order_relaxed);
+    if (layers == notFound)
+    {
+        layers = 0;
+        while (layers < mostLayers && isSafe(tree_.nodes()[std::size_t(n)], layers * thickness, (layers + 1) * thickness)) ++layers;
+        known.store(static_cast<unsigned char>(layers), std::memory_order_relaxed);
+    }
+    return layers * thickness;
+}
+
+/// By one place in the middle of all y = P - d N of these facets, from which the others are no further than `off`. t >= D: the least value of a rival, as in margin().
+bool FacetBody::isSafe(const FacetTree::Node& node, double from, double to) const
+{
+    if (node.patch < 0 || node.cosine < rivalCosine) return false;
+    double lean = 0;
+    for (int t = node.first; t < node.last; ++t) lean = std::max(lean, facets_[std::size_t(t)].lean);
+    const double d = 0.5 * (from + to), turned = std::sin(node.halfAngle) + lean;
+    const double off = 0.5 * mag(node.box.high - node.box.low) + 0.5 * (to - from) + to * turned;
+    const auto y = 0.5 * (node.box.low + node.box.high) - d * node.axis;
+    const double own = d + 2 * off, whole = scale_.spacing / std::numbers::sqrt2; // of a margin of half a spacing
+    const double rivalFromAxis = std::cos(rivalAngle - node.halfAngle);
+    const auto [_, found] = tree_.nearest(
+        y, own + whole, 0,
+        [&](int t)
+        {
+            const auto& g = facets_[std::size_t(t)];
+            const double cosine = node.mostTurned(g.normal);
+            if (g.patch == node.patch && cosine > rivalCosine) return Box::infinity;
+            const double D = mag(y - nearestOnTriangle(y, corner(g, 0), corner(g, 1), corner(g, 2)).point);
+            return own + std::numbers::sqrt2 / std::sqrt(1 - cosine) * (D - own);
+        },
+        [&](const FacetTree::Node& other, double) { return other.patch == node.patch && other.mostTurned(node.axis) > rivalFromAxis; });
+    return found < 0;
 }
 
 Foot FacetBody::withMargin(const Place& place, const Vector<3>& x, Hidden hidden) const

@@ -33,6 +33,7 @@
 #include "FacetTree.hpp"
 #include "Geometry.hpp"
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 namespace sph
@@ -151,8 +152,10 @@ private:
     };
 
     std::vector<Vector<3>> points_, pointNormals_, cornerNormals_;
-    std::vector<Vector<3>> outward_; ///< b_k of each corner normal on the border of its patch
-    std::vector<char> flatPatch_;    ///< one plane
+    std::vector<Vector<3>> outward_;                             ///< b_k of each corner normal on the border of its patch
+    std::vector<char> flatPatch_;                                ///< one plane
+    std::vector<int> grainOf_;                                   ///< of each facet the largest node that counts as small
+    mutable std::vector<std::atomic<unsigned char>> safeLayers_; ///< of each node; how many of these are safe
     std::vector<Facet> facets_;
     FacetTree tree_;
     FacetScale scale_;
@@ -182,6 +185,10 @@ private:
     Claim claim(int facet, const Vector<3>& y) const;
     bool areRivals(const Facet& a, const Facet& b) const;
     double margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const;
+    /// Down to which depth below a facet no place has a rival that its share would know of: for all facets of a small node together, found when first asked
+    /// for. Of fine facets on a thick body most places need no search.
+    double safeDepth(int facet) const;
+    bool isSafe(const FacetTree::Node&, double from, double to) const;
     static bool isHidden(Hidden hidden, int facet) { return !hidden.empty() && hidden[std::size_t(facet)]; }
 };
 

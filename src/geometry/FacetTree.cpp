@@ -100,11 +100,13 @@ void FacetTree::annotate(std::span<const Vector<3>> normals, std::span<const int
             node.creased = node.creased || creased[std::size_t(t)];
         }
         node.halfAngle = std::numbers::pi;
+        node.cosine = -1;
         if (mag(sum) < 1e-3 * (node.last - node.first)) continue;
         node.axis = sum / mag(sum);
         double least = 1;
         for (int t = node.first; t < node.last; ++t) least = std::min(least, dot(node.axis, normals[std::size_t(t)]));
-        node.halfAngle = std::acos(std::clamp(least, -1.0, 1.0));
+        node.cosine = std::clamp(least, -1.0, 1.0);
+        node.halfAngle = std::acos(node.cosine);
     }
 }
 

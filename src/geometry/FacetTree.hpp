@@ -42,11 +42,18 @@ public:
         Box box;
         Vector<3> axis;          ///< of the cone of normals
         double halfAngle = 0;    ///< [rad]; pi where normals point everywhere
+        double cosine = 1;       ///< of halfAngle
         int patch = -1;          ///< of all triangles below; -1 where they differ
         bool creased = false;    ///< some triangle below has an edge that is no smooth one
         int first = 0, last = 0; ///< positions in order()
         int left = -1, right = -1;
         bool isLeaf() const { return left < 0; }
+        /// cos of the largest angle between a triangle's normal and n; -1 at least.
+        double mostTurned(const Vector<3>& n) const
+        {
+            const double c = dot(axis, n);
+            return c <= -cosine ? -1 : c * cosine - std::sqrt(std::max((1 - c * c) * (1 - cosine * cosine), 0.0));
+        }
         /// Whether x, or what is nearer to it than `within`, may lie before triangles below, whose normals may be off by `slack` [rad].
         bool mayLookAt(const Vector<3>& x, double within, double slack) const
         {
@@ -88,9 +95,10 @@ public:
     }
 
     /// Smallest `distance(position)` below `best`, and which triangle's; -1 where none is. Branches whose box is further than the best so far, or
-    /// whose node `skip` names, are left out; the nearer half comes first.
+    /// that skip(node, distance to its box) names, are left out; the nearer half comes first. Of nodes with a diagonal up to `grain` one triangle stands
+    /// for all.
     template<class Distance, class Skip>
-    std::pair<double, int> nearest(const Vector<3>& x, double best, const Distance& distance, const Skip& skip) const
+    std::pair<double, int> nearest(const Vector<3>& x, double best, double grain, const Distance& distance, const Skip& skip) const
     {
         int found = -1;
         struct Waiting
@@ -106,10 +114,13 @@ public:
             const auto [index, toBox] = stack[--depth];
             if (toBox > best) continue;
             const Node& node = nodes_[std::size_t(index)];
-            if (skip(node)) continue;
-            if (node.isLeaf())
+            if (skip(node, toBox)) continue;
+            const auto size = node.box.high - node.box.low;
+            const bool isGrain = dot(size, size) <= grain * grain;
+            if (isGrain || node.isLeaf())
             {
-                for (int t = node.first; t < node.last; ++t)
+                const int middle = (node.first + node.last) / 2;
+                for (int t = isGrain ? middle : node.first; t < (isGrain ? middle + 1 : node.last); ++t)
                     if (const double d = distance(t); d < best || (d == best && t < found))
                     {
                         best = d;

@@ -98,7 +98,7 @@ struct Geometry
     }
 
     /// Share of a foot of `source` on a face of the patch that bounds the fluid; less where other solids cover it.
-    double exposureOfFace(int patch, const Vector<3>& source, const Foot& f) const { return exposure(patch, source, f); }
+    double exposure(int patch, const Vector<3>& source, const Foot&) const;
 
     /// Smallest signed distance to any patch, > 0 in the fluid; +infinity without walls. Periodic copies beyond `reach` count
     /// too.
@@ -123,7 +123,6 @@ struct Geometry
 private:
     Foot footInUnion(int patch, const Vector<3>& x) const;
     Foot footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>& source) const;
-    double exposure(int patch, const Vector<3>& x, const Foot&) const;
 };
 
 /// Fills `patches` from `originals`, each periodic copy once, `grid`, `tree` and `coverers`, for the given reach [m].

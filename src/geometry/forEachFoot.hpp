@@ -17,7 +17,7 @@ template<class F> void forEachFoot(const Geometry& g, std::span<const int> near,
             mesh->body().forEachFoot(mesh->local(x), std::min(reach, g.reach),
                                      [&](Foot foot)
                                      {
-                                         if (g.mayBeCovered(p)) foot.exposure = g.exposureOfFace(p, x, foot);
+                                         if (g.mayBeCovered(p)) foot.exposure = g.exposure(p, x, foot);
                                          if (foot.exposure > 0) f(foot, p);
                                      });
         else if (const Foot foot = g.foot(p, x); foot.distance <= reach && foot.exposure > 0) f(foot, p);

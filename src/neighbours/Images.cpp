@@ -29,7 +29,7 @@ template<int dim> Foot Images<dim>::footOf(Mirror& mirror, int reflection, const
         {
             int facet = mirror.facet;
             f.exposure =
-                geometry_->exposureOfFace(p, source, reflection == 0 ? f : mesh->body().mirror(facet, mesh->local(source), mesh->hidden()));
+                geometry_->exposure(p, source, reflection == 0 ? f : mesh->body().mirror(facet, mesh->local(source), mesh->hidden()));
         }
         return f;
     }
@@ -150,7 +150,7 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
     const Foot f = footOf(next.mirrors[std::size_t(before)], before, in3D(from.x), source);
     const bool onFluidSide = before == 0 || f.distance > 0;
     const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
-    if (!exists || !onFluidSide || f.distance > reach_ || volumeFactor(f) <= 0) return;
+    if (!exists || !onFluidSide || f.distance > reach_ || !(volumeFactor(f) > 0)) return;
     next.x = in<dim>(mirrorImage(in3D(from.x), f));
     ++next.entry.reflections;
     next.speed *= speedOf(f);
@@ -192,7 +192,7 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, cons
                                [&](int facet, Foot f)
                                {
                                    if (before > 0 && f.distance <= 0) return;
-                                   if (volumeFactor(f) <= 0 || (before == 0 && !mesh->body().sees(x, facet))) return;
+                                   if (!(volumeFactor(f) > 0) || (before == 0 && !mesh->body().sees(x, facet))) return;
                                    Ghost next = from;
                                    next.mirrors[std::size_t(before)] = {p, facet};
                                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
