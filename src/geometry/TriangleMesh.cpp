@@ -1,6 +1,7 @@
 #include "TriangleMesh.hpp"
 #include "components.hpp"
 #include <numeric>
+#include <tuple>
 
 namespace sph
 {
@@ -28,10 +29,10 @@ TriangleSurface TriangleMesh::region(int number) const
 TriangleSurface TriangleMesh::triangles(const Box& within, double size) const
 {
     TriangleSurface surface;
-    const auto add = [&](auto& self, const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) -> void
+    const auto add = [&](auto& self, Vector<3> a, Vector<3> b, Vector<3> c) -> void
     {
         // Halved along the longest edge, where it crosses the box.
-        const double ab = mag(b - a), bc = mag(c - b), ca = mag(a - c), longest = std::max({ab, bc, ca});
+        const double longest = std::max({mag(b - a), mag(c - b), mag(a - c)});
         const bool isNear =
             std::ranges::all_of(coordinates,
                                 [&](auto k) {
@@ -39,18 +40,10 @@ TriangleSurface TriangleMesh::triangles(const Box& within, double size) const
                                 });
         if (longest > 2 * size && isNear)
         {
-            const auto &p = longest == ab   ? a
-                            : longest == bc ? b
-                                            : c,
-                       &q = longest == ab   ? b
-                            : longest == bc ? c
-                                            : a,
-                       &r = longest == ab   ? c
-                            : longest == bc ? a
-                                            : b;
-            const auto middle = 0.5 * (p + q);
-            self(self, p, middle, r);
-            self(self, middle, q, r);
+            while (mag(b - a) < longest) std::tie(a, b, c) = std::tuple(b, c, a);
+            const auto middle = 0.5 * (a + b);
+            self(self, a, middle, c);
+            self(self, middle, b, c);
             return;
         }
         const int first = int(surface.points.size());
