@@ -24,7 +24,7 @@ class Hash
     std::uint64_t value_ = 14695981039346656037u;
 
 public:
-    void add(const std::string& text)
+    void add(std::string_view text)
     {
         for (const unsigned char c : text) value_ = (value_ ^ c) * 1099511628211u;
     }
@@ -49,7 +49,7 @@ void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesy
         std::error_code unknown;
         if (const auto mesh = close > open ? file.parent_path() / "triSurface" / line.substr(open + 1, close - open - 1) : "";
             !includes && !mesh.empty() && std::filesystem::is_regular_file(mesh, unknown))
-            hash.add(std::string(MappedFile(mesh).text()));
+            hash.add(MappedFile(mesh).text());
     }
 }
 
