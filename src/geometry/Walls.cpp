@@ -160,19 +160,14 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const s
         {
             const auto mesh = readMesh(name, g, dict.diagnostics());
             if (!mesh) continue;
-            Patch each{nullptr, int(found - names.begin()), {}};
+            std::vector<int> ofRegions;
             for (const auto& region : patch.get<std::vector<std::string>>("regions"))
                 if (const auto at = std::find(names.begin(), names.end(), region); at != names.end())
-                    each.walls.push_back(int(at - names.begin()));
-            if (each.walls.size() != mesh->regions.size())
+                    ofRegions.push_back(int(at - names.begin()));
+            if (ofRegions.size() != mesh->regions.size())
                 patch.error("regions", fmt::format("must name a wall for each of the {} regions of {}: run meshToGhost again",
                                                    mesh->regions.size(), wallMeshFile(name)));
-            else
-                for (const auto& body : mesh->bodies)
-                {
-                    each.shape = body;
-                    g.originals.push_back(each);
-                }
+            else addBodies(*mesh, int(found - names.begin()), ofRegions, g);
             continue;
         }
         for (auto& shape : readShapes(patch, g)) g.originals.push_back({std::move(shape), int(found - names.begin())});

@@ -157,20 +157,16 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
         return shapeType().error(dict, "a mesh is a surface in space, and a 2-D scene does not vary with z: use planes and circles");
     const auto mesh = readMesh(name, g, dict.diagnostics());
     if (!mesh) return;
-    Patch patch{nullptr, base, std::vector<int>(mesh->regions.size(), base)};
+    std::vector ofRegions(mesh->regions.size(), base);
     for (std::size_t k = 0; k < own.size(); ++k)
     {
         const auto found = std::ranges::find(mesh->regions, own[k].keyword());
-        if (found != mesh->regions.end()) patch.walls[std::size_t(found - mesh->regions.begin())] = base + 1 + int(k);
+        if (found != mesh->regions.end()) ofRegions[std::size_t(found - mesh->regions.begin())] = base + 1 + int(k);
         else
             dict.error("regions", fmt::format("region \"{}\" is unknown. {}", own[k].keyword(),
                                               suggestion(own[k].keyword(), "regions of this mesh", mesh->regions)));
     }
-    for (const auto& body : mesh->bodies)
-    {
-        patch.shape = body;
-        g.originals.push_back(patch);
-    }
+    addBodies(*mesh, base, ofRegions, g);
 }
 
 void readWallsAndRepeat(const Dictionary& dict, Geometry& g)

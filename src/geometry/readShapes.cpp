@@ -288,6 +288,11 @@ std::optional<WallMesh> readMesh(const std::string& wall, const Geometry& g, Dia
     return mesh;
 }
 
+void addBodies(const WallMesh& mesh, int wall, const std::vector<int>& walls, Geometry& g)
+{
+    for (const auto& body : mesh.bodies) g.originals.push_back({body, wall, walls});
+}
+
 bool isMesh(const Dictionary& wall) { return shapeType().is(wall, "triSurface"); }
 
 bool isSingleShape(const std::string& type) { return type != "sphereBed" && type != "spheres"; }

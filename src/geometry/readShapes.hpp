@@ -18,6 +18,8 @@ struct WallMesh
     std::vector<std::shared_ptr<const Shape>> bodies;
 };
 std::optional<WallMesh> readMesh(const std::string& wall, const Geometry&, Diagnostics&);
+/// A patch of `wall` for each of its bodies; `walls` are those of its regions.
+void addBodies(const WallMesh&, int wall, const std::vector<int>& walls, Geometry&);
 bool isMesh(const Dictionary& wall);
 
 /// True where `type` names one shape, which may turn around `origin` with `omega`.
