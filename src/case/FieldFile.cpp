@@ -1,13 +1,11 @@
 #include "FieldFile.hpp"
+#include "FoamHeader.hpp"
 #include "FoamScanner.hpp"
 #include "MappedFile.hpp"
 #include "words.hpp"
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
-#include <set>
 #include <stdexcept>
 
 namespace sph
@@ -16,67 +14,7 @@ namespace sph
 namespace
 {
 
-struct Header
-{
-    std::string className;
-    int classLine = 0;
-    bool binary = false;
-    int labelBits = 32, scalarBits = 64;
-};
-
-/// The number after `key=` in "LSB;label=32;scalar=64".
-int bitsOf(FoamScanner& in, const std::string& arch, const std::string& key, int fallback)
-{
-    const auto at = arch.find(key + "=");
-    if (at == std::string::npos) return fallback;
-    const auto bits = arch.substr(at + key.size() + 1, 2);
-    if (bits != "32" && bits != "64") in.fail(fmt::format("arch \"{}\": {} must be 32 or 64", arch, key));
-    return bits == "32" ? 32 : 64;
-}
-
-void readArch(FoamScanner& in, const std::string& arch, Header& header)
-{
-    if (arch.find("MSB") != std::string::npos) in.fail(fmt::format("arch \"{}\": big-endian data is not supported", arch));
-    header.labelBits = bitsOf(in, arch, "label", 32);
-    header.scalarBits = bitsOf(in, arch, "scalar", 64);
-}
-
-Header readHeader(FoamScanner& in)
-{
-    if (in.peek() == '\0' || in.word() != "FoamFile" || !in.take('{')) in.fail("no FoamFile header: not a field file");
-    Header header;
-    bool hasFormat = false;
-    std::set<std::string> given;
-    while (!in.take('}'))
-    {
-        if (in.atEnd()) in.fail("the FoamFile header does not end");
-        const auto key = in.word();
-        const auto value = in.word();
-        const int line = in.line();
-        if (key.empty() || value.empty() || !in.take(';'))
-            throw ScanError(line, fmt::format("FoamFile header: expected \"keyword value;\", found \"{} {}\"", key, value));
-        if (!given.insert(key).second) throw ScanError(line, fmt::format("FoamFile header: \"{}\" is given twice", key));
-        if (key == "format")
-        {
-            static const std::vector<std::string> known{"ascii", "binary"};
-            if (std::find(known.begin(), known.end(), value) == known.end())
-                throw ScanError(line, fmt::format("format \"{}\" is unknown. {}", value, suggestion(value, "formats", known)));
-            hasFormat = true;
-            header.binary = value == "binary";
-        }
-        if (key == "class")
-        {
-            header.className = value;
-            header.classLine = line;
-        }
-        if (key == "arch") readArch(in, value, header);
-    }
-    if (!hasFormat) in.fail("the FoamFile header has no \"format\"");
-    if (header.className.empty()) in.fail("the FoamFile header has no \"class\"");
-    return header;
-}
-
-FieldClass fieldClass(const Header& header, const std::string& field, std::optional<FieldClass> wanted)
+FieldClass fieldClass(const FoamHeader& header, const std::string& field, std::optional<FieldClass> wanted)
 {
     static const std::vector<std::string> known{"labelField", "scalarField", "vectorField", "symmTensorField", "tensorField"};
     const auto at = std::find(known.begin(), known.end(), header.className);
@@ -94,12 +32,12 @@ FieldClass fieldClass(const Header& header, const std::string& field, std::optio
 class ListReader
 {
     FoamScanner& in_;
-    const Header& header_;
+    const FoamHeader& header_;
     bool hasCount_ = false;
     std::size_t count_ = 0;
 
 public:
-    ListReader(FoamScanner& in, const Header& header) : in_(in), header_(header)
+    ListReader(FoamScanner& in, const FoamHeader& header) : in_(in), header_(header)
     {
         std::int64_t count = 0;
         if (in_.peek() == '(' && !header.binary) return;
@@ -208,7 +146,7 @@ double binaryLabel(FoamScanner& in, int bits) { return bits == 64 ? double(in.ra
 CloudField parseField(std::string_view text, const std::string& name, std::size_t expected, std::optional<FieldClass> wanted)
 {
     FoamScanner in(text);
-    const auto header = readHeader(in);
+    const auto header = readFoamHeader(in);
     CloudField field;
     field.type = fieldClass(header, name, wanted);
     const int components = componentsOf(field.type);
@@ -242,7 +180,7 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
 Positions parsePositions(std::string_view text)
 {
     FoamScanner in(text);
-    const auto header = readHeader(in);
+    const auto header = readFoamHeader(in);
     if (header.className != "Cloud" && !header.className.starts_with("Cloud<"))
         throw ScanError(header.classLine, fmt::format("class \"{}\" is not that of positions, Cloud<...>", header.className));
     Positions p;

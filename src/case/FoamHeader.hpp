@@ -1,6 +1,7 @@
 /// The `FoamFile { ... }` block at the head of every file that OpenFOAM and ParaView are to read.
 #pragma once
 #include "Cloud.hpp"
+#include "FoamScanner.hpp"
 #include <string>
 
 namespace sph
@@ -8,6 +9,16 @@ namespace sph
 
 /// With `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
 std::string foamHeader(WriteFormat, const std::string& className, const std::string& location, const std::string& object);
+
+struct FoamHeader
+{
+    std::string className;
+    int classLine = 0;
+    bool binary = false;
+    int labelBits = 32, scalarBits = 64;
+};
+/// Throws ScanError where it is not whole, has no `format` or `class`, or its `arch` is not one that can be read.
+FoamHeader readFoamHeader(FoamScanner&);
 
 /// What a time folder will be called once it is whole: its name without the ".partial" it carries while it is written.
 std::string finalName(const std::filesystem::path& timeFolder);

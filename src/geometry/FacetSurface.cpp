@@ -30,21 +30,12 @@ std::size_t beginList(FoamScanner& in, const std::string& name)
     return std::size_t(count);
 }
 
-void skipHeader(FoamScanner& in)
-{
-    if (in.word() != "FoamFile") in.fail("has no FoamFile header");
-    expect(in, '{', "after FoamFile");
-    while (!in.take('}'))
-    {
-        if (in.atEnd()) in.fail("ends within its header");
-        if (!in.take(';')) in.word();
-    }
-}
-
 FacetSurface parse(FoamScanner& in)
 {
     FacetSurface s;
-    skipHeader(in);
+    if (const auto header = readFoamHeader(in); header.className != "wallMesh" || header.binary)
+        throw ScanError(header.classLine,
+                        fmt::format("class \"{}\" in {}, not wallMesh in ascii", header.className, header.binary ? "binary" : "ascii"));
     if (in.word() != "regions") in.fail("expected regions");
     expect(in, '(', "before the first region");
     while (!in.take(')'))

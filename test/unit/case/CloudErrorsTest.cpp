@@ -65,8 +65,8 @@ TEST(CloudErrors, nameAMissingCloud)
 
 TEST(CloudErrors, nameWhatIsWrongWithTheHeader)
 {
-    EXPECT_EQ(ofField(""), U + ":1: no FoamFile header: not a field file");
-    EXPECT_EQ(ofField("3(1 2 3)"), U + ":1: no FoamFile header: not a field file");
+    EXPECT_EQ(ofField(""), U + ":1: no FoamFile header");
+    EXPECT_EQ(ofField("3(1 2 3)"), U + ":1: no FoamFile header");
     EXPECT_EQ(ofField("FoamFile\n{\nclass scalarField;\n}\n3{1}\n"), U + ":4: the FoamFile header has no \"format\"");
     EXPECT_EQ(ofField("FoamFile\n{\nformat ascii;\n}\n3{1}\n"), U + ":4: the FoamFile header has no \"class\"");
     EXPECT_EQ(ofField("FoamFile\n{\nformat ascii;\n"), U + ":4: the FoamFile header does not end");

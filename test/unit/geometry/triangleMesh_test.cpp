@@ -173,12 +173,16 @@ TEST(TriangleMesh, MistakesOfRegionsAndFilesAreNamed)
         c.read();
         EXPECT_NE(c.errors().find("constant/wallMeshes/rock: is missing: run meshToGhost"), std::string::npos) << c.errors();
     }
+    const std::string header = "FoamFile { format ascii; class wallMesh; }\n";
     for (const auto& [text, message] :
-         {std::pair{"FoamFile {} regions (a) points 1 ( (0 0 nan) ) facets 0 ()", "expected a coordinate"},
-          {"FoamFile {} regions (a) points 1 ( (0 0 0) ) facets 1 ( (0 0 1 0) )", "expected the number of a point"},
-          {"FoamFile {} regions (a) points 99 ( (0 0 0)", "greater than what follows"},
-          {"FoamFile { a", "ends within its header"},
-          {"", "has no FoamFile header"}})
+         {std::pair{header + "regions (a) points 1 ( (0 0 nan) ) facets 0 ()", ":2: expected a coordinate"},
+          {header + "regions (a) points 1 ( (0 0 0) ) facets 1 ( (0 0 1 0) )", ":2: expected the number of a point"},
+          {header + "regions (a) points 99 ( (0 0 0)", "greater than what follows"},
+          {"FoamFile { format ascii;", ":1: the FoamFile header does not end"},
+          {"FoamFile { format ascii; }", ":1: the FoamFile header has no \"class\""},
+          {"FoamFile\n{\nformat ascii;\nclass scalarField;\n}", ":4: class \"scalarField\" in ascii, not wallMesh in ascii"},
+          {"FoamFile { format binary; class wallMesh; }", ":1: class \"wallMesh\" in binary, not wallMesh in ascii"},
+          {"", "no FoamFile header"}})
     {
         MeshCase c;
         std::ofstream(c.folder / "constant/wallMeshes/rock") << text;
