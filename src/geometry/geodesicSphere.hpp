@@ -1,0 +1,10 @@
+/// The unit sphere as an icosahedron whose edges are cut into n: 20 n^2 facets, normals outwards.
+#pragma once
+#include "TriangleSurface.hpp"
+
+namespace sph
+{
+
+TriangleSurface geodesicSphere(int n);
+
+}
