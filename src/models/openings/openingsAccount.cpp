@@ -1,0 +1,143 @@
+/// The account of openings: what has passed, what is there, and by which the one misses the other.
+#include "Openings.hpp"
+#include "reduce.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sph
+{
+
+/// What is free or taken away, by the opening that takes it.
+template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, std::size_t owned, const std::vector<int>& takenBy)
+{
+    const double *holder = store.component(Holder::info.name, 0), *m = store.component(Mass::info.name, 0);
+    const auto of = [&](const auto& amount)
+    {
+        return groupSums(
+            owned, gates_.size() + 1, [&](std::size_t i) { return std::size_t(takenBy[i]); },
+            [&](std::size_t i) { return takenBy[i] == 0 && holder[i] > 0 ? 0.0 : amount(i); });
+    };
+    const auto phase = phasesOf(store);
+    for (std::size_t p = 0; p < phases_; ++p)
+    {
+        const auto mass = of([&](std::size_t i) { return phase(i) == p ? m[i] : 0.0; });
+        startMass_[p] = std::accumulate(mass.begin(), mass.end(), 0.0);
+        for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].taken[p] = mass[k + 1];
+    }
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        const auto amount = of([&](std::size_t i) { return amountOf(store, *counted_[q], i); });
+        startAmounts_[q] = std::accumulate(amount.begin(), amount.end(), 0.0);
+        for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].takenAmounts[q] = amount[k + 1];
+    }
+}
+
+template<int dim> std::vector<Flow> Openings<dim>::flows() const
+{
+    std::vector<Flow> flows;
+    for (const auto& gate : gates_)
+    {
+        const double let = gate.speed * gate.section.area();
+        auto ofPhases = gate.inflows;
+        if (gate.opening.inlet)
+        {
+            std::ranges::fill(ofPhases, 0.0);
+            double sum = 0;
+            for (const auto& line : gate.section.lines()) sum += line.profile;
+            for (const auto& line : gate.section.lines()) ofPhases[gate.opening.streamAt(line.foot, dim).phase] += let * line.profile / sum;
+        }
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts, gate.taken,
+                         gate.opening.inlet ? let : gate.inflow, ofPhases,
+                         gate.pressure[gate.opening.stream.phase] - coefficients_.backgroundPressure,
+                         marks_ ? std::optional(gate.marked) : std::nullopt});
+    }
+    return flows;
+}
+
+template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
+{
+    const double* const m = store.component(Mass::info.name, 0);
+    const auto phase = phasesOf(store);
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+    {
+        if (counted_[q]->value.name != field) continue;
+        double* const rate = store.component(counted_[q]->rate->name, 0);
+        double intoHeld = 0;
+        for (const int i : held_)
+        {
+            intoHeld += deltaT * rate[i] * m[i] / coefficients_.restDensity[phase(std::size_t(i))];
+            rate[i] = 0;
+        }
+        heldAmounts_[q] += intoHeld;
+    }
+}
+
+template<int dim>
+double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
+{
+    const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
+    return store.component(name, 0)[i] * store.component(Mass::info.name, 0)[i] / coefficients_.restDensity[phasesOf(store)(i)];
+}
+
+template<int dim> std::vector<double> Openings<dim>::freeMass(const FieldStore<dim>& store) const
+{
+    const double *m = store.component(Mass::info.name, 0), *holder = store.component(Holder::info.name, 0);
+    return groupSums(store.owned(), phases_, phasesOf(store), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : m[i]; });
+}
+
+template<int dim> double Openings<dim>::freeAmount(const FieldStore<dim>& store, const Evolving& fraction) const
+{
+    const double* const holder = store.component(Holder::info.name, 0);
+    return sum(store.owned(), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : amountOf(store, fraction, i); });
+}
+
+template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& store) const
+{
+    const auto relative = [&](double now, double start, const auto& passed)
+    {
+        double expected = start, largest = std::max(start, now);
+        for (const auto& gate : gates_)
+        {
+            expected += passed(gate);
+            largest = std::max(largest, std::abs(passed(gate)));
+        }
+        return largest > 0 ? (now - expected) / largest : 0;
+    };
+    Imbalance off;
+    const auto free = freeMass(store);
+    for (std::size_t k = 0; k < phases_; ++k)
+        off.mass.push_back(relative(free[k], startMass_[k], [&](const Gate& gate) { return gate.mass[k] - gate.taken[k]; }));
+    for (std::size_t q = 0; q < counted_.size(); ++q)
+        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q],
+                                       [&](const Gate& gate) { return gate.amounts[q] - gate.takenAmounts[q]; }));
+    return off;
+}
+
+template<int dim> double Openings<dim>::volume() const
+{
+    double sum = 0;
+    for (const auto& gate : gates_)
+        for (std::size_t k = 0; k < phases_; ++k) sum += gate.mass[k] / coefficients_.restDensity[k];
+    return sum;
+}
+
+template<int dim> double Openings<dim>::power() const
+{
+    double sum = 0;
+    for (const auto& gate : gates_)
+    {
+        const std::size_t phase = gate.opening.stream.phase;
+        const double Q = gate.opening.inlet      ? gate.speed * gate.section.area()
+                         : gate.opening.backflow ? std::max(0.0, gate.inflows[phase])
+                                                 : 0;
+        const double u = gate.opening.inlet ? gate.speed : Q / gate.section.area();
+        sum += Q * std::max(0.0, gate.pressure[phase] - coefficients_.backgroundPressure + 0.5 * gate.density * sqr(u));
+    }
+    return sum;
+}
+
+template class Openings<2>;
+template class Openings<3>;
+
+}
