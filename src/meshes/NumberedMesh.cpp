@@ -18,8 +18,7 @@ std::string inWords(const NumberedMesh& m, int facet)
     const auto f = std::size_t(facet);
     std::string corners;
     for (const int p : m.triangles[f]) corners += " " + inWords(m.points[std::size_t(p)]);
-    return (m.number[f] < 0 ? "a facet made by a repair" : fmt::format("facet {}", m.number[f])) +
-           fmt::format(" (region {}) at{}", m.regions[std::size_t(m.region[f])], corners);
+    return nameOfFacet(m, facet) + fmt::format(" (region {}) at{}", m.regions[std::size_t(m.region[f])], corners);
 }
 
 std::string listed(const std::string& why, std::size_t count, const auto& inWordsOf, const std::string& remedy)
@@ -34,6 +33,12 @@ std::string listed(const std::string& why, std::size_t count, const auto& inWord
 }
 
 std::string inWords(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
+
+std::string nameOfFacet(const NumberedMesh& m, int facet)
+{
+    const int number = m.number[std::size_t(facet)];
+    return number < 0 ? "a facet made by a repair" : fmt::format("facet {}", number);
+}
 
 std::string counted(std::size_t number, const std::string& thing) { return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s"); }
 

@@ -31,6 +31,8 @@ struct UnusableMesh : std::runtime_error
 
 /// "(0.1 0 0.25)", six digits
 std::string inWords(const Vector<3>&);
+/// "facet 7", as the file counts it
+std::string nameOfFacet(const NumberedMesh&, int facet);
 /// "1 facet", "7 facets"
 std::string counted(std::size_t number, const std::string& thing);
 

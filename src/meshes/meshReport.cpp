@@ -70,6 +70,10 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
     if (f.convex + f.concave > 0)
         out += fmt::format("    Smallest face between sharp edges: {:.4g} m = {:.3g} H (square root of its area) at {}\n", f.smallest,
                            f.smallest / H, inWords(f.smallestAt));
+    if (const auto& h = p.hollows; h.count == 0) out += "    Hollows tighter than H: none\n";
+    else
+        out += fmt::format("    Hollows tighter than H: {}, the tightest of radius {:.4g} m = {:.3g} H at {}, {}\n", h.count, h.radius,
+                           h.radius / H, inWords(h.at), h.facet);
     out += fmt::format(
         "  In {} points, evenly over the area, and centroids of facets, along their normals, to what is parallel within 30 degrees:\n",
         p.clearances.sampled);

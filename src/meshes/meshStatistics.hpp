@@ -49,6 +49,18 @@ struct MeshFeatures
 };
 MeshFeatures meshFeatures(const FacetSurface&, const std::vector<DihedralEdge>&, double featureAngle);
 
+/// Smooth parts where the fluid lies on the inside of a curve that is tighter than the kernel: facets joined by edges that turn by less than the feature
+/// angle, faster than on a circle of the size of the support, and by more than the feature angle together (what is rough alone has no such part).
+struct MeshHollows
+{
+    std::size_t count = 0;
+    /// [m] of the tightest: R for which c - R n comes nearest to the middles of these edges, n the normals there
+    double radius = Box::infinity;
+    std::string facet; ///< of the file, where it turns fastest
+    Vector<3> at;
+};
+MeshHollows meshHollows(const NumberedMesh&, const std::vector<DihedralEdge>&, double featureAngle, double support);
+
 /// Distances between opposite facets (parallel within 30 degrees), along the normals in sampled points.
 struct MeshClearances
 {

@@ -163,12 +163,18 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         result.edges = dihedralEdges(result.surface);
         result.features = meshFeatures(result.surface, result.edges, t.featureAngle);
         result.clearances = meshClearances(result.surface);
+        result.hollows = meshHollows(m, result.edges, t.featureAngle, space.H);
         result.usable = true;
         if (const auto& [width, at] = result.clearances.thinnest; width < 2 * space.H)
             diagnostics.warning(
                 t.at, fmt::format("wall \"{}\" is {:.3g} m thin at {}, less than two supports of the kernel, {:.3g} m: the mirror "
                                   "images of its two sides lie in one another",
                                   t.wall, width, inWords(at), 2 * space.H));
+        if (const auto& [count, radius, facet, at] = result.hollows; count > 0)
+            diagnostics.warning(
+                t.at, fmt::format("wall \"{}\" has {} tighter than the support of the kernel, {:.3g} m, which cannot resolve {}: the "
+                                  "tightest has a radius of {:.3g} m at {}, {}",
+                                  t.wall, counted(count, "hollow"), space.H, count == 1 ? "it" : "them", radius, inWords(at), facet));
     }
     catch (const UnusableMesh& e)
     {

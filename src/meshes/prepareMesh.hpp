@@ -27,10 +27,11 @@ struct PreparedMesh
     std::vector<DihedralEdge> edges;
     MeshFeatures features;
     MeshClearances clearances;
+    MeshHollows hollows;
 };
 
 /// Mistakes go to the Diagnostics, with facets, coordinates and a VTP file that shows them (meshFiles.hpp); so do warnings of solids thinner
-/// than two supports of the kernel.
+/// than two supports of the kernel and of hollows tighter than one.
 PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurface&, const MeshSpace&, Diagnostics&);
 
 /// Writes the wall (FacetSurface.hpp) and its edges (meshFiles.hpp); the names of the files.

@@ -17,7 +17,7 @@ TEST(MeshReport, tellsWhatSurfaceCheckTells)
           "Number of zones (connected area with consistent normal) : 1", "Volume of the solid: 0.5 m3; as read 0.5 m3",
           "Sharp edges (more than 30 degrees): 12 convex, 0 concave", "Sharpest convex edge: the fluid has 270 degrees at (",
           "Sharpest concave edge: none", "Smallest face between sharp edges: 0.7071 m = 27.2 H", "Thinnest wall: 0.5 m = 19.2 H at (",
-          "Narrowest gap: none"})
+          "Narrowest gap: none", "Hollows tighter than H: none"})
         EXPECT_TRUE(has(text, part)) << part << " in\n" << text;
     EXPECT_FALSE(has(meshReport(p.mesh, 0.026, false), "Triangle quality"));
 }
@@ -44,6 +44,49 @@ TEST(MeshReport, findsTheThinEndOfLargeFacets)
     const auto p = prepared(m);
     EXPECT_NEAR(p.mesh.clearances.thinnest.width, 0.02, 0.003);
     EXPECT_NEAR(p.mesh.clearances.thinnest.at.x, 0, 0.01);
+}
+
+// An L whose inner corner is rounded by so many facets of an arc (H = 0.026).
+Mesh roundedL(double radius, int facets)
+{
+    std::vector<Vector<3>> outline{{0, 0, 0}, {1, 0, 0}, {1, 0.25, 0}};
+    for (int k = 0; k <= facets; ++k)
+    {
+        const double a = std::numbers::pi * (1.5 - 0.5 * k / facets);
+        outline.push_back({0.25 + radius * (1 + std::cos(a)), 0.25 + radius * (1 + std::sin(a)), 0});
+    }
+    outline.insert(outline.end(), {{0.25, 1, 0}, {0, 1, 0}});
+    return prism(outline, 0, 1);
+}
+
+// What is rounded below the support is told with its radius and place, to the seven digits of a file. A hollow wider than the support, the same curve
+// around the solid, and an edge that is sharp are none. Middles of edges of a polyhedron lie within its sphere, by 0.5 %.
+TEST(MeshReport, tellsOfHollowsBelowTheSupport)
+{
+    for (const double radius : {0.005, 0.02})
+    {
+        const auto p = prepared(roundedL(radius, 6));
+        EXPECT_EQ(p.mesh.hollows.count, 1u);
+        EXPECT_NEAR(p.mesh.hollows.radius, radius, 1e-4 * radius);
+        EXPECT_NEAR(mag(p.mesh.hollows.at - Vector<3>{0.25 + radius, 0.25 + radius, p.mesh.hollows.at.z}), radius, 1e-4 * radius);
+        const auto there = fmt::format("{:.3g} m at {}, {}", p.mesh.hollows.radius, inWords(p.mesh.hollows.at), p.mesh.hollows.facet);
+        EXPECT_TRUE(has(p.mesh.hollows.facet, "facet "));
+        EXPECT_TRUE(
+            has(p.warnings, "wall \"rock\" has 1 hollow tighter than the support of the kernel, 0.026 m, which cannot resolve it: the "
+                            "tightest has a radius of " +
+                                there))
+            << p.warnings;
+        EXPECT_TRUE(has(meshReport(p.mesh, 0.026, true), "Hollows tighter than H: 1, the tightest of radius "));
+    }
+    for (const auto& p : {prepared(roundedL(0.03, 6)), prepared(roundedL(0.02, 6), "fluid inside;"), prepared(roundedL(0.02, 2))})
+    {
+        EXPECT_FALSE(has(p.warnings, "hollow")) << p.warnings;
+        EXPECT_TRUE(has(meshReport(p.mesh, 0.026, true), "Hollows tighter than H: none"));
+    }
+    const auto bubble = prepared(icosphere(3, 0.02), "fluid inside;");
+    EXPECT_EQ(bubble.mesh.hollows.count, 1u);
+    EXPECT_NEAR(bubble.mesh.hollows.radius, 0.02, 0.0002);
+    EXPECT_EQ(prepared(icosphere(3, 0.03), "fluid inside;").mesh.hollows.count, 0u);
 }
 
 // Dihedral angles of a regular tetrahedron: arccos 1/3 within, the rest of 360 degrees for the fluid around it.
