@@ -11,5 +11,8 @@ const Scalar rho{"rho", units::density, required, positive, "density at rest"};
 const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative,
                        "surface tension of pairs of phases: of none, or of each, 0 included"};
 const VectorParameter gravity{"value", units::mPerS2, required, "gravity"};
+const Text shaking{
+    "shaking", notGiven,
+    "what is added to value [m/s^2], a vector(...) of the time $t [s]: less the acceleration of a vessel that is shaken, as seen by the vessel"};
 
 }

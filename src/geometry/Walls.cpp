@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
+#include <ranges>
 #include <set>
 #include <sstream>
 
@@ -174,6 +175,27 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const s
     }
     repeatPeriodically(g, g.reach);
     return g;
+}
+
+std::string wallInWords(const Geometry& g, int patch, const Vector<3>& x)
+{
+    const auto& p = g.patches[std::size_t(patch)];
+    const auto& name = g.walls[std::size_t(p.wall)].name;
+    const auto words = fmt::format("\"{}\"", name);
+    if (!p.mesh || !std::filesystem::exists(g.folder / wallMeshFile(name))) return words;
+    Diagnostics none;
+    const auto surface = readWallMesh(g.folder, name, none);
+    const auto y = p.mesh->local(x);
+    const auto distanceTo = [&](std::size_t f)
+    {
+        const auto corner = [&](int k) { return surface.points[std::size_t(surface.triangles[f][std::size_t(k)])]; };
+        return mag(y - nearestOnTriangle(y, corner(0), corner(1), corner(2)).point);
+    };
+    const auto facets = std::views::iota(std::size_t(0), surface.triangles.size());
+    const auto nearest = std::ranges::min_element(facets, {}, distanceTo);
+    if (nearest == facets.end()) return words;
+    const auto& region = g.walls[std::size_t(p.wallAt(surface.region[*nearest]))].name;
+    return fmt::format("\"{}\", facet {} of {}", region, *nearest, wallMeshFile(name));
 }
 
 std::string wallsStamp(const Dictionary& dict) { return dict.get<std::string>("stamp"); }

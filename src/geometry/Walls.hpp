@@ -30,6 +30,9 @@ std::string wallsText(const Geometry&, const std::string& stamp);
 /// where particles of this resolution do not fit the domain.
 Geometry readWalls(const Dictionary&, const Resolution&, const std::filesystem::path& folder = {});
 
+/// "rock", and of a mesh the facet nearest to x: `"rock", facet 12 of constant/wallMeshes/rock`, counted from 0. Reads that file: for messages alone.
+std::string wallInWords(const Geometry&, int patch, const Vector<3>& x);
+
 /// The stamp in constant/walls, for comparison with geometryStamp.
 std::string wallsStamp(const Dictionary&);
 

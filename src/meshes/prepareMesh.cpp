@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace sph
 {
@@ -32,21 +31,6 @@ void checkNumbers(const NumberedMesh& m)
     // What has no place cannot be shown.
     error.facets = {};
     throw error;
-}
-
-void place(NumberedMesh& m, const TriSurface& t)
-{
-    // Rodrigues: x cos + (k x x) sin + k (k.x)(1 - cos); right angles exactly.
-    const double turns = t.angle / 90;
-    const bool right = turns == std::round(turns);
-    const auto quarter = int(std::fmod(std::fmod(turns, 4) + 4, 4));
-    const double c = right ? (quarter == 0) - (quarter == 2) : std::cos(t.angle * std::numbers::pi / 180),
-                 s = right ? (quarter == 1) - (quarter == 3) : std::sin(t.angle * std::numbers::pi / 180);
-    for (auto& x : m.points)
-    {
-        const auto y = t.scale * x;
-        x = c * y + s * cross(t.axis, y) + (1 - c) * dot(t.axis, y) * t.axis + t.translation;
-    }
 }
 
 /// Coordinates come in single precision: far from their origin they lose the digits that say where a point is.
@@ -152,7 +136,7 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         place(m, t);
         checkPlace(m, t, space);
         const auto box = boundingBox(m);
-        const double tolerance = t.weld.value_or(1e-6 * mag(box.high - box.low));
+        const double tolerance = t.weld.value_or(weldOf(box));
         weldPoints(m, tolerance, result.repairs);
         if (m.triangles.empty()) throw UnusableMesh("no facet is left after welding: all are smaller than the entry weld");
         result.asRead = meshStatistics(m);

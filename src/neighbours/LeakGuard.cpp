@@ -1,5 +1,6 @@
 #include "LeakGuard.hpp"
 #include "CaseError.hpp"
+#include "Walls.hpp"
 #include "components.hpp"
 #include <algorithm>
 #include <cmath>
@@ -16,13 +17,15 @@ std::string at(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})"
 }
 
 static const Choice leakedParticles{"leakedParticles",
-                                    {{"putBack", "and counted"}, {"stop", "ends the run"}},
+                                    {{"putBack", "and counted; one half a spacing deep ends the run"},
+                                     {"remove", "however deep, and outside the domain; counted with their mass"},
+                                     {"stop", "ends the run"}},
                                     "putBack",
                                     "what becomes of particles in a solid"};
 
 EntryList leakGuardEntries() { return {leakedParticles}; }
 
-Leaked readLeakGuard(const Dictionary& sphSchemes) { return leakedParticles(sphSchemes) == "stop" ? Leaked::stop : Leaked::putBack; }
+Leaked readLeakGuard(const Dictionary& sphSchemes) { return Leaked(leakedParticles.index(sphSchemes)); }
 
 /// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.
 template<int dim>
@@ -73,7 +76,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         if (-f.distance > std::max(closest, found.depth))
         {
             found.depth = -f.distance;
-            found.wall = geometry_.patches[std::size_t(p)].wallAt(f.region);
+            found.patch = p;
         }
         if (f.exposure <= 0)
         {
@@ -115,7 +118,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
 template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x, const Found& found) const
 {
     const double d = std::max(found.depth, -geometry_.distance(x));
-    const auto wall = found.wall >= 0 ? fmt::format(" \"{}\"", geometry_.walls[std::size_t(found.wall)].name) : "";
+    const auto wall = found.patch >= 0 ? " " + wallInWords(geometry_, found.patch, x) : "";
     throw CaseError(
         fmt::format("particle {} at {} {}", i, at(x),
                     d > 0 ? fmt::format("is {:.3g} m beyond a wall{}{}", d, wall,
@@ -123,7 +126,35 @@ template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x,
                           : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
 }
 
-template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
+/// Of two as deep always the same, whichever comes first.
+template<int dim> void LeakGuard<dim>::note(const Found& found, const Vector<3>& at)
+{
+    const auto key = [](const Vector<3>& a) { return std::array{a.x, a.y, a.z}; };
+    if (found.depth < leaks_.deepest || (found.depth == leaks_.deepest && leaks_.count() > 0 && key(at) >= key(leaks_.at))) return;
+    leaks_.deepest = found.depth;
+    leaks_.at = at;
+    leaks_.patch = found.patch;
+}
+
+template<int dim> std::size_t LeakGuard<dim>::remove(FieldStore<dim>& store, std::size_t owned, std::vector<std::size_t>& which)
+{
+    if (which.empty()) return owned;
+    std::ranges::sort(which);
+    const double* const m = store.component(Mass::info.name, 0);
+    std::vector<int> kept;
+    for (std::size_t i = 0, next = 0; i < owned; ++i)
+        if (next < which.size() && which[next] == i)
+        {
+            leaks_.removedMass += m[i];
+            ++next;
+        }
+        else kept.push_back(int(i));
+    store.sortState(kept);
+    store.resize(kept.size());
+    return kept.size();
+}
+
+template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
 {
     const std::array<double*, dim> x = store.pointers(Position{});
     // Between prediction and correction the velocity at the start of the step counts: the correction begins from it.
@@ -138,15 +169,22 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
     };
     std::size_t first = owned;
     Found worst;
+    std::vector<std::size_t> removed;
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned; ++i)
     {
-        const Vector<3> before = leaked_ == Leaked::stop ? place(i) : Vector<3>{};
+        const Vector<3> before = leaked_ == Leaked::putBack ? Vector<3>{} : place(i);
         const Found found = keep(x, velocities, i, images);
         if (!found.lost && found.depth == 0) continue;
 #pragma omp critical
         {
-            if (found.lost || leaked_ == Leaked::stop)
+            if (leaked_ == Leaked::remove && std::isfinite(mag(before)))
+            {
+                note(found, before);
+                ++leaks_.removed;
+                removed.push_back(i);
+            }
+            else if (found.lost || leaked_ == Leaked::stop)
             {
                 if (i < first)
                 {
@@ -158,19 +196,13 @@ template<int dim> void LeakGuard<dim>::operator()(FieldStore<dim>& store, std::s
             }
             else
             {
+                note(found, place(i));
                 ++leaks_.putBack;
-                const auto now = place(i);
-                const auto key = [](const Vector<3>& a) { return std::array{a.x, a.y, a.z}; };
-                // Of two as deep always the same, whichever thread comes first.
-                if (found.depth > leaks_.deepest || (found.depth == leaks_.deepest && key(now) < key(leaks_.at)))
-                {
-                    leaks_.deepest = found.depth;
-                    leaks_.at = now;
-                }
             }
         }
     }
     if (first < owned) refuse(first, place(first), worst);
+    return remove(store, owned, removed);
 }
 
 template class LeakGuard<2>;

@@ -1,8 +1,8 @@
 /// Keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
 ///
 /// Wraps across periodic faces. A particle nearer to a wall than `closest`, 0.02 spacings, is put there, and loses what velocity it has into
-/// the wall. One deeper in a solid than that has leaked: it is counted, and put back or the end of the run, as the dictionary says. More than
-/// half a spacing deep is an error always: from there the way back may lead out on the other side.
+/// the wall. One deeper in a solid than that has leaked: it is counted, and put back, removed or the end of the run, as the dictionary says. One more
+/// than half a spacing deep or outside the domain is removed or an error: from there the way back may lead out on the other side.
 #pragma once
 #include "EntryList.hpp"
 #include "Images.hpp"
@@ -16,19 +16,24 @@ namespace sph
 enum class Leaked
 {
     putBack,
+    remove,
     stop
 };
 
-/// leakedParticles  putBack | stop;      default putBack
+/// leakedParticles  putBack | remove | stop;      default putBack
 Leaked readLeakGuard(const Dictionary& sphSchemes);
 EntryList leakGuardEntries();
 
 /// What has leaked since the start of the run.
 struct Leaks
 {
-    long putBack = 0;
-    double deepest = 0; ///< [m]
-    Vector<3> at;       ///< of the deepest
+    long putBack = 0, removed = 0;
+    double removedMass = 0; ///< [kg], per metre of depth in 2-D
+    double deepest = 0;     ///< [m]
+    Vector<3> at;           ///< of the deepest
+    int patch = -1;         ///< likewise; -1 of what was removed for being outside the domain
+
+    long count() const { return putBack + removed; }
 };
 
 template<int dim> class LeakGuard
@@ -42,19 +47,21 @@ template<int dim> class LeakGuard
     {
         bool lost = false;
         double depth = 0; ///< in a solid [m], before it was put back
-        int wall = -1;
+        int patch = -1;
     };
     using Velocities = std::vector<std::array<double*, dim>>;
     Found keep(const std::array<double*, dim>& x, const Velocities&, std::size_t i, const Images<dim>&) const;
     template<class Depth> std::optional<Vector<dim>> nearestWayOut(const Vector<dim>& x, const Depth& depth) const;
+    void note(const Found&, const Vector<3>& at);
+    std::size_t remove(FieldStore<dim>&, std::size_t owned, std::vector<std::size_t>& which);
     [[noreturn]] void refuse(std::size_t i, const Vector<3>& x, const Found&) const;
 
 public:
     LeakGuard(const Geometry& geometry, double spacing, double support, Leaked leaked)
         : geometry_(geometry), spacing_(spacing), support_(support), leaked_(leaked)
     {}
-    /// Of the first `owned` particles; throws CaseError where one is beyond help.
-    void operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
+    /// Of the first `owned` particles, of which it returns how many are left; throws CaseError where one is beyond help.
+    std::size_t operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
     const Leaks& leaks() const { return leaks_; }
 };
 

@@ -30,7 +30,7 @@ struct Coefficients
     std::vector<double> surfaceTension; ///< gamma_kl [N/m], phases x phases
     std::vector<double> wallTension;    ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
 
-    Vector<3> g;         ///< [m/s^2]
+    Vector<3> g;         ///< [m/s^2] of the moment, where it varies: who needs it in a run refers to it
     Vector<3> bodyForce; ///< [N/m^3]
 
     double densityScale = 1; ///< makes the mean of sigma V_0 exact

@@ -170,7 +170,7 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
 template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
-    leakGuard_(store_, owned_, images_);
+    owned_ = leakGuard_(store_, owned_, images_);
     cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
     makeLists();

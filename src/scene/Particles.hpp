@@ -39,6 +39,8 @@ public:
     const Settings& settings() const { return settings_; }
     const Geometry& geometry() const { return geometry_; }
     const Coefficients& coefficients() const { return coefficients_; }
+    /// Of the evaluations from now on [m/s^2].
+    void setGravity(const Vector<3>& g) { coefficients_.g = g; }
     FieldStore<dim>& store() { return store_; }
     const FieldStore<dim>& store() const { return store_; }
     Images<dim>& images() { return images_; }

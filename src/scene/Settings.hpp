@@ -52,6 +52,9 @@ struct Settings
     Resolution resolution;
     Coefficients coefficients;
     Integration integration;
+    std::string shaking; ///< what is added to gravity, an expression of `$t` (Shaking.hpp); empty where nothing is
+
+    bool hasGravity() const { return mag(coefficients.g) > 0 || !shaking.empty(); }
 
     State state;                                              ///< all that evolves
     std::vector<std::string> terms;                           ///< of an evaluation, names in the catalogues

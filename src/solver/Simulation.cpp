@@ -199,7 +199,7 @@ public:
     double meanNeighbours() const override { return double(particles_.lists().pairs()) / double(std::max<std::size_t>(1, size())) - 1; }
     std::size_t images() const override { return particles_.images().count(); }
     long rebuilds() const override { return particles_.rebuilds(); }
-    Leaks leaks() const override { return particles_.leaks(); }
+    const Leaks& leaks() const override { return particles_.leaks(); }
     double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
 
 private:

@@ -76,8 +76,8 @@ public:
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
     virtual long rebuilds() const = 0;
-    /// What was put back out of the solid since the start of the run.
-    virtual Leaks leaks() const = 0;
+    /// What was put back out of the solid, or removed, since the start of the run.
+    virtual const Leaks& leaks() const = 0;
     /// Of all arrays but the neighbour lists, per owned particle.
     virtual double bytesPerParticle() const = 0;
 };

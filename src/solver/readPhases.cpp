@@ -1,5 +1,6 @@
 #include "readPhases.hpp"
 #include "phaseEntries.hpp"
+#include "positionExpression.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,24 @@ void readSurfaceTension(const Dictionary& dict, Coefficients& c)
         entry::sigma.error(dict,
                            fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
 }
+
+std::string readShaking(const Dictionary& g, int dimension)
+{
+    const auto text = entry::shaking(g, "");
+    if (text.empty()) return text;
+    try
+    {
+        const auto value = evaluateAt(text, anyPlace, 0.0);
+        if (value.vector) entry::shaking.checkPlane(g, *value.vector, dimension);
+        else entry::shaking.error(g, fmt::format("\"{}\" gives a number: an acceleration is a vector, vector(x, y, z)", text));
+        return text;
+    }
+    catch (const ExpressionError& e)
+    {
+        entry::shaking.error(g, e.what());
+        return "";
+    }
+}
 }
 
 EntryList phaseEntries()
@@ -93,7 +112,7 @@ EntryList phaseEntries()
             bodyForce,
             {expected, {entry::velocity, depth, pressure, entry::radius}}};
 }
-EntryList gravityEntries() { return {entry::dimensions, entry::gravity}; }
+EntryList gravityEntries() { return {entry::dimensions, entry::gravity, entry::shaking}; }
 
 void readPhases(const Case& theCase, Settings& settings)
 {
@@ -107,6 +126,7 @@ void readPhases(const Case& theCase, Settings& settings)
         g.ignore(entry::dimensions.keyword());
         c.g = entry::gravity(g);
         entry::gravity.checkPlane(g, c.g, c.dimension);
+        settings.shaking = readShaking(g, c.dimension);
         g.reportUnused();
     }
     c.bodyForce = entry::bodyForce(dict);

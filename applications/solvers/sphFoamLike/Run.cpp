@@ -267,10 +267,11 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
         done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock * std::max(0.0, span / done - 1)) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held / energy_.supplied) : "";
     log_ << fmt::format(
-        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}"
+        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), Clock::executionTime(), clock, expected);
+        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), simulation_->leaks().count() > 0 ? leaked() : "",
+        Clock::executionTime(), clock, expected);
     log_.flush();
 }
 
@@ -310,20 +311,29 @@ void Run::write()
 
 void Run::noteLeaks()
 {
-    if (const auto leaks = simulation_->leaks(); leaks.deepest > deepestLeak_)
+    if (const auto& leaks = simulation_->leaks(); leaks.deepest > deepestLeak_ || (deepestLeakAt_.empty() && leaks.count() > 0))
     {
         deepestLeak_ = leaks.deepest;
         deepestLeakAt_ = time_.name();
     }
 }
 
+std::string Run::leaked() const
+{
+    const auto& leaks = simulation_->leaks();
+    return settings_.leaked == Leaked::remove ? fmt::format("Leaked: {} particles removed, {:.10g} kg\n", leaks.removed, leaks.removedMass)
+                                              : fmt::format("Leaked: {} particles put back\n", leaks.putBack);
+}
+
 void Run::reportLeaks() const
 {
-    const auto leaks = simulation_->leaks();
-    log_ << fmt::format("Leaked: {} particles put back\n", leaks.putBack);
-    if (leaks.putBack > 0)
-        log_ << fmt::format("Deepest: {:.3g} m in a wall, near ({:.6g} {:.6g} {:.6g}) at time {}\n", leaks.deepest, leaks.at.x, leaks.at.y,
-                            leaks.at.z, deepestLeakAt_);
+    log_ << leaked();
+    const auto& leaks = simulation_->leaks();
+    if (leaks.count() > 0)
+        log_ << fmt::format("Deepest: {}, near ({:.6g} {:.6g} {:.6g}) at time {}\n",
+                            leaks.patch < 0 ? "outside the domain"
+                                            : fmt::format("{:.3g} m in {}", leaks.deepest, wallInWords(geometry_, leaks.patch, leaks.at)),
+                            leaks.at.x, leaks.at.y, leaks.at.z, deepestLeakAt_);
 }
 
 void Run::solve()

@@ -64,6 +64,7 @@ private:
     /// Which operation has done the most work since then, and what the others have.
     std::string sourceOfEnergy() const;
     void noteLeaks();
+    std::string leaked() const;
     void reportLeaks() const;
     void write();
     void sample(bool writeTime, bool end);

@@ -1,6 +1,6 @@
 /// Gravity and a uniform force per volume:  dv/dt = g + f/rho
 ///
-/// g [m/s^2]; f [N/m^3], the pressure gradient that drives a periodic flow. Eq. (1) of Barker et al. (2012) lacks rho before g.
+/// g [m/s^2], which Shaking.hpp may vary; f [N/m^3], the pressure gradient that drives a periodic flow. Eq. (1) of Barker et al. (2012) lacks rho before g.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"
@@ -13,7 +13,7 @@ struct Gravity
     static constexpr auto name = "gravity";
     using Adds = Acceleration;
     using ReadsOwn = Fields<Velocity>;
-    Vector<3> g;
+    const Vector<3>& g;
 
     explicit Gravity(const Coefficients& c) : g(c.g) {}
     auto operator()(const auto& i) const { return in<dimensions(decltype(i.v){})>(g); }

@@ -1,5 +1,6 @@
 #include "forces.hpp"
 #include "Damping.hpp"
+#include "Shaking.hpp"
 #include "forceTerms.hpp"
 
 namespace sph
@@ -17,7 +18,10 @@ namespace
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
-    if (mag(settings.coefficients.g) > 0) reading.select("gravity");
+    if (settings.hasGravity()) reading.select("gravity");
+    if (!settings.shaking.empty()) settings.parts.push_back(partOf<Shaking>(settings.coefficients.g, settings.shaking));
+    if (!settings.shaking.empty() && !settings.integration.moves)
+        reading.schemes.error("integration", "scheme quasiSteady leaves particles where they are, and constant/g has `shaking`");
     if (mag(settings.coefficients.bodyForce) > 0) reading.select("bodyForce");
     const auto damping = entry::damping(reading.schemes.subDictOrEmpty("integration"));
     const double rate = entry::rate(damping), until = entry::until(damping);
@@ -28,7 +32,7 @@ void read(const Reading& reading)
 const Model& forcesModel()
 {
     static const Model model{"forces",
-                             "gravity, a uniform force per volume, and damping from a start far off equilibrium",
+                             "gravity, that of a shaken vessel, a uniform force per volume, and damping from a start far off equilibrium",
                              read,
                              forceTerms<2>(),
                              forceTerms<3>(),

@@ -19,13 +19,7 @@ template<int dim> Vector<dim> LimitedVelocity<dim>::change(Vector<dim> dv, const
 
 template<int dim>
 SecondOrderVelocity<dim>::SecondOrderVelocity(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c, bool varies)
-    : geometry_(geometry),
-      store_(store),
-      g_(in<dim>(c.g)),
-      f_(in<dim>(c.bodyForce)),
-      rho_(c.restDensity[0]),
-      mu_(c.viscosity[0]),
-      varies_(varies)
+    : geometry_(geometry), store_(store), g_(c.g), f_(in<dim>(c.bodyForce)), rho_(c.restDensity[0]), mu_(c.viscosity[0]), varies_(varies)
 {}
 
 template<int dim> void SecondOrderVelocity<dim>::bind()
@@ -56,7 +50,7 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     fetch(a, [&](int c) { return a_[c][source]; });
     const WallProperties& wall = geometry_.walls[r.wall];
     const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_) / rho;
-    a += g_ + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
+    a += in<dim>(g_) + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
     return continued - 0.5 * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu * (a - dot(a, r.normal) * r.normal);
 }
 
@@ -79,7 +73,7 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, cons
 template<int dim>
 double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
 {
-    return p - (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * g_ + f_);
+    return p - (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * in<dim>(g_) + f_);
 }
 
 template<int dim>

@@ -40,7 +40,8 @@ template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
     FieldStore<dim>& store_;
-    Vector<dim> g_, f_;
+    const Vector<3>& g_;
+    Vector<dim> f_;
     double rho_, mu_;
     bool varies_;
 
@@ -70,11 +71,12 @@ template<int dim> class HydrostaticPressure : public GhostPressure<dim>
 {
 protected:
     FieldStore<dim>& store_;
-    Vector<dim> g_, f_;
+    const Vector<3>& g_;
+    Vector<dim> f_;
     const double* rho_ = nullptr;
 
 public:
-    HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(in<dim>(c.g)), f_(in<dim>(c.bodyForce)) {}
+    HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(c.g), f_(in<dim>(c.bodyForce)) {}
     double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
     double change(double dp, const Reflection<dim>&) const override { return dp; }
     void bind() override { rho_ = store_.component(Density::info.name, 0); }

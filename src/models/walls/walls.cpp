@@ -69,7 +69,7 @@ void read(const Reading& reading)
     const auto& c = settings.coefficients;
     const auto& geometry = reading.geometry;
     const auto& pressure = reading.choose(entry::wallPressure, reading.paper() ? "mirrored" : "hydrostatic");
-    const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (mag(c.g) > 0 || mag(c.bodyForce) > 0);
+    const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (settings.hasGravity() || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Pressure::info.name] = {stateField(Density{})};
     settings.leaked = readLeakGuard(reading.schemes);
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(),

@@ -4,8 +4,10 @@
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
+#include "NumberedMesh.hpp"
 #include "OutputFile.hpp"
 #include "Walls.hpp"
+#include "inSolids.hpp"
 #include "prepareMesh.hpp"
 #include "readShapes.hpp"
 #include "readSpace.hpp"
@@ -19,15 +21,22 @@
 namespace
 {
 
-/// Walls of `type triSurface`, before the geometry is read, which takes them from what is written here. The names of the files.
-std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dictionary& source, const sph::Resolution& resolution,
-                                       bool full)
+/// The dictionaries of walls of `type triSurface`.
+std::vector<sph::Dictionary> meshWalls(const sph::Dictionary& source)
 {
-    std::vector<std::string> files;
     const auto walls = source.subDictOrEmpty("walls");
     std::vector<sph::Dictionary> meshes;
     for (const auto& name : walls.keys())
         if (walls.isDictionary(name) && sph::shapeType().is(walls.subDict(name), "triSurface")) meshes.push_back(walls.subDict(name));
+    return meshes;
+}
+
+/// Before the geometry is read, which takes meshes from what is written here. The names of the files.
+std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dictionary& source, const sph::Resolution& resolution,
+                                       bool full)
+{
+    std::vector<std::string> files;
+    const auto meshes = meshWalls(source);
     if (meshes.empty()) return files;
 
     sph::Geometry space;
@@ -93,17 +102,51 @@ int prepare(const std::filesystem::path& folder, bool full)
     return 0;
 }
 
+/// An independent check of a run: whether particles of its time folders lie in walls.
+int countInSolids(const std::filesystem::path& folder)
+{
+    const sph::Case theCase(folder);
+    const auto resolution = sph::readResolution(theCase.dictionary("system/sphSchemes"));
+    const auto source = theCase.dictionary("constant/geometry");
+    theCase.diagnostics().throwIfAny();
+    const auto geometry = sph::readGeometry(source, resolution, 1, folder);
+    theCase.diagnostics().throwIfAny();
+
+    std::vector<Solid> solids;
+    for (const auto& wall : meshWalls(source)) try
+        {
+            solids.push_back(solidOfFile(wall.keyword(), sph::SolidOfFile(folder, sph::readTriSurface(wall)), geometry));
+        }
+        catch (const sph::UnusableMesh& e)
+        {
+            wall.error("file", e.what());
+        }
+    theCase.diagnostics().throwIfAny();
+    for (auto& solid : solidsOfShapes(geometry)) solids.push_back(std::move(solid));
+    std::vector<sph::Cloud> clouds;
+    for (const auto& time : theCase.times())
+        if (sph::hasCloud(folder, time, "sph")) clouds.push_back(sph::readCloud(folder, time, "sph", theCase.diagnostics()));
+    theCase.diagnostics().throwIfAny();
+    if (clouds.empty()) throw sph::CaseError("no time folder has particles: has packParticles been run?");
+    fmt::print("{}\nEnd\n", reportInSolids(clouds, solids));
+    return 0;
+}
+
 }
 
 int main(int argc, char** argv)
 {
-    bool check = false;
+    bool check = false, inSolids = false;
     return sph::runApplication(
         "meshToGhost", argc, argv,
         "Prepares the walls of constant/geometry, shapes and meshes, for the solver and checks that reflection can represent them.",
-        [&](CLI::App& app) {
+        [&](CLI::App& app)
+        {
             app.add_flag("--check", check,
                          "Print curvature, gaps, contacts and motion of every wall, and of meshes what surfaceCheck prints");
+            app.add_flag("--inSolids", inSolids,
+                         "Prepare nothing, but count the particles of all time folders that lie in walls: in meshes, as their files have "
+                         "them, by CGAL");
         },
-        [&](const std::filesystem::path& folder) { return prepare(folder, check); });
+        [&](const std::filesystem::path& folder) { return inSolids ? countInSolids(folder) : prepare(folder, check); });
 }

@@ -3,12 +3,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace
-{
-
-using Row = std::vector<std::string>;
-
-/// Columns as wide as their widest entry.
 std::string table(const std::vector<Row>& rows)
 {
     std::vector<std::size_t> width(rows.front().size(), 0);
@@ -23,6 +17,9 @@ std::string table(const std::vector<Row>& rows)
     }
     return out;
 }
+
+namespace
+{
 
 std::string angles(const sph::WallProperties& wall)
 {

@@ -1,0 +1,27 @@
+/// Whether a point lies in the solid that a file of triangles bounds, by rays of CGAL: nothing of the distances that the solver keeps particles off walls by.
+#pragma once
+#include "triSurface.hpp"
+#include <filesystem>
+#include <memory>
+
+namespace sph
+{
+
+class SolidOfFile
+{
+public:
+    /// The file of the dictionary in its place: points welded, holes closed on request, closed surfaces turned as `fluid` says. Bodies that overlap are solid in both.
+    /// Throws UnusableMesh where the file bounds no solid, as a scan that must be wrapped.
+    SolidOfFile(const std::filesystem::path& caseFolder, const TriSurface&);
+    SolidOfFile(SolidOfFile&&) noexcept;
+    ~SolidOfFile();
+
+    /// What lies on the surface is not in the solid.
+    bool contains(const Vector<3>&) const;
+
+private:
+    struct Shells;
+    std::unique_ptr<Shells> shells_;
+};
+
+}

@@ -1,0 +1,49 @@
+/// Gravity that varies with time:  g(t) = g_0 + a(t)
+///
+/// a [m/s^2] an expression of `$t` [s]: less the acceleration of a vessel that is shaken, in whose frame the scene is computed. A step has g(t + dt/2), which is of
+/// second order; what is measured and written at its end has that of the end. Verified by test/unit/solver/shakingTest.
+#pragma once
+#include "Particles.hpp"
+#include "components.hpp"
+#include "positionExpression.hpp"
+#include <cctype>
+#include <string>
+
+namespace sph
+{
+
+template<int dim> class Shaking final : public Part<dim>
+{
+    Vector<3> g_0_, g_;
+    std::string a_;
+
+    static std::string nameOf(int k) { return std::string("gravity") + char(std::toupper(coordinateNames[k])); }
+    Vector<3> gravityAt(double t) const { return g_0_ + *evaluateAt(a_, {}, t).vector; }
+    /// At a share of the step.
+    Stage<dim> shake(const char* name, const char* equation, double share)
+    {
+        return {name, equation,
+                [this, share](Particles<dim>& p, const Substep& s) { p.setGravity(g_ = gravityAt(s.time + share * s.deltaT)); }};
+    }
+
+public:
+    Shaking(Particles<dim>& particles, const Numbers& restored, const Vector<3>& g_0, const std::string& a) : g_0_(g_0), a_(a)
+    {
+        g_ = gravityAt(0);
+        for (int k = 0; k < 3; ++k)
+            if (const auto found = restored.find(nameOf(k)); found != restored.end()) g_.*component(k) = found->second;
+        particles.setGravity(g_);
+    }
+    std::vector<Stage<dim>> stages(Place place) override
+    {
+        if (place == Place::beforeDrift) return {shake("shake", "g = g_0 + a(t + dt/2)", 0.5)};
+        if (place == Place::atEnd) return {shake("shake on", "g = g_0 + a(t + dt)", 1)};
+        return {};
+    }
+    void save(Numbers& numbers) const override
+    {
+        for (int k = 0; k < 3; ++k) numbers[nameOf(k)] = g_.*component(k);
+    }
+};
+
+}
