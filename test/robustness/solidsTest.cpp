@@ -2,8 +2,12 @@
 /// against an obstacle, for ten times the time of free fall over the depth. No particle is in a solid at any time, none has leaked where the
 /// water is at rest, and what is left of the lattice's first settling is less than in the tank alone. Before, the block's face ended above the
 /// floor and the corner had no images: the tank with the block blew up after 0.35 s, the dam break lost a particle.
+#include "meshes.hpp"
 #include "refusal.hpp"
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <regex>
 #include <sstream>
 
 namespace sph::test
@@ -166,6 +170,73 @@ TEST(Solids, ThatMakeNoSenseAreNamed)
     refused(
         "    left { type box; min (-0.1 0 0); max (0.6 1 0); fluid outside; }\n    right { type box; min (0.5 -1 0); max (1 1.2 0); fluid outside; }\n",
         {"constant/geometry:5", "leave no fluid", "\"left\", \"right\""});
+}
+
+/// The block as a mesh; one particle of the packing lies in it by `depth` [m] below its top.
+std::unique_ptr<TestCase> withAParticleInABlock(double depth, const std::string& leakedParticles)
+{
+    auto files = blockInSpace();
+    const auto replace = [&](const std::string& file, const std::string& from, const std::string& to)
+    { files[file].replace(files[file].find(from), from.size(), to); };
+    replace("constant/geometry", "type box; min (0.2 0 0.1); max (0.4 0.1 0.3);", "type triSurface; file \"block.off\";");
+    replace("system/controlDict", "endTime 2.02", "endTime 0.02");
+    replace("system/controlDict", "writeInterval 0.1", "writeInterval 0.01");
+    files["system/sphSchemes"] += "leakedParticles " + leakedParticles + ";\n";
+    const auto mesh = block({0.2, -0.05, 0.1}, {0.4, 0.1, 0.4});
+    auto& text = files["constant/triSurface/block.off"];
+    text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.triangles.size());
+    for (const auto& p : mesh.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+    for (const auto& t : mesh.triangles) text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+    auto c = std::make_unique<TestCase>(files);
+    c->runWell("meshToGhost");
+    c->runWell("packParticles");
+    const auto positions = c->read("0/lagrangian/sph/positions");
+    const auto first = positions.find("\n(", positions.find("\n(\n") + 1) + 1;
+    c->write("0/lagrangian/sph/positions",
+             positions.substr(0, first) + fmt::format("(0.31 {} 0.21)", 0.1 - depth) + positions.substr(positions.find(')', first) + 1));
+    return c;
+}
+
+void expectWords(const std::string& text, const std::vector<std::string>& words)
+{
+    for (const auto& word : words) EXPECT_TRUE(std::regex_search(text, std::regex(word))) << "no \"" << word << "\" in:\n" << text;
+}
+
+// Particle 0 is put into the block, a quarter of a spacing deep. The independent count, by CGAL from the file of the mesh, finds it there and nowhere
+// later; the leak guard counts it once, and names wall, facet, place and time.
+TEST(Solids, ThatAParticleHasBeenPutIntoAreFound)
+{
+    const auto c = withAParticleInABlock(0.006, "putBack");
+    expectWords(c->runWell("meshToGhost", "-inSolids"),
+                {"\n  0 +[0-9]+ +1 +0\n", "First: particle 0 at \\(0.31 0.094 0.21\\) in \"block\" at time 0\n",
+                 "In solids: 1 of [0-9]+ positions"});
+    expectWords(c->runWell("sphFoamLike", "", 1, 100), {"Leaked: 1 particles put back\nDeepest: 0.006 m in \"block\", facet [0-9]+ of "
+                                                        "constant/wallMeshes/block, near \\(0.31 0.1005 0.21\\) at time 0\n"});
+    expectWords(c->runWell("meshToGhost", "-inSolids"),
+                {"\n  0 +[0-9]+ +1 +0\n", "\n  0.01 +[0-9]+ +0 +0\n", "\n  0.02 +[0-9]+ +0 +0\n", "In solids: 1 of [0-9]+ positions"});
+}
+
+// From two spacings deep no way leads back: the run ends, or goes on without the particle and accounts for its mass.
+TEST(Solids, RemoveAParticleOnRequest)
+{
+    const auto back = withAParticleInABlock(0.05, "putBack")->run("sphFoamLike");
+    EXPECT_EQ(back.code, 1);
+    expectWords(back.err,
+                {"particle 0 at \\(0.31 0.05 0.21\\) is 0.05 m beyond a wall \"block\", facet [0-9]+ of constant/wallMeshes/block"});
+    const auto stop = withAParticleInABlock(0.006, "stop")->run("sphFoamLike");
+    EXPECT_EQ(stop.code, 1);
+    expectWords(stop.err, {"is 0.006 m beyond a wall \"block\", facet [0-9]+ of constant/wallMeshes/block, and `leakedParticles stop;`"});
+
+    const auto c = withAParticleInABlock(0.05, "remove");
+    const auto packed = c->read("0/lagrangian/sph/positions");
+    const auto log = c->runWell("sphFoamLike", "", 1, 100);
+    std::smatch removed, left;
+    ASSERT_TRUE(std::regex_search(log, removed, std::regex("Leaked: 1 particles removed, ([0-9.e-]+) kg\nDeepest: 0.05 m in \"block\"")));
+    ASSERT_TRUE(std::regex_search(log, left, std::regex("mass ([0-9.e-]+) kg")));
+    const auto number = [](const std::string& positions) { return std::count(positions.begin(), positions.end(), '('); };
+    const auto particles = number(packed) - 1;
+    EXPECT_EQ(number(c->read("0.02/lagrangian/sph/positions")), particles);
+    EXPECT_NEAR(std::stod(removed[1]) + std::stod(left[1]), double(particles) * std::stod(removed[1]), 1e-6);
 }
 
 TEST(Solids, LeakGuardIsTold)

@@ -1,7 +1,9 @@
 /// What gets into a solid is put back into the fluid, counted, or ends the run.
 #include "LeakGuard.hpp"
 #include "CaseError.hpp"
+#include "Walls.hpp"
 #include "scenes.hpp"
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace sph
@@ -32,10 +34,12 @@ struct Guarded
         images = std::make_unique<Images<2>>(geometry, 0.2, spacing);
         guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3 * spacing, leaked);
         store.allocateState(Velocity{});
+        store.allocateState(Mass{});
         setPositions(store, points);
+        for (std::size_t i = 0; i < points.size(); ++i) store.component("m", 0)[i] = double(i + 1);
         for (double* v : store.pointers(Velocity{})) std::fill_n(v, points.size(), 1.0);
     }
-    void keep(std::size_t n) { (*guard)(store, n, *images); }
+    std::size_t keep(std::size_t n) { return (*guard)(store, n, *images); }
 };
 
 // Out of the block's side, at 0.02 spacings, without the velocity into it; not through the face on the floor, which is nearer.
@@ -79,6 +83,31 @@ TEST(LeakGuard, PutsBackOutOfACorner)
     const auto x = positionOf(scene.store, 0);
     EXPECT_NEAR(x.x, 0.399, 1e-12);
     EXPECT_NEAR(x.y, 0.001, 1e-12);
+}
+
+// However deep, and outside the domain: with its mass, 2 + 3 + 5 kg/m. Whoever only touches is put off the wall, the others stay with what they have.
+TEST(LeakGuard, RemovesWhatHasLeakedWhereItIsToldTo)
+{
+    Guarded scene({{0.2, 0.5}, {0.41, 0.1}, {0.5, 0.1}, {0.3, -0.0009}, {0.3, 5}, {0.8, 0.5}}, Leaked::remove);
+    ASSERT_EQ(scene.keep(6), 3);
+    EXPECT_EQ(scene.store.owned(), 3);
+    const Vector<2> left[]{{0.2, 0.5}, {0.3, 0.001}, {0.8, 0.5}};
+    const double masses[]{1, 4, 6};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(positionOf(scene.store, i), left[i]);
+        EXPECT_EQ(scene.store.component("m", 0)[i], masses[i]);
+    }
+    const auto& leaks = scene.guard->leaks();
+    EXPECT_EQ(leaks.removed, 3);
+    EXPECT_EQ(leaks.removedMass, 10);
+    EXPECT_EQ(leaks.putBack, 0);
+    EXPECT_NEAR(leaks.deepest, 0.1, 1e-15);
+    EXPECT_EQ(leaks.at, (Vector<3>{0.5, 0.1, 0}));
+    EXPECT_EQ(wallInWords(scene.geometry, leaks.patch, leaks.at), "\"wall3\"");
+
+    Guarded nowhere({{0.2, 0.5}, {std::nan(""), 0.5}}, Leaked::remove);
+    EXPECT_THROW(nowhere.keep(2), CaseError) << "a place that is no number is the end of a solution, not a leak";
 }
 
 TEST(LeakGuard, StopsAtTheFirstLeakWhereItIsToldTo)

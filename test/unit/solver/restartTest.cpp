@@ -104,6 +104,12 @@ TEST(Restart, OfATransportVelocity)
     }
 }
 TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
+TEST(Restart, OfAColumnInAShakenVessel)
+{
+    auto files = columnCase();
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0); shaking \"vector(20*sin(60*$t), 0, 0)\";\n";
+    restartEqualsTheWhole(files);
+}
 TEST(Restart, OfASuspension) { restartEqualsTheWhole(suspensionCase()); }
 TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
 {

@@ -1,0 +1,102 @@
+/// Gravity that varies with time is that of the middle of each step, for forces and walls alike.
+#include "Largest.hpp"
+#include "Simulation.hpp"
+#include "periodicSquare.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace sph::test
+{
+namespace
+{
+
+Files shaken(Files files, const std::string& value, const std::string& shaking)
+{
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value " + value + "; shaking \"" + shaking + "\";\n";
+    return files;
+}
+
+/// Liquid without walls, shaken from rest for 0.25 s: its velocity at the end, the same of all particles but for `uneven`.
+struct Shaken
+{
+    double x = 0, y = 0;
+    Largest uneven;
+
+    Shaken(const std::string& integrator, int steps)
+    {
+        auto files = shaken(channelCase(), "(0 0 0)", "vector(3*cos(2*pi()*$t), 4*$t, 0)");
+        files["system/sphSchemes"] =
+            "resolution { spacing 0.1; support 2.6; kernel wendlandC4; }\nintegration { scheme " + integrator + "; }\n";
+        files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; exponent 1; }\n";
+        const auto settings = settingsOf(files);
+        const auto g = periodicSquare();
+        Cloud cloud;
+        for (int a = 0; a < 100; ++a)
+        {
+            cloud.x.push_back(0.1 * (a % 10) + 0.05);
+            cloud.y.push_back(0.1 * (a / 10) + 0.05);
+            cloud.z.push_back(0);
+        }
+        const auto simulation = makeSimulation(settings, g, cloud, {});
+        for (int k = 0; k < steps; ++k) simulation->step(0.25 * k / steps, 0.25 / steps);
+        const auto& U = simulation->field("U").component;
+        x = U[0][0];
+        y = U[1][0];
+        for (std::size_t i = 0; i < simulation->size(); ++i)
+        {
+            uneven(U[0][i] - x);
+            uneven(U[1][i] - y);
+        }
+    }
+};
+
+// The mean over a step of what is linear in time is its middle, exactly; that of the cosine comes near with the square of the step.
+TEST(Shaking, IsOfSecondOrder)
+{
+    const double exact = 3 / (2 * std::numbers::pi);
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit", "implicit"})
+    {
+        SCOPED_TRACE(integrator);
+        const Shaken coarse(integrator, 25), fine(integrator, 50);
+        EXPECT_NEAR(fine.y, 2 * 0.0625, 1e-9);
+        EXPECT_LT(fine.uneven.value(), 1e-9);
+        EXPECT_NEAR(std::abs(coarse.x - exact) / std::abs(fine.x - exact), 4, 0.1);
+    }
+}
+
+// The same bytes, walls with their momentum balance and hydrostatic pressure included; and without it the channel stands still.
+TEST(Shaking, ThatIsConstantIsGravity)
+{
+    const TestCase constant(channelCase()), sameShaken(shaken(channelCase(), "(0.25 0 0)", "vector(0.75, 0, 0)"));
+    for (const auto* c : {&constant, &sameShaken})
+    {
+        c->runWell("packParticles");
+        c->runWell("meshToGhost");
+        c->runWell("sphFoamLike");
+    }
+    EXPECT_EQ(difference(constant.files("0.08/lagrangian"), sameShaken.files("0.08/lagrangian")), "");
+}
+
+TEST(Shaking, ThatCannotBeIsRefused)
+{
+    const auto refused = [](const Files& files, const std::vector<std::string>& words)
+    {
+        try
+        {
+            settingsOf(files);
+            FAIL();
+        }
+        catch (const CaseError& e)
+        {
+            for (const auto& word : words) EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+        }
+    };
+    refused(shaken(channelCase(), "(0 0 0)", "9.81*sin($t)"),
+            {"constant/g:1", "gives a number: an acceleration is a vector, vector(x, y, z)"});
+    refused(shaken(channelCase(), "(0 0 0)", "vector(0, 9.81*sin($time), 0)"), {"constant/g:1", "$time is unknown here", "$t"});
+    refused(shaken(channelCase(), "(0 0 0)", "vector(0, 0, 9.81)"), {"constant/g:1", "\"shaking\""});
+}
+
+}
+}
