@@ -182,7 +182,7 @@ std::unique_ptr<TestCase> withAParticleInABlock(double depth, const std::string&
     replace("system/controlDict", "endTime 2.02", "endTime 0.02");
     replace("system/controlDict", "writeInterval 0.1", "writeInterval 0.01");
     files["system/sphSchemes"] += "leakedParticles " + leakedParticles + ";\n";
-    const auto mesh = block({0.2, -0.05, 0.1}, {0.4, 0.1, 0.4});
+    const auto mesh = test::block({0.2, -0.05, 0.1}, {0.4, 0.1, 0.4});
     auto& text = files["constant/triSurface/block.off"];
     text = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.triangles.size());
     for (const auto& p : mesh.points) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);

@@ -96,6 +96,12 @@ TEST(Shaking, ThatCannotBeIsRefused)
             {"constant/g:1", "gives a number: an acceleration is a vector, vector(x, y, z)"});
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 9.81*sin($time), 0)"), {"constant/g:1", "$time is unknown here", "$t"});
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 0, 9.81)"), {"constant/g:1", "\"shaking\""});
+
+    auto creeping = shaken(suspensionCase(), "(0 0 0)", "vector(9.81*sin($t), 0, 0)");
+    auto& schemes = creeping["system/sphSchemes"];
+    schemes.replace(schemes.find("shifting 2;"), 11, "");
+    schemes.replace(schemes.find("semiImplicit"), 12, "quasiSteady");
+    refused(creeping, {"quasiSteady leaves particles where they are, and constant/g has `shaking`"});
 }
 
 }
