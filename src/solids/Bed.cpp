@@ -172,16 +172,15 @@ Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
 {
     Bed bed;
     for (const auto& s : plan.shapes) bed.shapes.push_back(readSolidShape(c, s));
-    if (plan.randomClose)
+    if (plan.randomClose) { packRandomly(plan, bed, progress); }
+    else
     {
-        packRandomly(plan, bed, progress);
-        return bed;
+        bed.meanSize = plan.size.mean(plan.count);
+        bed.bodies = drawBodies(plan, plan.count);
+        settle(plan, bed, progress);
+        takeAwayWhatStandsOut(plan, bed);
+        bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
     }
-    bed.meanSize = plan.size.mean(plan.count);
-    bed.bodies = drawBodies(plan, plan.count);
-    settle(plan, bed, progress);
-    takeAwayWhatStandsOut(plan, bed);
-    bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
     shrink(plan, bed);
     return bed;
 }

@@ -84,7 +84,7 @@ struct SolidsPlan
     bool level = false;
     std::optional<double> shrink;   ///< share of the size; none: as much as parts what overlaps
     std::optional<double> porosity; ///< of randomClose; none: the least that is reached
-    Location countAt, timeLimitAt, porosityAt, shrinkAt, where;
+    Location countAt, timeLimitAt, porosityAt, where;
 };
 
 /// Throws CaseError with all mistakes. Reads constant/g, without which up is z.

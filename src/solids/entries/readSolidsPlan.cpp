@@ -58,8 +58,8 @@ const Scalar friction{"friction", units::none, 0.5, nonNegative, "coefficient of
     targetPorosity{"porosity", units::none, byScene("the least that is reached"), positiveBelow(1), "to be reached"};
 const AutomaticScalar shrink{
     "shrink", units::none, byScene("automatic"), between(0, 0.1).saying("shrink {} is none of 0 to 0.1"),
-    "share by which solids are made smaller in the end, so that surfaces do not cross; automatic: of meshes as much as "
-    "that takes, of spheres nothing"};
+    "share by which solids are made smaller in the end, so that surfaces do not cross and the gaps where they touch are resolved; "
+    "automatic: of meshes as much as parts them, of spheres nothing"};
 const Switch level{"level", false, "take away what stands out of the top, which is an error else"};
 }
 
@@ -240,10 +240,10 @@ EntryList solidsEntries()
                   entry::restitution,
                   entry::restEnergy,
                   timeLimit,
-                  entry::shrink,
                   entry::level}},
                 {"randomClose", {targetPorosity}}}},
               solidsSeed,
+              entry::shrink,
               {container, containerEntries()},
               {solidSize, sizeEntries}}}};
 }
@@ -268,6 +268,7 @@ SolidsPlan readSolidsPlan(const Case& c)
         plan.container = *type == "box" ? readBox(container, up, entry::gravity.where(gravityFile)) : readCylinder(container, up);
     plan.container.where = container.location();
     plan.size = readSizes(entry::solidSize(dict));
+    plan.shrink = entry::shrink(dict);
     if (plan.randomClose)
     {
         plan.shapes = {ShapeToPack{}};
@@ -295,8 +296,6 @@ SolidsPlan readSolidsPlan(const Case& c)
         plan.restEnergy = entry::restEnergy(dict);
         plan.longest = entry::timeLimit(dict);
         plan.timeLimitAt = entry::timeLimit.where(dict);
-        plan.shrink = entry::shrink(dict);
-        plan.shrinkAt = entry::shrink.where(dict);
         plan.level = entry::level(dict);
         const bool hasMeshes = std::ranges::any_of(plan.shapes, [](const auto& s) { return !s.isSphere(); });
         if (plan.container.periodic[2])

@@ -259,6 +259,14 @@ TEST(Bed, RandomClose)
     EXPECT_NEAR(least.measures.porosity, 0.365, 0.015);
     EXPECT_GT(least.measures.coordination, 5.4);
     EXPECT_LT(least.measures.coordination, 6.4);
+    const auto apart = pack(withRocks(box + "shrink 0.03;\n")).bed; // the same bed with gaps
+    ASSERT_EQ(apart.bodies.size(), least.bed.bodies.size());
+    EXPECT_EQ(apart.contacts.size(), least.bed.contacts.size());
+    for (std::size_t i = 0; i < apart.bodies.size(); ++i)
+    {
+        EXPECT_NEAR(apart.bodies[i].size, 0.97 * least.bed.bodies[i].size, 1e-15);
+        EXPECT_EQ(apart.bodies[i].centre.x, least.bed.bodies[i].centre.x);
+    }
     const auto inCylinder =
         pack(withRocks("method randomClose;\nporosity 0.5;\ncontainer { type cylinder; base (0 0 0); radius 0.5; height 1; }\n"
                        "size { value 0.2; }\n"));
