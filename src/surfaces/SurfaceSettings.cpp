@@ -48,6 +48,9 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
     picture.surface = contains(show, "surface");
     picture.walls = contains(show, "walls");
     picture.particles = contains(show, "particles");
+    std::vector<std::string> walls;
+    for (const auto& wall : geometry.walls) walls.push_back(wall.name);
+    picture.shownWalls = entry::shownWalls.among(dict, walls, {});
 
     picture.colourBy = entry::colourBy(dict, "");
     picture.whereColourBy = entry::colourBy.where(dict);

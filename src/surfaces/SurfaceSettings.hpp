@@ -24,7 +24,8 @@ struct PictureSettings
     std::array<int, 2> size{1200, 900};
     Camera camera;
     bool surface = true, walls = true, particles = false;
-    std::string colourBy; ///< a field, or "phase"; empty: none was asked for
+    std::vector<std::string> shownWalls; ///< by name; empty: all
+    std::string colourBy;                ///< a field, or "phase"; empty: none was asked for
     Location whereColourBy;
     std::optional<std::array<double, 2>> range; ///< of the colours; that of the values unless given
     int smoothing = 20;

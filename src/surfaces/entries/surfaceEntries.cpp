@@ -6,9 +6,16 @@ namespace sph
 EntryList surfaceEntries()
 {
     using namespace entry;
-    const EntryList ofPicture{
-        entry::size, {camera, {position, focalPoint, up, zoom}}, show, colourBy, range, {plane, {point, normal}}, pictureSmoothing, title,
-        showTime};
+    const EntryList ofPicture{entry::size,
+                              {camera, {position, focalPoint, up, zoom}},
+                              show,
+                              shownWalls,
+                              colourBy,
+                              range,
+                              {plane, {point, normal}},
+                              pictureSmoothing,
+                              title,
+                              showTime};
     return {entry::cloud, phases, gridSpacing, entry::support, entry::kernel,       iso,
             normalise,    closed, smoothing,   formats,        {picture, ofPicture}};
 }

@@ -15,7 +15,12 @@ const Choices phases{"phases", "phases", {}, byScene("the first of constant/phas
          "things to show",
          {"surface", "walls", "particles"},
          byScene("(surface walls) in 3-D with several phases, (surface walls particles) in 2-D, (walls particles) of one phase"),
-         "what the picture shows"};
+         "what the picture shows"},
+    shownWalls{"walls",
+               "walls",
+               {},
+               byScene("all"),
+               "of those of constant/geometry the ones that the picture shows: not a box that hides what it holds"};
 const Scalar gridSpacing{"gridSpacing", units::m, byScene("half the particles' spacing"), positive,
                          "of the grid that the colour function is sampled on"},
     support{"support", units::m, byScene("3 spacings of the particles"), positive, "radius of the kernel's support"};

@@ -130,4 +130,26 @@ TEST_F(DiscCase, DrawsPictures)
     EXPECT_NE(output.find("system/reconstructSurfaceDict:3: the cloud has no scalar or vector field \"p\""), std::string::npos) << output;
 }
 
+// A picture shows the walls that it names: without the box around it the same, with another wall not.
+TEST_F(DiscCase, ShowsTheWallsThatAreNamed)
+{
+    if (std::system("command -v Xvfb > /dev/null 2>&1") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    const std::string ball = "post { type sphere; centre (0.004 0.002 0); radius 2e-3; fluid outside; }\n",
+                      space = "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); }\n";
+    const auto picture = [&](const std::string& walls, const std::string& shown)
+    {
+        folder.write("constant/geometry", space + "walls\n{\n" + walls + "}\n");
+        folder.write("system/reconstructSurfaceDict", "picture\n{\n    size (160 120);\n    show (walls);\n" + shown + "}\n");
+        EXPECT_EQ(run("-latestTime -picture -noSurface"), 0) << output;
+        return contents(folder.path() / "postProcessing" / "reconstructSurface" / "0.2" / "water.png");
+    };
+    const std::string slab = "slab { type plane; point (0 -0.006 0); normal (0 1 0); }\n";
+    const auto post = picture(ball, "");
+    EXPECT_NE(picture(slab + ball, ""), post);
+    EXPECT_EQ(picture(slab + ball, "    walls (post);\n"), post);
+    folder.write("system/reconstructSurfaceDict", "picture\n{\n    walls (pots);\n}\n");
+    EXPECT_EQ(run("-latestTime -picture"), 1);
+    EXPECT_NE(output.find("system/reconstructSurfaceDict:3: \"pots\" is unknown. Did you mean \"post\"?"), std::string::npos) << output;
+}
+
 }

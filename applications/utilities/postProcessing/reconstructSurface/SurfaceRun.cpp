@@ -55,6 +55,15 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     }
     grid_ = gridOfDomain(geometry_, settings_.gridSpacing);
     wallDistance_ = wallDistances(grid_, geometry_);
+    shown_ = geometry_;
+    shownDistance_ = wallDistance_;
+    if (const auto& names = settings_.picture.shownWalls; !names.empty())
+    {
+        std::erase_if(shown_.originals,
+                      [&](const Patch& p) { return std::ranges::find(names, geometry_.walls[std::size_t(p.wall)].name) == names.end(); });
+        repeatPeriodically(shown_, shown_.reach);
+        shownDistance_ = wallDistances(grid_, shown_);
+    }
 }
 
 std::vector<std::string> SurfaceRun::phaseNames() const
@@ -112,17 +121,17 @@ Scene SurfaceRun::emptyScene(const std::string& time) const
 
 void SurfaceRun::showWalls(Scene& scene) const
 {
-    if (wallDistance_.empty()) return;
-    auto solid = wallDistance_;
+    if (shownDistance_.empty()) return;
+    auto solid = shownDistance_;
     for (auto& d : solid) d = -d;
     scene.wallCuts = cutFaces(grid_, solid, {});
     if (geometry_.dimension == 2) return;
-    scene.walls = wallSurface(grid_, wallDistance_, geometry_);
+    scene.walls = wallSurface(grid_, shownDistance_, shown_);
     if (!settings_.picture.particles) return;
     // What stands before the plane of the particles would hide them.
     const auto& plane = settings_.picture.plane;
     scene.walls = behind(plane, scene.walls);
-    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, geometry_));
+    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, shown_));
 }
 
 void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, double level) const

@@ -37,6 +37,8 @@ class SurfaceRun
     SurfaceSettings settings_;
     RegularGrid grid_;
     std::vector<double> wallDistance_; ///< once for all times; of the grid
+    Geometry shown_;                   ///< with the walls alone that pictures show
+    std::vector<double> shownDistance_;
 
     std::string output(const std::string& time, const std::string& file) const;
     SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
