@@ -39,6 +39,7 @@ struct WallProperties
     std::optional<double> angleOf(const std::string& first, const std::string& second) const;
     Vector<3> velocity;      ///< [m/s] of the wall as a rigid body
     Vector<3> origin, omega; ///< rotation about `origin` [rad/s]
+    bool slips = false;      ///< the fluid slides along it freely
     Location where;
 };
 
@@ -112,6 +113,8 @@ struct Geometry
     {
         return std::any_of(walls.begin(), walls.end(), [](const WallProperties& w) { return w.wets; });
     }
+    /// True where the fluid slides along some wall freely.
+    bool slips() const { return std::ranges::any_of(walls, &WallProperties::slips); }
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
     /// Lengths below which surfaces touch [m].
@@ -144,6 +147,7 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///         floor   { type plane; point (0 0 0); normal (0 1 0); contactAngle 30; }
 ///         grains  { type sphereBed; lattice bcc; radius 1e-3; period 2.393e-3; contactAngle 30; }
 ///         lid     { type plane; point (0 1 0); normal (0 -1 0); velocity (1 0 0); }
+///         middle  { type plane; point (0 0 1); normal (0 0 -1); slip yes; }
 ///         plate   { type plane; point (1 0 0); normal (-1 0 0); contactAngles ( (water air) 30 (oil air) 60 ); }
 ///     }
 ///

@@ -118,6 +118,7 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
         out += anglesText(wall);
         out += fmt::format(" velocity {};", text(wall.velocity));
         if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
+        if (wall.slips) out += " slip yes;";
         out += " }\n";
     }
     out += "}\n\npatches\n(\n";

@@ -26,6 +26,7 @@ const PairValues contactAngles{
 const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wall"},
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
+const Switch slip{"slip", false, "the fluid slides along the wall freely; else wallVelocity of system/sphSchemes decides"};
 }
 
 void readSpace(const Dictionary& dict, Geometry& g)
@@ -94,6 +95,7 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
     entry::velocity.checkPlane(dict, wall.velocity, dimension);
+    wall.slips = entry::slip(dict);
     if (mayTurn)
     {
         wall.omega = entry::omega(dict);
@@ -121,11 +123,13 @@ EntryList geometryEntries()
     {
         if (isSingleShape(type.word)) entries += {entry::omega, entry::origin};
         if (type.word == "triSurface")
-            entries += triSurfaceEntries({entry::contactAngle, entry::contactAngles, entry::velocity, entry::omega, entry::origin});
+            entries +=
+                triSurfaceEntries({entry::contactAngle, entry::contactAngles, entry::velocity, entry::omega, entry::origin, entry::slip});
     }
     return {entry::dimension,
             {entry::domain, {entry::min, entry::max, entry::periodic}},
-            {entry::walls, {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity}}}}};
+            {entry::walls,
+             {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity, entry::slip}}}}};
 }
 
 namespace
@@ -144,7 +148,9 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
     {
         auto wall = readWallProperties(region, g.dimension, true);
         wall.name = name + "." + region.keyword();
-        if (!wall.wets) // as the rest of the mesh
+        // As the rest of the mesh
+        if (!entry::slip.given(region)) wall.slips = whole.slips;
+        if (!wall.wets)
         {
             wall.wets = whole.wets;
             wall.contactAngle = whole.contactAngle;

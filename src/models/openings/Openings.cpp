@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "components.hpp"
 #include "contains.hpp"
+#include "forEachFoot.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -170,6 +171,17 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
                 fail(fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x,
                                  x.y, x.z, depth_));
         }
+    for (const auto& line : lines)
+    {
+        if (!opening.developed) break;
+        const auto [foot, patch] = nearestFoot(geometry_, line.foot);
+        if (foot.distance > coefficients_.spacing) continue;
+        const auto& wall = geometry_.walls[std::size_t(geometry_.patches[std::size_t(patch)].wallAt(foot.region))];
+        if (wall.slips)
+            fail(fmt::format(
+                "has the profile of developed flow between walls that hold the fluid, and wall \"{}\" slips: take profile uniform",
+                wall.name));
+    }
     for (std::size_t k = 0; k < opening.layers.size(); ++k)
         if (std::ranges::none_of(lines, [&](const auto& line) { return &opening.streamAt(line.foot, dim) == &opening.layers[k].stream; }))
             fail(fmt::format("has no fluid in the part {} of its layers: it lies outside of the section, or within the parts before it",

@@ -12,10 +12,13 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     auto& store = particles.store();
     const auto& geometry = particles.geometry();
     const auto& c = particles.coefficients();
-    if (filters_) images.setRule(Velocity{}, std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c, varies));
-    else if (velocity == "freeSlip") images.setRule(Velocity{}, std::make_unique<SlippingVelocity<dim>>(geometry));
-    else if (velocity == "morris") images.setRule(Velocity{}, std::make_unique<LimitedVelocity<dim>>(geometry));
-    else images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
+    std::unique_ptr<GhostVelocity<dim>> rule;
+    if (filters_) rule = std::make_unique<SecondOrderVelocity<dim>>(geometry, store, c, varies);
+    else if (velocity == "freeSlip") rule = std::make_unique<SlippingVelocity<dim>>(geometry);
+    else if (velocity == "morris") rule = std::make_unique<LimitedVelocity<dim>>(geometry);
+    else rule = std::make_unique<ReflectedVelocity<dim>>(geometry);
+    if (geometry.slips()) rule = std::make_unique<VelocityByWall<dim>>(geometry, std::move(rule));
+    images.setRule(Velocity{}, std::move(rule));
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
     else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
 }

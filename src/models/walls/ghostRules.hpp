@@ -106,4 +106,30 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
+/// Walls that slip beside others: each ghost by the rule of the wall that it was mirrored in.
+template<int dim> class VelocityByWall final : public GhostVelocity<dim>
+{
+    const Geometry& geometry_;
+    SlippingVelocity<dim> slipping_;
+    std::unique_ptr<GhostVelocity<dim>> ofOthers_;
+
+    const GhostVelocity<dim>& of(const Reflection<dim>& r) const
+    {
+        if (geometry_.walls[std::size_t(r.wall)].slips) return slipping_;
+        return *ofOthers_;
+    }
+
+public:
+    VelocityByWall(const Geometry& g, std::unique_ptr<GhostVelocity<dim>> ofOthers)
+        : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
+    {}
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const override
+    {
+        return of(r)(v, source, r, once);
+    }
+    Vector<dim> change(Vector<dim> dv, const Reflection<dim>& r) const override { return of(r).change(dv, r); }
+    void bind() override { ofOthers_->bind(); }
+    void filter() override { ofOthers_->filter(); }
+};
+
 }

@@ -42,6 +42,20 @@ void prepare(const Reading& reading)
     const bool layers = wallsAreLayers(dict);
     settings.chosen["walls"] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
+    if (geometry.slips())
+    {
+        std::vector<std::string> names;
+        for (const auto& wall : geometry.walls)
+            if (wall.slips) names.push_back(wall.name);
+        settings.reasons.push_back(fmt::format("the fluid slides along {} freely", fmt::join(names, ", ")));
+        if (layers)
+            dict.error(
+                "walls",
+                fmt::format(
+                    "{} of constant/geometry with `slip yes;` needs ghosts that carry the velocity along the wall from place to place; "
+                    "take walls reflected",
+                    fmt::join(names, ", ")));
+    }
     if (!geometry.layers.empty())
         settings.reasons.push_back(
             fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",

@@ -34,8 +34,9 @@ std::string angles(const sph::WallProperties& wall)
 std::string motion(const sph::WallProperties& wall)
 {
     const auto text = [](const sph::Vector<3>& a) { return fmt::format("({:.4g} {:.4g} {:.4g})", a.x, a.y, a.z); };
-    if (mag(wall.omega) > 0) return fmt::format("{} + {} x (x - {})", text(wall.velocity), text(wall.omega), text(wall.origin));
-    return mag(wall.velocity) > 0 ? text(wall.velocity) : "at rest";
+    const std::string slips = wall.slips ? ", slips" : "";
+    if (mag(wall.omega) > 0) return fmt::format("{} + {} x (x - {})", text(wall.velocity), text(wall.omega), text(wall.origin)) + slips;
+    return (mag(wall.velocity) > 0 ? text(wall.velocity) : "at rest") + slips;
 }
 
 }
