@@ -160,6 +160,21 @@ TEST(TriangleMesh, RegionsAreWalls)
     EXPECT_EQ(c.errors(), "");
 }
 
+// A region slips as the mesh does, unless it says otherwise.
+TEST(TriangleMesh, RegionsSlip)
+{
+    for (const auto& [entries, whole, top] : {std::tuple{"slip yes; regions { top { contactAngle 90; } }", true, true},
+                                              {"slip yes; regions { top { slip no; } }", true, false},
+                                              {"regions { top { slip yes; } }", false, true}})
+    {
+        MeshCase c;
+        const auto g = c.read(entries);
+        ASSERT_EQ(c.errors(), "");
+        EXPECT_EQ(g.walls[0].slips, whole) << entries;
+        EXPECT_EQ(g.walls[1].slips, top) << entries;
+    }
+}
+
 TEST(TriangleMesh, MistakesOfRegionsAndFilesAreNamed)
 {
     {

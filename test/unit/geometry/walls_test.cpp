@@ -22,7 +22,7 @@ TEST(Walls, surviveWritingAndReading)
              " f { type box; min (0 0 0); max (1 1 1); fluid inside; } }",
          std::string("dimension 3; domain { min (0 0 0); max (1 1 1); }\n"
                      "walls { a { type cone; apex (0 0 0.1); axis (1 1 1); halfAngle 30; fluid inside; }"
-                     " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; } }"),
+                     " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; slip yes; } }"),
          square + "walls { b { type ellipsoid; centre (0.8 0.8 0); semiAxes (0.1 0.07 0); fluid outside; } }", bcc("0.5")})
     {
         const auto [g, errors] = read(text);
@@ -37,6 +37,7 @@ TEST(Walls, surviveWritingAndReading)
         EXPECT_EQ(again.patches.size(), g.patches.size());
         EXPECT_EQ(again.reach, g.reach);
         EXPECT_EQ(again.walls[0].wets, g.walls[0].wets);
+        EXPECT_EQ(again.slips(), g.slips());
         EXPECT_EQ(toString(again.walls[0].anglesAt), toString(g.walls[0].anglesAt));
     }
 }

@@ -590,6 +590,11 @@ TEST(Openings, MustFitTheirScene)
     auto atTheEdge = inlet();
     atTheEdge.point = {-0.9, 0, 0};
     refuses(atTheEdge, channel(1), "of domain beyond its plane");
+    auto developed = inlet();
+    developed.developed = true;
+    auto slips = channel(1);
+    slips.walls[1].slips = true;
+    refuses(developed, slips, "wall \"high\" slips: take profile uniform");
     auto oblique = inlet();
     oblique.normal = unitVector(Vector<3>{1, 0.5, 0});
     refuses(oblique, channel(1), "must go on straight");

@@ -139,6 +139,31 @@ TEST(GhostVelocity, SecondOrderKnowsTheCurvature)
     EXPECT_NEAR(rule({0.7, 0}, 0, reflection, true).x, -0.7 * (R + d) / (R - d), 1e-14);
 }
 
+// A wall with `slip yes;` mirrors, the others do what their rule does, and both at the change of a velocity and when arrays are bound again.
+TEST(GhostVelocity, EachWallHasItsRule)
+{
+    MovingWall w;
+    w.geometry.walls.push_back(w.geometry.walls[0]);
+    w.geometry.walls[1].slips = true;
+    EXPECT_TRUE(w.geometry.slips());
+    VelocityByWall<2> rule(w.geometry, std::make_unique<SecondOrderVelocity<2>>(w.geometry, w.store, w.coefficients, false));
+    rule.bind();
+    SecondOrderVelocity<2> second(w.geometry, w.store, w.coefficients, false);
+    second.bind();
+    const SlippingVelocity<2> slipping(w.geometry);
+    const auto at = w.at(0.07);
+    auto atSlipping = at;
+    atSlipping.wall = 1;
+    const Vector<2> v{0.7, -0.2};
+    EXPECT_EQ(rule(v, 0, at, true), second(v, 0, at, true));
+    EXPECT_EQ(rule.change(v, at), second.change(v, at));
+    EXPECT_EQ(rule(v, 0, atSlipping, true), slipping(v, 0, atSlipping, true));
+    EXPECT_EQ(rule.change(v, atSlipping), (Vector<2>{0.7, 0.2}));
+    w.store.component("dUdtByPressure", 0)[0] = 3;
+    rule.filter();
+    EXPECT_GT(w.store.component("dUdtAtWall", 0)[0], 0);
+}
+
 // The fluid slides: along the wall the ghost moves with its source, across it the other way, both relative to the wall.
 TEST(GhostVelocity, SlippingMirrors)
 {
