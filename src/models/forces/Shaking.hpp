@@ -3,10 +3,12 @@
 /// a [m/s^2] an expression of `$t` [s]: less the acceleration of a vessel that is shaken, in whose frame the scene is computed. A step has g(t + dt/2), which is of
 /// second order; what is measured and written at its end has that of the end. Verified by test/unit/solver/shakingTest.
 #pragma once
+#include "CaseError.hpp"
 #include "Particles.hpp"
 #include "components.hpp"
 #include "positionExpression.hpp"
 #include <cctype>
+#include <fmt/format.h>
 #include <string>
 
 namespace sph
@@ -18,7 +20,19 @@ template<int dim> class Shaking final : public Part<dim>
     std::string a_;
 
     static std::string nameOf(int k) { return std::string("gravity") + char(std::toupper(coordinateNames[k])); }
-    Vector<3> gravityAt(double t) const { return g_0_ + *evaluateAt(a_, {}, t).vector; }
+    /// Throws CaseError where the expression has no value at that time.
+    Vector<3> gravityAt(double t) const
+    {
+        try
+        {
+            if (const auto a = evaluateAt(a_, anyPlace, t).vector) return g_0_ + *a;
+            throw ExpressionError("the result is a number, not a vector");
+        }
+        catch (const ExpressionError& e)
+        {
+            throw CaseError({"constant/g", 0}, fmt::format("\"shaking\" at {:.6g} s: {}", t, e.what()));
+        }
+    }
     /// At a share of the step.
     Stage<dim> shake(const char* name, const char* equation, double share)
     {

@@ -97,6 +97,16 @@ TEST(Shaking, ThatCannotBeIsRefused)
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 9.81*sin($time), 0)"), {"constant/g:1", "$time is unknown here", "$t"});
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 0, 9.81)"), {"constant/g:1", "\"shaking\""});
 
+    // Where it has a value at the start, and none later.
+    const auto settings = settingsOf(shaken(channelCase(), "(0 0 0)", "$t < 0.1 ? vector(1, 0, 0) : 0"));
+    const auto g = periodicSquare();
+    Cloud cloud;
+    cloud.x = cloud.y = {0.5};
+    cloud.z = {0};
+    const auto simulation = makeSimulation(settings, g, cloud, {});
+    EXPECT_NO_THROW(simulation->step(0, 0.01));
+    EXPECT_THROW(simulation->step(0.1, 0.01), CaseError);
+
     auto creeping = shaken(suspensionCase(), "(0 0 0)", "vector(9.81*sin($t), 0, 0)");
     auto& schemes = creeping["system/sphSchemes"];
     schemes.replace(schemes.find("shifting 2;"), 11, "");
