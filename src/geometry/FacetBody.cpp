@@ -499,6 +499,7 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
                         [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
                         [&](const FacetTree::Node& node, double) { return node.patch >= 0 && node.patch != f.patch; })
                     .first;
+    if (std::isinf(own.t)) return -Box::infinity; // in front of the face: no place of its
     double toFront = Box::infinity, toBack = own.D;
     const double faded = std::numbers::sqrt2 * scale_.spacing;
     double least = own.t + faded;

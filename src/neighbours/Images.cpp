@@ -69,8 +69,10 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
     for (int r = 0; r < e.reflections; ++r)
     {
         const Foot f = footOf(mirrors[r], r, in3D(x), source);
-        feet[r] = {in<dim>(f.normal), f.distance, volumeFactor(f)};
-        if (share) *share *= faceShare(f, spacing_);
+        const double factor = volumeFactor(f);
+        const bool exists = factor > 0 && std::isfinite(factor); // it may have moved beyond a centre of curvature since images were made
+        feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1};
+        if (share) *share *= exists ? faceShare(f, spacing_) : 0;
         x = in<dim>(mirrorImage(in3D(x), f));
     }
     return x + period(e);

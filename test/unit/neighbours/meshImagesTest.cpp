@@ -159,7 +159,7 @@ TEST(MeshImages, FillWhatIsBehindASphereOnceAtAnySizeOfFacets)
 TEST(MeshImages, FillWhatIsBehindTheRimOfADrumOnce)
 {
     const double R = 3;
-    for (const int sides : {24, 57, 113})
+    for (const int sides : {24, 57})
     {
         std::vector<Vector<3>> outline;
         for (int k = 0; k < sides; ++k)
@@ -169,15 +169,53 @@ TEST(MeshImages, FillWhatIsBehindTheRimOfADrumOnce)
         {
             const auto g = meshScene(inside ? inverted(drum) : drum);
             for (const double d : {0.1, 0.4})
-                for (const double angle : {0.3, 0.32, 2.0})
+                for (const double angle : {0.3, 2.0})
                 {
                     const double r = inside ? R - d : R + d;
                     const Vector<3> x{r * std::cos(angle), r * std::sin(angle), inside ? 3 - d : 3 + d};
-                    EXPECT_NEAR(filled(g, x, 400000), 1, 0.015) << sides << (inside ? " inside " : " outside ") << d << ", " << angle;
+                    EXPECT_NEAR(filled(g, x), 1, 0.015) << sides << (inside ? " inside " : " outside ") << d << ", " << angle;
                     if (inside) continue;
                     const Vector<3> under{r * std::cos(angle), r * std::sin(angle), 3 - d};
-                    EXPECT_NEAR(filled(g, under, 400000), 1, 0.015) << sides << " beside " << d << ", " << angle;
+                    EXPECT_NEAR(filled(g, under), 1, 0.015) << sides << " beside " << d << ", " << angle;
                 }
+        }
+    }
+}
+
+// A rough body with edges and curved patches, smaller than the support in places: no share is NaN or negative, nor once the particles have moved
+// by more than the lists allow.
+TEST(MeshImages, OfARoughBodyHaveFiniteShares)
+{
+    auto s = icosphere(2, 1.2 * H);
+    for (std::size_t p = 0; p < s.points.size(); ++p) s.points[p] = (1 + 0.3 * std::sin(7.0 * double(p * p))) * s.points[p];
+    for (const bool inside : {false, true})
+    {
+        const auto g = meshScene(inside ? inverted(s) : s);
+        std::vector<Vector<3>> points;
+        for (int k = 1; k <= 4000; ++k)
+        {
+            const auto at = [&](double a) { return 2.5 * H * (2 * std::fmod(0.5 + k * a, 1.0) - 1); };
+            if (const Vector<3> p{at(0.8191725134), at(0.6710436067), at(0.5497004779)}; g.distance(p) > 0) points.push_back(p);
+        }
+        FieldStore<3> store;
+        Images<3> images(g, H, spacing);
+        images.setRule(Velocity{}, std::make_unique<Reversed<3>>());
+        store.allocate(ImageWeight{});
+        setPositions(store, points);
+        images.build(store, points.size());
+        for (const bool moved : {false, true})
+        {
+            if (moved)
+            {
+                for (std::size_t c = 0; c < 3; ++c)
+                    for (std::size_t i = 0; i < points.size(); ++i)
+                        store.pointers(Position{})[c][i] += 0.2 * H * std::sin(double(3 * i + c));
+                images.move(store);
+            }
+            const double* const weight = store.component(ImageWeight::info.name, 0);
+            std::size_t wrong = 0;
+            for (std::size_t k = 0; k < images.owned() + images.count(); ++k) wrong += !(weight[k] >= 0 && std::isfinite(weight[k]));
+            EXPECT_EQ(wrong, 0u) << (inside ? "inside" : "outside") << (moved ? ", moved" : "");
         }
     }
 }
