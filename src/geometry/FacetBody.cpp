@@ -31,7 +31,8 @@ constexpr double finest = 0.1;
 /// Facets within so many spacings know together how deep they have no rivals, in layers.
 constexpr double grainSize = 0.4;
 constexpr double layer = 0.25;
-constexpr int mostLayers = 32;
+/// Layers beyond so many supports are asked for by none.
+constexpr double deepest = 1.5;
 constexpr unsigned char notFound = 255;
 /// Largest distance of a particle over a hollow's radius for which its image has the volume factor of eq. (18).
 constexpr double mostCurved = 0.6;
@@ -106,7 +107,7 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
     for (int n = 0; n < int(tree_.nodes().size()); ++n) // parents come first
     {
         const auto& node = tree_.nodes()[std::size_t(n)];
-        if (grainOf_[std::size_t(node.first)] < 0 && mag(node.box.high - node.box.low) < grainSize * scale_.spacing)
+        if (grainOf_[std::size_t(node.first)] < 0 && (node.isLeaf() || mag(node.box.high - node.box.low) < grainSize * scale_.spacing))
             std::fill(grainOf_.begin() + node.first, grainOf_.begin() + node.last, n);
     }
     safeLayers_ = std::vector<std::atomic<unsigned char>>(tree_.nodes().size());
@@ -546,25 +547,26 @@ double FacetBody::safeDepth(int facet) const
     if (layers == notFound)
     {
         layers = 0;
-        while (layers < mostLayers && isSafe(tree_.nodes()[std::size_t(n)], layers * thickness, (layers + 1) * thickness)) ++layers;
+        while (layers < notFound - 1 && layers * thickness < deepest * scale_.support &&
+               isSafe(tree_.nodes()[std::size_t(n)], (layers + 1) * thickness))
+            ++layers;
         known.store(static_cast<unsigned char>(layers), std::memory_order_relaxed);
     }
     return layers * thickness;
 }
 
-/// By one place in the middle of all y = P - d N of these facets, from which the others are no further than `off`. t >= D: the least value of a rival, as in margin().
-bool FacetBody::isSafe(const FacetTree::Node& node, double from, double to) const
+/// By one place y from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
+bool FacetBody::isSafe(const FacetTree::Node& node, double depth) const
 {
     if (node.patch < 0 || node.cosine < rivalCosine) return false;
     double lean = 0;
     for (int t = node.first; t < node.last; ++t) lean = std::max(lean, facets_[std::size_t(t)].lean);
-    const double d = 0.5 * (from + to), turned = std::sin(node.halfAngle) + lean;
-    const double off = 0.5 * mag(node.box.high - node.box.low) + 0.5 * (to - from) + to * turned;
-    const auto y = 0.5 * (node.box.low + node.box.high) - d * node.axis;
-    const double own = d + 2 * off, whole = scale_.spacing / std::numbers::sqrt2; // of a margin of half a spacing
+    const double off = 0.5 * mag(node.box.high - node.box.low) + depth * (std::sin(node.halfAngle) + lean);
+    const auto y = 0.5 * (node.box.low + node.box.high) - depth * node.axis;
+    const double own = depth + off, whole = scale_.spacing / std::numbers::sqrt2; // of a margin of half a spacing
     const double rivalFromAxis = std::cos(rivalAngle - node.halfAngle);
     const auto [_, found] = tree_.nearest(
-        y, own + whole, 0,
+        y, own + whole, finest * scale_.spacing,
         [&](int t)
         {
             const auto& g = facets_[std::size_t(t)];
@@ -573,7 +575,13 @@ bool FacetBody::isSafe(const FacetTree::Node& node, double from, double to) cons
             const double D = mag(y - nearestOnTriangle(y, corner(g, 0), corner(g, 1), corner(g, 2)).point);
             return own + std::numbers::sqrt2 / std::sqrt(1 - cosine) * (D - own);
         },
-        [&](const FacetTree::Node& other, double) { return other.patch == node.patch && other.mostTurned(node.axis) > rivalFromAxis; });
+        [&](const FacetTree::Node& other, double D)
+        {
+            const double turned = other.mostTurned(node.axis);
+            if (other.patch == node.patch && turned > rivalFromAxis) return true;
+            const double cosine = turned * node.cosine - std::sqrt((1 - turned * turned) * (1 - node.cosine * node.cosine));
+            return D > own && std::numbers::sqrt2 / std::sqrt(1 - cosine) * (D - own) > whole;
+        });
     return found < 0;
 }
 

@@ -188,7 +188,7 @@ private:
     /// Down to which depth below a facet no place has a rival that its share would know of: for all facets of a small node together, found when first asked
     /// for. Of fine facets on a thick body most places need no search.
     double safeDepth(int facet) const;
-    bool isSafe(const FacetTree::Node&, double from, double to) const;
+    bool isSafe(const FacetTree::Node&, double depth) const;
     static bool isHidden(Hidden hidden, int facet) { return !hidden.empty() && hidden[std::size_t(facet)]; }
 };
 
