@@ -155,7 +155,7 @@ private:
     std::vector<Vector<3>> outward_;                             ///< b_k of each corner normal on the border of its patch
     std::vector<char> flatPatch_;                                ///< one plane
     std::vector<int> grainOf_;                                   ///< of each facet the largest node that counts as small
-    mutable std::vector<std::atomic<unsigned char>> safeLayers_; ///< of each node; how many of these are safe
+    mutable std::vector<std::atomic<unsigned char>> safeLayers_; ///< of each node, and one; 0 until asked for
     std::vector<Facet> facets_;
     FacetTree tree_;
     FacetScale scale_;

@@ -1,0 +1,141 @@
+/// Which face of a body a place behind its surface belongs to: what competes for it, and where nothing does.
+#include "FacetBody.hpp"
+#include "facetAngles.hpp"
+
+namespace sph
+{
+
+namespace
+{
+
+/// Of one smooth patch, facets turned by more than this against one another compete for what is behind them: both sides of a ridge that ends.
+constexpr double rivalAngle = 35 * degree;
+const double rivalCosine = std::cos(rivalAngle);
+/// Among what competes for a place, facets within so many spacings count as one.
+constexpr double finest = 0.1;
+/// How deep facets have no rivals is known in layers of so many spacings,
+constexpr double layer = 0.25;
+constexpr int mostLayers = 254;
+/// of which those beyond so many supports are asked for by none.
+constexpr double deepest = 1.5;
+
+/// That of y below the plane of a facet of the node, no more than the distance to it.
+double greatestDepth(const FacetTree::Node& node, const Vector<3>& y)
+{
+    const auto way = 0.5 * (node.box.low + node.box.high) - y;
+    const double length = mag(way), along = dot(way, node.axis), radius = 0.5 * mag(node.box.high - node.box.low);
+    if (along >= length * node.cosine) return length + radius;
+    return radius + along * node.cosine + std::sqrt(std::max((length * length - along * along) * (1 - node.cosine * node.cosine), 0.0));
+}
+
+}
+
+FacetBody::Claim FacetBody::claim(int facet, const Vector<3>& y) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    const double D = mag(y - nearestOnTriangle(y, corner(f, 0), corner(f, 1), corner(f, 2)).point), depth = dot(f.normal, corner(f, 0) - y);
+    return {D, depth < 0 ? Box::infinity : 2 * D - depth};
+}
+
+bool FacetBody::areRivals(const Facet& a, const Facet& b) const { return a.patch != b.patch || dot(a.normal, b.normal) < rivalCosine; }
+
+double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    if (!hasCreases() && tree_.nodes().front().halfAngle < 0.5 * rivalAngle) return Box::infinity;
+    if (!extended && own.D < safeDepth(facet)) return Box::infinity;
+    const double grain = finest * scale_.spacing;
+    // In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
+    if (extended)
+        own.t = tree_
+                    .nearest(
+                        y, own.t * (1 + 1e-12), grain,
+                        [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
+                        [&](const FacetTree::Node& node, double) { return node.patch >= 0 && node.patch != f.patch; })
+                    .first;
+    if (std::isinf(own.t)) return -Box::infinity; // in front of the face: no place of its
+    double toFront = Box::infinity, toBack = own.D;
+    const double faded = std::numbers::sqrt2 * scale_.spacing;
+    double least = own.t + faded;
+    // Of two facets that meet at an angle the difference counts as much more as their normals differ less; a share that has faded out is 0 whatever it is.
+    const auto rival = [&](int t)
+    {
+        const auto& g = facets_[std::size_t(t)];
+        if (isHidden(hidden, t) || !areRivals(f, g)) return Box::infinity;
+        const double weight = 2 / std::max(mag(g.normal - f.normal), flatAngle), depth = dot(g.normal, corner(g, 0) - y);
+        // No nearer than this: most need not be looked at.
+        const double D = std::max(mag(g.middle - y) - g.radius, std::abs(depth));
+        if (D > std::min(toFront, toBack) && (depth < 0 || own.t + weight * (2 * D - depth - own.t) > least)) return Box::infinity;
+        const Claim c = claim(t, y);
+        auto& nearest = std::isinf(c.t) ? toFront : toBack;
+        nearest = std::min(nearest, c.D);
+        const double value = own.t + weight * (c.t - own.t);
+        least = std::min(least, value);
+        return value;
+    };
+    for (const int t : f.across) rival(t); // the neighbours first: they are most of what competes
+    if (least < own.t - faded) return (least - own.t) / std::numbers::sqrt2;
+    tree_.nearest(y, least, grain, rival,
+                  [&](const FacetTree::Node& node, double D)
+                  {
+                      const double cosine = node.mostTurned(f.normal);
+                      if (node.patch == f.patch && cosine > rivalCosine) return true;
+                      // The weight is 1/sin of half the angle.
+                      const double weight = std::numbers::sqrt2 / std::sqrt(1 - cosine);
+                      return D > std::min(toFront, toBack) && own.t + weight * (2 * D - greatestDepth(node, y) - own.t) > least;
+                  });
+    // What is mirrored to a place in the fluid is nobody's.
+    if (toFront <= toBack * (1 + 1e-9))
+        if (const double s = distance(y); s > 0) return -s - own.t;
+    return (least - own.t) / std::numbers::sqrt2;
+}
+
+double FacetBody::safeDepth(int facet) const
+{
+    const int n = grainOf_[std::size_t(facet)];
+    if (n < 0) return 0;
+    const double thickness = layer * scale_.spacing;
+    auto& known = safeLayers_[std::size_t(n)]; // and one, so that 0 is not found yet
+    int layers = known.load(std::memory_order_relaxed) - 1;
+    if (layers < 0)
+    {
+        layers = 0;
+        while (layers < mostLayers && layers * thickness < deepest * scale_.support &&
+               isSafe(tree_.nodes()[std::size_t(n)], (layers + 1) * thickness))
+            ++layers;
+        known.store(static_cast<unsigned char>(layers + 1), std::memory_order_relaxed);
+    }
+    return layers * thickness;
+}
+
+/// By one place y from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
+bool FacetBody::isSafe(const FacetTree::Node& node, double depth) const
+{
+    if (node.patch < 0 || node.cosine < rivalCosine) return false;
+    double lean = 0;
+    for (int t = node.first; t < node.last; ++t) lean = std::max(lean, facets_[std::size_t(t)].lean);
+    const double off = 0.5 * mag(node.box.high - node.box.low) + depth * (std::sin(node.halfAngle) + lean);
+    const auto y = 0.5 * (node.box.low + node.box.high) - depth * node.axis;
+    const double own = depth + off, whole = scale_.spacing / std::numbers::sqrt2; // of a margin of half a spacing
+    const double rivalFromAxis = std::cos(rivalAngle - node.halfAngle);
+    const auto [_, found] = tree_.nearest(
+        y, own + whole, finest * scale_.spacing,
+        [&](int t)
+        {
+            const auto& g = facets_[std::size_t(t)];
+            const double cosine = node.mostTurned(g.normal);
+            if (g.patch == node.patch && cosine > rivalCosine) return Box::infinity;
+            const double D = mag(y - nearestOnTriangle(y, corner(g, 0), corner(g, 1), corner(g, 2)).point);
+            return own + std::numbers::sqrt2 / std::sqrt(1 - cosine) * (D - own);
+        },
+        [&](const FacetTree::Node& other, double D)
+        {
+            const double turned = other.mostTurned(node.axis);
+            if (other.patch == node.patch && turned > rivalFromAxis) return true;
+            const double cosine = turned * node.cosine - std::sqrt((1 - turned * turned) * (1 - node.cosine * node.cosine));
+            return D > own && std::numbers::sqrt2 / std::sqrt(1 - cosine) * (D - own) > whole;
+        });
+    return found < 0;
+}
+
+}
