@@ -55,14 +55,14 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     }
     grid_ = gridOfDomain(geometry_, settings_.gridSpacing);
     wallDistance_ = wallDistances(grid_, geometry_);
-    shown_ = geometry_;
-    shownDistance_ = wallDistance_;
     if (const auto& names = settings_.picture.shownWalls; !names.empty())
     {
-        std::erase_if(shown_.originals,
+        auto shown = geometry_;
+        std::erase_if(shown.originals,
                       [&](const Patch& p) { return std::ranges::find(names, geometry_.walls[std::size_t(p.wall)].name) == names.end(); });
-        repeatPeriodically(shown_, shown_.reach);
-        shownDistance_ = wallDistances(grid_, shown_);
+        repeatPeriodically(shown, shown.reach);
+        auto distance = wallDistances(grid_, shown);
+        shown_ = Shown{std::move(shown), std::move(distance)};
     }
 }
 
@@ -121,17 +121,19 @@ Scene SurfaceRun::emptyScene(const std::string& time) const
 
 void SurfaceRun::showWalls(Scene& scene) const
 {
-    if (shownDistance_.empty()) return;
-    auto solid = shownDistance_;
+    const auto& distance = shown_ ? shown_->wallDistance : wallDistance_;
+    const auto& geometry = shown_ ? shown_->geometry : geometry_;
+    if (distance.empty()) return;
+    auto solid = distance;
     for (auto& d : solid) d = -d;
     scene.wallCuts = cutFaces(grid_, solid, {});
     if (geometry_.dimension == 2) return;
-    scene.walls = wallSurface(grid_, shownDistance_, shown_);
+    scene.walls = wallSurface(grid_, distance, geometry);
     if (!settings_.picture.particles) return;
     // What stands before the plane of the particles would hide them.
     const auto& plane = settings_.picture.plane;
     scene.walls = behind(plane, scene.walls);
-    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, shown_));
+    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, geometry));
 }
 
 void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, double level) const

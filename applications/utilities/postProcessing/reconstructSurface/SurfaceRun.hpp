@@ -37,8 +37,12 @@ class SurfaceRun
     SurfaceSettings settings_;
     RegularGrid grid_;
     std::vector<double> wallDistance_; ///< once for all times; of the grid
-    Geometry shown_;                   ///< with the walls alone that pictures show
-    std::vector<double> shownDistance_;
+    struct Shown
+    {
+        Geometry geometry;
+        std::vector<double> wallDistance;
+    };
+    std::optional<Shown> shown_; ///< with the walls alone that pictures show; none where these are all
 
     std::string output(const std::string& time, const std::string& file) const;
     SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
