@@ -341,6 +341,17 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     }
 }
 
+template<int dim> std::vector<std::size_t> Images<dim>::nearFaces(double distance) const
+{
+    std::vector<std::size_t> near;
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+        if (entries_[k].ghost() && feet_[firstFoot_[k]].distance < distance) near.push_back(std::size_t(entries_[k].source));
+    std::ranges::sort(near);
+    const auto repeated = std::ranges::unique(near);
+    near.erase(repeated.begin(), repeated.end());
+    return near;
+}
+
 template<int dim> std::size_t Images<dim>::bytes() const
 {
     return (layers_ ? layers_->bytes() : 0) + entries_.capacity() * sizeof(Entry) + feet_.capacity() * sizeof(Feet) +

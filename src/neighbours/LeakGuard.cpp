@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "Walls.hpp"
 #include "components.hpp"
+#include "offWalls.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace sph
 
 namespace
 {
-constexpr double closestInSpacings = 0.02, deepestInSpacings = 0.5;
+constexpr double deepestInSpacings = 0.5;
 
 std::string at(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 }
@@ -72,33 +73,29 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     for (const int p : images.wallsNear(x_i))
     {
         const Foot f = geometry_.foot(p, in3D(x_i));
-        if (f.distance >= closest) continue;
         if (-f.distance > std::max(closest, found.depth))
         {
             found.depth = -f.distance;
             found.patch = p;
         }
-        if (f.exposure <= 0)
-        {
-            buried = buried || f.distance < -closest;
-            continue;
-        }
-        if (f.distance < -deepestInSpacings * spacing_)
+        if (f.exposure <= 0) buried = buried || f.distance < -closest;
+        else if (f.distance < -deepestInSpacings * spacing_)
         {
             found.lost = true;
             return found;
         }
-        const auto n = in<dim>(f.normal);
-        x_i += (closest - f.distance) * n;
-        for (const auto& v : velocities)
-        {
-            Vector<dim> v_i;
-            fetch(v_i, [&](int c) { return v[c][i]; });
-            const double inward = std::fmin(0.0, dot(v_i, n));
-            sph::store(v_i - inward * n, [&](int c, double q) { v[c][i] = q; });
-        }
-        sph::store(x_i, [&](int c, double q) { x[c][i] = q; });
     }
+    const auto held = offWalls(images, x_i, closest, Box::infinity,
+                               [&](const Vector<dim>& n)
+                               {
+                                   for (const auto& v : velocities)
+                                   {
+                                       Vector<dim> v_i;
+                                       fetch(v_i, [&](int c) { return v[c][i]; });
+                                       sph::store(withoutInward(v_i, n), [&](int c, double q) { v[c][i] = q; });
+                                   }
+                               });
+    if (!(held == x_i)) sph::store(x_i = held, [&](int c, double q) { x[c][i] = q; });
     // Where solids overlap there may be no surface that leads out.
     const auto depth = [&](const Vector<dim>& y) { return -geometry_.distance(in3D(y)); };
     if (buried && depth(x_i) > closest)

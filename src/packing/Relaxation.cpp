@@ -5,6 +5,7 @@
 #include "WallDistance.hpp"
 #include "components.hpp"
 #include "ghostRules.hpp"
+#include "offWalls.hpp"
 #include "reduce.hpp"
 #include "relaxationTerms.hpp"
 #include <algorithm>
@@ -294,28 +295,12 @@ private:
         return farthest > sqr(0.5 * skin * spacing_);
     }
 
-    /// `wanted`, pushed off the nearest wall in turn; `from` where the walls leave no room, as where spheres touch.
-    Vector<dim> intoFluid(const Vector<dim>& from, Vector<dim> wanted) const
+    /// `wanted`, put off the walls; `from` where they leave no room, as where spheres touch.
+    Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
         const double inset = wallInset * spacing_;
-        const auto nearest = [&]
-        {
-            Foot found;
-            found.distance = Box::infinity;
-            images_.forEachWallNear(wanted,
-                                    [&](const Foot& foot, const Patch&)
-                                    {
-                                        if (foot.distance < found.distance) found = foot;
-                                    });
-            return found;
-        };
-        Foot foot = nearest();
-        for (int turn = 0; turn < 8 && foot.distance < inset; ++turn)
-        {
-            wanted += (inset - foot.distance) * in<dim>(foot.normal);
-            foot = nearest();
-        }
-        return foot.distance > 0.5 * inset ? wanted : from;
+        const auto reached = offWalls(images_, wanted, inset, Box::infinity, [](const Vector<dim>&) {});
+        return nearestFootOf(images_, reached, Box::infinity).distance > 0.5 * inset ? reached : from;
     }
 
     KernelResidual measured() const

@@ -73,6 +73,7 @@ public:
 
     /// Largest acceleration when last observed [m/s^2].
     double observedAcceleration() const { return observedAcceleration_; }
+    double skin() const { return skin_; } ///< of the lists [m]
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
     const Leaks& leaks() const { return leakGuard_.leaks(); }

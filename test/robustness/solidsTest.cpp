@@ -122,6 +122,18 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
     }
 }
 
+// A row in a slit of 0.6 spacings lies a tenth of a spacing off the block. No spacing resolves it, and what is in it does not come quite to rest: 0.04 J/m.
+// Held off by pressure alone it went into the block and was put back 2394 times, and the water had 37 J/m, more than it can have been given.
+TEST(Solids, ASlitBelowTheSpacingIsHarmless)
+{
+    const auto scene =
+        ran(tankCase("    block { type box; min (0.4 0.012 0); max (0.6 0.2 0); fluid outside; }\n"), inBox(0.4, 0.012, 0.6, 0.2));
+    EXPECT_GE(scene.written, 32);
+    EXPECT_EQ(scene.inSolid, 0);
+    EXPECT_EQ(scene.leaked, 0);
+    EXPECT_LT(scene.kineticEnergy, 0.1);
+}
+
 // Water of 8 spacings beside and over a block of 4 in three dimensions; 4e-3 J measured at the first settling, 1e-6 at the end.
 TEST(Solids, InThreeDimensionsAreAtRest)
 {
@@ -132,9 +144,7 @@ TEST(Solids, InThreeDimensionsAreAtRest)
     EXPECT_LT(scene.kineticEnergy, 1e-5);
 }
 
-// The front throws particles at walls at several m/s: some touch and are put back, none is in the obstacle at any time. A particle that is put back loses
-// its velocity into the wall, that of the start of the step included: without, leapfrog gives it back, and some 1000 touches in place of 12 end in an
-// error in two of seven runs.
+// The front throws particles at walls at several m/s: they are held off, and none is in the obstacle at any time. Before, up to 100 were in it and put back.
 TEST(Solids, ObstacleInADamBreakKeepsTheWaterOut)
 {
     auto files = tankCase("    obstacle { type box; min (0.8 0 0); max (0.96 0.16 0); fluid outside; }\n");
@@ -149,8 +159,7 @@ TEST(Solids, ObstacleInADamBreakKeepsTheWaterOut)
     const auto scene = ran(files, inBox(0.8, 0, 0.96, 0.16));
     EXPECT_GE(scene.written, 41);
     EXPECT_EQ(scene.inSolid, 0);
-    EXPECT_GE(scene.leaked, 0);
-    EXPECT_LT(scene.leaked, 100);
+    EXPECT_EQ(scene.leaked, 0);
 }
 
 // What no fluid can reach is a mistake, and so are solids that leave no room for any.

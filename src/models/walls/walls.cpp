@@ -1,4 +1,5 @@
 #include "walls.hpp"
+#include "WallContact.hpp"
 #include "WallRules.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
@@ -91,6 +92,7 @@ void read(const Reading& reading)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.parts.push_back(
         partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
+    if (!geometry.patches.empty() && geometry.layers.empty()) settings.parts.push_back(partOf<WallContact>());
 }
 }
 

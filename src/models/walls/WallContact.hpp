@@ -1,0 +1,27 @@
+/// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it.
+///
+///   d < d_0:   x += (d_0 - d) n,   v -= min(n.v, 0) n
+///
+/// n unit normal into the fluid of each foot of x, at distance d [m]; d_0 the distance at which the leak guard too holds particles off walls [m].
+/// Pressure alone cannot do it: a particle and its image push each other less the nearer they are, and one on the wall is one with its image. Particles
+/// come there in gaps below two thirds of a spacing, where more of them are than fit, and thrown against a wall. The contact is inelastic.
+#pragma once
+#include "Particles.hpp"
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class WallContact final : public Part<dim>
+{
+    std::vector<std::size_t> near_; ///< particles that may come to a wall before lists are built anew
+
+    void holdOff(Particles<dim>&) const;
+
+public:
+    WallContact(Particles<dim>&, const Numbers&) {}
+    std::vector<Stage<dim>> stages(Place) override;
+    void sorted(Particles<dim>&) override;
+};
+
+}
