@@ -70,9 +70,11 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     Vector<dim> x_i;
     fetch(x_i, [&](int c) { return x[c][i]; });
     bool buried = false;
+    double nearest = closest;
     for (const int p : images.wallsNear(x_i))
     {
         const Foot f = geometry_.foot(p, in3D(x_i));
+        nearest = std::min(nearest, f.distance);
         if (-f.distance > std::max(closest, found.depth))
         {
             found.depth = -f.distance;
@@ -85,6 +87,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
             return found;
         }
     }
+    if (!(nearest < closest)) return found;
     const auto held = offWalls(images, x_i, closest, Box::infinity,
                                [&](const Vector<dim>& n)
                                {

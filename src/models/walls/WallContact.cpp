@@ -14,34 +14,39 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
     // Behind all that moves particles.
     if (place != Place::atEnd) return {};
-    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.v, 0) n", [this](Particles<dim>& p, const Substep&) { holdOff(p); }}};
+    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.v, 0) n",
+             [this](Particles<dim>& p, const Substep&)
+             {
+                 if (near_.empty()) return;
+                 p.moved(most(near_.size(), [&](std::size_t k) { return holdOff(p, near_[k]); }));
+             }}};
 }
 
-template<int dim> void WallContact<dim>::sorted(Particles<dim>& p) { near_ = p.images().nearFaces(closestOf(p) + p.skin()); }
+template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
+{
+    near_.clear();
+    for (const std::size_t i : p.images().nearFaces(closestOf(p) + p.skin())) near_.push_back({i, {}, 0});
+}
 
-template<int dim> void WallContact<dim>::holdOff(Particles<dim>& p) const
+/// By how much it has been put off [m].
+template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near) const
 {
     const auto x = p.store().pointers(Position{}), v = p.store().pointers(Velocity{});
-    const double closest = closestOf(p);
-    const double reach = 0.5 * p.coefficients().spacing; // deeper than that the leak guard ends the run
-    if (near_.empty()) return;
-    p.moved(most(near_.size(),
-                 [&](std::size_t k)
-                 {
-                     const std::size_t i = near_[k];
-                     Vector<dim> x_i, v_i;
-                     fetch(x_i, [&](int c) { return x[c][i]; });
-                     fetch(v_i, [&](int c) { return v[c][i]; });
-                     const auto held =
-                         offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
-                     const double by = mag(held - x_i);
-                     if (by > 0)
-                     {
-                         sph::store(held, [&](int c, double q) { x[c][i] = q; });
-                         sph::store(v_i, [&](int c, double q) { v[c][i] = q; });
-                     }
-                     return by;
-                 }));
+    const std::size_t i = near.particle;
+    Vector<dim> x_i, v_i;
+    fetch(x_i, [&](int c) { return x[c][i]; });
+    if (mag(x_i - near.x) < near.clear) return 0;
+
+    // Deeper than that the leak guard ends the run.
+    const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
+    const double d = std::min(reach, nearestFootOf(p.images(), x_i, reach).distance);
+    near = {i, x_i, std::max(0.0, d - closest)};
+    if (d >= closest) return 0;
+    fetch(v_i, [&](int c) { return v[c][i]; });
+    const auto held = offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
+    sph::store(held, [&](int c, double q) { x[c][i] = q; });
+    sph::store(v_i, [&](int c, double q) { v[c][i] = q; });
+    return mag(held - x_i);
 }
 
 template class WallContact<2>;

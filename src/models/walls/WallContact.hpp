@@ -14,9 +14,16 @@ namespace sph
 
 template<int dim> class WallContact final : public Part<dim>
 {
-    std::vector<std::size_t> near_; ///< particles that may come to a wall before lists are built anew
+    /// A particle that may come to a wall before lists are built anew. Until it has moved by `clear` [m] from x it cannot be nearer than d_0.
+    struct Near
+    {
+        std::size_t particle;
+        Vector<dim> x;
+        double clear;
+    };
+    std::vector<Near> near_;
 
-    void holdOff(Particles<dim>&) const;
+    double holdOff(Particles<dim>&, Near&) const;
 
 public:
     WallContact(Particles<dim>&, const Numbers&) {}
