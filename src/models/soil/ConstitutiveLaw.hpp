@@ -1,0 +1,74 @@
+/// What a constitutive law of soil is: a value with a few constants, and pure functions of the stress.
+///
+/// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
+/// has two (`in3D` of base/StressTensor.hpp). A law of one's own is one header that satisfies this concept and one word in soilLaws.hpp.
+#pragma once
+#include "EntryList.hpp"
+#include "StressTensor.hpp"
+#include <concepts>
+
+namespace sph
+{
+
+template<class L>
+concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTensor<3> D, const Dictionary& coeffs)
+{
+    {
+        L::name
+        } -> std::convertible_to<const char*>;
+    {
+        L::meaning
+        } -> std::convertible_to<const char*>;
+    /// True where the stiffness vanishes with the stress, so that a stress-free particle is a case of its own, and no integral of the law
+    /// has a tensile principal stress.
+    {
+        L::tensionless
+        } -> std::convertible_to<bool>;
+    /// Jaumann rate of the stress [Pa/s].
+    {
+        law.rate(stress, D)
+        } -> std::same_as<SymmTensor<3>>;
+    /// Bound of the moduli d(stress)/d(strain) of all directions [Pa]; the square of the speed of sound times the density.
+    {
+        law.stiffness(stress)
+        } -> std::same_as<double>;
+    /// False where the law does not hold for the stress.
+    {
+        law.admits(stress)
+        } -> std::same_as<bool>;
+    /// The stress itself, or where rounding and truncation have brought it out of the law's range, what it is put back to.
+    {
+        law.returned(stress)
+        } -> std::same_as<SymmTensor<3>>;
+    {
+        L::entries()
+        } -> std::same_as<EntryList>;
+    {
+        L::read(coeffs)
+        } -> std::same_as<L>;
+};
+
+/// |a| = sqrt(a : a)
+inline double norm(SymmTensor<3> a) { return std::sqrt(doubleDot(a, a)); }
+
+/// a . a
+constexpr SymmTensor<3> square(SymmTensor<3> a)
+{
+    const double xy = a.xy * a.xy, xz = a.xz * a.xz, yz = a.yz * a.yz;
+    return {a.xx * a.xx + xy + xz, a.xy * (a.xx + a.yy) + a.xz * a.yz, a.xz * (a.xx + a.zz) + a.xy * a.yz,
+            xy + a.yy * a.yy + yz, a.yz * (a.yy + a.zz) + a.xy * a.xz, xz + yz + a.zz * a.zz};
+}
+
+/// True where no principal stress is tensile, but for rounding, 1e-12 of the trace. By Cholesky's pivots, which keep the sign of an eigenvalue
+/// near 0 also where two of them are equal; eigenvalues by Smith's formula are then good to 1e-8 alone. False for NaN and for no stress.
+constexpr bool isCompressive(SymmTensor<3> s)
+{
+    constexpr double rounding = 1e-12;
+    const double shift = -rounding * trace(s), first = shift - s.xx;
+    if (!(first > 0)) return false;
+    const double xy = s.xy / first, xz = s.xz / first, second = shift - s.yy - xy * s.xy, yz = s.yz + xz * s.xy;
+    if (!(second > 0)) return false;
+    return shift - s.zz - xz * s.xz - yz * yz / second > 0;
+}
+
+}

@@ -1,0 +1,87 @@
+#include "soilLaws.hpp"
+
+namespace sph
+{
+
+namespace
+{
+
+/// Calls f with a law of each type, in the order of the variant.
+void forEachLaw(const auto& f)
+{
+    const auto each = [&]<class... Laws>(std::variant<Laws...>*) { (f(Laws{}), ...); };
+    each(static_cast<SoilLaw*>(nullptr));
+}
+
+std::string coeffsOf(const std::string& law) { return law + "Coeffs"; }
+
+SubDictionary coefficients(const std::string& law) { return {coeffsOf(law), byScene("needed with law " + law), "constants of law " + law}; }
+
+Cases lawCases()
+{
+    Cases cases;
+    forEachLaw(
+        [&]<ConstitutiveLaw Law>(Law) {
+            cases.push_back({{Law::name, Law::meaning}, {{coefficients(Law::name), Law::entries()}}});
+        });
+    return cases;
+}
+
+constexpr const EmbeddedPair* pairs[]{&dormandPrince, &bogackiShampine};
+
+ChoiceWords pairWords()
+{
+    ChoiceWords words;
+    for (const auto* pair : pairs) words.push_back({pair->name, pair->meaning});
+    return words;
+}
+
+}
+
+namespace entry
+{
+const Scalar rho{"rho", units::density, required, positive, "density of the soil with its pores"};
+const Choice law{"law", wordsOf(lawCases()), required, "what gives the stress"};
+const Choice integrator{"integrator", pairWords(), dormandPrince.name, "embedded pair of the substeps"};
+const Scalar tolerance{"tolerance", units::none, 1e-6, Range{1e-13, 1e-2}, "error of a substep over the stress"};
+const Choice turning{"turning",
+                     {{"halves", "by half the angle before the strain and half after: second order in the angle of a step"},
+                      {"within", "at each stage: the integral of the law at steps of any size"}},
+                     byScene("halves; within in elementTest"),
+                     "how the stress turns with the material while it is strained"};
+const Choice stressFree{"stressFree",
+                        {{"floor", "the stress is kept at floorPressure, and acts without it"},
+                         {"detached", "the stress is 0 until it is set anew"}},
+                        "floor",
+                        "what becomes of a mean pressure below floorPressure, with laws whose stiffness vanishes with it"};
+const Scalar floorPressure{"floorPressure", units::pressure, 10, Range{1e-100, 1e100}, "below it soil is free of stress"};
+}
+
+Soil readSoil(const Dictionary& d, const std::string& turning)
+{
+    Soil soil;
+    soil.rho = entry::rho(d);
+    const auto name = entry::law(d);
+    if (entry::law.known(d))
+        forEachLaw(
+            [&]<ConstitutiveLaw Law>(Law)
+            {
+                if (name == Law::name) soil.law = Law::read(d.subDict(coeffsOf(name)));
+                else if (d.found(coeffsOf(Law::name))) d.ignore(coeffsOf(Law::name)); // of a law to change to
+            });
+    auto& how = soil.integration;
+    how.pair = pairs[entry::integrator.index(d)];
+    how.tolerance = entry::tolerance(d);
+    how.turning = entry::turning(d, turning) == "within" ? Turning::within : Turning::halves;
+    how.stressFree = entry::stressFree(d) == "detached" ? StressFree::detached : StressFree::floor;
+    how.floorPressure = entry::floorPressure(d);
+    return soil;
+}
+
+EntryList soilEntries()
+{
+    return {entry::rho,     {entry::law, lawCases()}, entry::integrator,   entry::tolerance,
+            entry::turning, entry::stressFree,        entry::floorPressure};
+}
+
+}

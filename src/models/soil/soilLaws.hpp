@@ -1,0 +1,36 @@
+/// The laws of soil by name, and constant/soilProperties:
+///
+///     rho         1850;              // [kg/m^3] of the soil with its pores
+///     law         wuBauer;
+///     wuBauerCoeffs { c1 -69.4; c2 -673.1; c3 -655.9; c4 699.6; }
+///     integrator  dormandPrince;     // or bogackiShampine
+///     tolerance   1e-6;
+///     turning     halves;            // or within
+///     stressFree  floor;             // or detached
+///     floorPressure 10;              // [Pa]
+#pragma once
+#include "DruckerPrager.hpp"
+#include "WuBauer.hpp"
+#include "integrateStress.hpp"
+#include <variant>
+
+namespace sph
+{
+
+/// A law more is a word more here.
+using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw>;
+
+struct Soil
+{
+    double rho = 1; ///< [kg/m^3]
+    SoilLaw law;
+    StressIntegration integration;
+};
+
+inline const std::string soilProperties = "constant/soilProperties";
+
+/// Mistakes are recorded with file and line. `turning`: what is taken where the file does not say.
+Soil readSoil(const Dictionary&, const std::string& turning = "halves");
+EntryList soilEntries();
+
+}

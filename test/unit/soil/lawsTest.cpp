@@ -1,0 +1,187 @@
+/// The laws by hand: rates, stiffness, strength, and their constants in constant/soilProperties.
+#include "soilTesting.hpp"
+
+using namespace sph;
+using namespace sph::test;
+
+namespace
+{
+
+// Eq. (17) term by term, r and deviator written out, for D = diag(0, 0, -1) at K: tr = -(1 + 2 K).
+TEST(WuBauer, byHand)
+{
+    const double K = 0.4, t = 1 + 2 * K;
+    const auto rate = karlsruhe.rate(principal(-K, -K, -1), principal(0, 0, -1));
+    const double rx = K / t, rz = 1 / t, dx = rx - 1. / 3, dz = rz - 1. / 3;
+    EXPECT_NEAR(rate.xx, -t * (-673.1 * -rz * rx + (-655.9 * rx * rx + 699.6 * dx * dx)), 1e-10);
+    EXPECT_NEAR(rate.zz, -t * (69.4 + -673.1 * -rz * rz + (-655.9 * rz * rz + 699.6 * dz * dz)), 1e-10);
+    EXPECT_EQ(rate.xy, 0);
+}
+
+// Odd in the stress, of degree one in both, objective.
+TEST(WuBauer, symmetries)
+{
+    const SymmTensor<3> s{-3, 0.5, -0.2, -2, 0.1, -5}, D{0.1, 0.3, -0.2, -0.4, 0.2, 0.05};
+    const auto rate = karlsruhe.rate(s, D);
+    EXPECT_LT(norm(karlsruhe.rate(-1.0 * s, D) + rate), 1e-12 * norm(rate));
+    EXPECT_LT(norm(karlsruhe.rate(7.0 * s, 3.0 * D) - 21.0 * rate), 1e-12 * norm(21.0 * rate));
+    const auto Q = rotationOf({0, -1, 2, 1, 0, 0.5, -2, -0.5, 0});
+    EXPECT_LT(norm(karlsruhe.rate(rotated(s, Q), rotated(D, Q)) - rotated(rate, Q)), 1e-12 * norm(rate));
+    // Whatever the size, to the smallest numbers.
+    EXPECT_LT(norm(1e200 * karlsruhe.rate(1e-200 * s, D) - rate), 1e-12 * norm(rate));
+}
+
+TEST(WuBauer, earthPressureAtRest)
+{
+    const double K = karlsruhe.K0().value();
+    EXPECT_NEAR(K, 0.51013396, 5e-9);
+    // It is where K does not change, and moduli there: loading 185.653 and unloading 761.107 of sigma_zz.
+    const auto at = [&](double D) { return karlsruhe.rate(principal(-K, -K, -1), principal(0, 0, D)); };
+    EXPECT_NEAR(at(-1).xx / at(-1).zz, K, 1e-9);
+    EXPECT_NEAR(-at(-1).zz, 185.653, 5e-4);
+    EXPECT_NEAR(at(1).zz, 761.107, 5e-4);
+}
+
+// No modulus, in any direction, of any state, is above `stiffness`, and at K_0 it is 5 % above the largest.
+TEST(WuBauer, stiffnessIsABound)
+{
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::normal_distribution<double> any;
+    for (int k = 0; k < 20000; ++k)
+    {
+        const auto s = principal(-share(generator), -share(generator), -1);
+        Vector<3> n{any(generator), any(generator), any(generator)};
+        const auto D = 1 / dot(n, n) * outer(n); // a plane wave along n
+        const double normal = dot(n, karlsruhe.rate(s, D) * n) / dot(n, n);
+        ASSERT_LE(normal, karlsruhe.stiffness(s) * (1 + 1e-6));
+    }
+    const double K = 0.51013396;
+    EXPECT_NEAR(karlsruhe.stiffness(principal(-K, -K, -1)) / 761.107, 1.05, 0.01);
+    EXPECT_EQ(karlsruhe.stiffness({}), 0);
+}
+
+TEST(Elastic, Hooke)
+{
+    const double E = 2e7, nu = 0.3;
+    const auto law = ElasticLaw::of(E, nu);
+    const auto uniaxial = law.rate({}, principal(-nu, -nu, 1));
+    EXPECT_NEAR(uniaxial.zz, E, 1e-6);
+    EXPECT_NEAR(uniaxial.xx, 0, 1e-6);
+    EXPECT_NEAR(law.rate({}, principal(0, 0, 1)).zz, E * (1 - nu) / (1 + nu) / (1 - 2 * nu), 1e-6);
+    EXPECT_NEAR(law.rate({}, {0, 0.5, 0, 0, 0, 0}).xy, E / 2 / (1 + nu), 1e-6);
+    EXPECT_NEAR(law.stiffness(), law.rate({}, principal(0, 0, 1)).zz, 1e-6);
+    // Through zero and into tension, in one step.
+    const auto step = integrateStress(law, principal(-1e3, -1e3, -1e3), diagonal(0, 0, 0.01), {});
+    EXPECT_EQ(step.state, StressState::regular);
+    EXPECT_NEAR(step.stress.zz, -1e3 + 0.01 * law.stiffness(), 1e-6);
+}
+
+// Stress path to failure with strains whose volume part is chosen: at the end f = 0, and sigma stays inside on the way.
+TEST(DruckerPrager, yieldIsKept)
+{
+    const auto law = DruckerPrager::of(ElasticLaw::of(2e7, 0.3), 30, 10, 5e3);
+    for (const auto& L : {diagonal(0, 0, -1), diagonal(0.5, 0.5, -1), Tensor<3>{0, 0, 1, 0, 0, 0, 0, 0, 0}, diagonal(0.3, 0.3, 0.3)})
+    {
+        auto stress = principal(-2e4, -2e4, -2e4);
+        for (int k = 0; k < 20; ++k)
+        {
+            const auto step = integrateStress(law, stress, 2e-3 * L, tight(1e-8));
+            ASSERT_EQ(step.state, StressState::regular) << k;
+            stress = step.stress;
+            ASSERT_LE(law.yield(stress), law.width(stress));
+        }
+    }
+}
+
+// Tension cracking: no mean tension above k_c/alpha_phi, and there no shear.
+TEST(DruckerPrager, apexAndReturn)
+{
+    const auto law = DruckerPrager::of(ElasticLaw::of(2e7, 0.3), 30, 0, 5e3);
+    const double apex = law.k_c / law.alpha_phi;
+    const auto beyond = law.returned(principal(2 * apex, apex, apex));
+    EXPECT_NEAR(trace(beyond), apex, 1e-9 * apex);
+    EXPECT_NEAR(norm(deviator(beyond)), 0, 1e-9 * apex);
+    const auto sheared = law.returned(principal(-1e4, -1e4, -1e6));
+    EXPECT_NEAR(trace(sheared), -1.02e6, 1e-6);
+    EXPECT_NEAR(law.yield(sheared), 0, 1e-6);
+    EXPECT_EQ(norm(law.returned(principal(-1e4, -1e4, -1e4)) - principal(-1e4, -1e4, -1e4)), 0);
+    const auto step = integrateStress(law, principal(-1e4, -1e4, -1e6), diagonal(0, 0, -1e-4), {});
+    EXPECT_EQ(step.state, StressState::inadmissible);
+    EXPECT_LE(law.yield(step.stress), law.width(step.stress));
+}
+
+std::string errorsOf(const std::string& text, Soil* soil = nullptr)
+{
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse(text, soilProperties, diagnostics);
+    const auto read = readSoil(d);
+    d.reportUnused();
+    if (soil) *soil = read;
+    try
+    {
+        diagnostics->throwIfAny();
+    }
+    catch (const CaseError& error)
+    {
+        return error.what();
+    }
+    std::string all;
+    for (const auto& warning : diagnostics->warnings()) all += "warning " + warning;
+    return all;
+}
+
+const std::string sand = "rho 1850;\nlaw wuBauer;\nwuBauerCoeffs\n{\n    c1 -69.4;\n    c2 -673.1;\n    c3 -655.9;\n    c4 699.6;\n}\n";
+
+std::string with(std::string from, const std::string& to, std::string text = sand)
+{
+    return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(SoilProperties, read)
+{
+    Soil soil;
+    EXPECT_EQ(errorsOf(sand + "integrator bogackiShampine; tolerance 1e-4; turning within; stressFree detached; floorPressure 3;"
+                              "elasticCoeffs { E 1; nu 0; }",
+                       &soil),
+              "");
+    EXPECT_EQ(std::get<WuBauer>(soil.law).c4, 699.6);
+    EXPECT_EQ(soil.rho, 1850);
+    EXPECT_EQ(soil.integration.pair, &bogackiShampine);
+    EXPECT_EQ(soil.integration.tolerance, 1e-4);
+    EXPECT_EQ(soil.integration.turning, Turning::within);
+    EXPECT_EQ(soil.integration.stressFree, StressFree::detached);
+    EXPECT_EQ(soil.integration.floorPressure, 3);
+    EXPECT_EQ(errorsOf("rho 1; law druckerPrager; druckerPragerCoeffs { E 1e7; nu 0.3; frictionAngle 30; cohesion 100; }", &soil), "");
+    EXPECT_EQ(std::get<DruckerPrager>(soil.law).alpha_psi, 0);
+    EXPECT_EQ(errorsOf("rho 1; law elastic; elasticCoeffs { E 1e7; nu 0.3; }", &soil), "");
+}
+
+TEST(SoilProperties, mistakes)
+{
+    const auto expect = [](const std::string& text, const std::string& words)
+    {
+        const auto error = errorsOf(text);
+        EXPECT_NE(error.find(words), std::string::npos) << "no \"" << words << "\" in: " << error;
+    };
+    expect(with("c1 -69.4", "c1 69.4"),
+           "constant/soilProperties:5: c1 = 69.4, c4 = 699.6 give no earth pressure at rest, K_0, between 0 and 1");
+    expect(with("c4 699.6", "c4 -699.6"), "constant/soilProperties:8: c1 = -69.4, c4 = -699.6 give no earth pressure");
+    expect(with("c4 699.6", "c4 600"), "warning constant/soilProperties:8: c4 = 600 is not above 9 |c1|");
+    expect(with("    c4 699.6;\n", ""), "constant/soilProperties:3: entry \"c4\" is missing in \"wuBauerCoeffs\"");
+    expect(with("rho 1850", "rho 0"), "constant/soilProperties:1: \"rho\" must be positive");
+    expect(with("law wuBauer", "law wuBaur"), "Did you mean \"wuBauer\"?");
+    expect(with("wuBauerCoeffs", "wuBauerCoefs"), "wuBauerCoeffs");
+    expect(sand + "integrator euler;", "constant/soilProperties:10");
+    expect(sand + "tolerance 0;", "constant/soilProperties:10");
+    expect(sand + "floorPressure 0;", "constant/soilProperties:10");
+    expect(sand + "stressFree float;", "constant/soilProperties:10: stressFree \"float\" is unknown");
+    const std::string bui =
+        "rho 1; law druckerPrager; druckerPragerCoeffs { E 1e7; nu 0.3; frictionAngle 30; dilatancyAngle 10; cohesion 100; }";
+    expect(with("Angle 10", "Angle 40", bui), "dilatancyAngle 40 is above frictionAngle 30");
+    expect(with("nu 0.3", "nu 0.5", bui), "nu");
+    expect(with("E 1e7", "E -1", bui), "\"E\" must be positive");
+    expect("rho 1; law druckerPrager; druckerPragerCoeffs { E 1e7; nu 0.3; frictionAngle 0; }", "no strength");
+}
+
+}
