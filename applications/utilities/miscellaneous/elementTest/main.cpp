@@ -1,0 +1,110 @@
+/// Tests of the laboratory on one element of soil: see src/elementTests.
+#include "ChildProcess.hpp"
+#include "CommandLine.hpp"
+#include "OutputFile.hpp"
+#include "calibrate.hpp"
+#include "readElementTests.hpp"
+#include "writeElementTests.hpp"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace
+{
+
+const std::filesystem::path output = "postProcessing/elementTest";
+
+void draw(const sph::Case& c, const std::vector<sph::ElementTest>& tests)
+{
+    const auto gnuplot = sph::findProgram("gnuplot");
+    if (!gnuplot)
+        throw sph::CaseError(
+            {sph::elementTestDictionary, 0},
+            "the plots need gnuplot, which is not installed: install the package gnuplot-nox (etc/setup does), or say `plots no;`");
+    const auto folder = c.folder() / output;
+    sph::writeFile(folder / "elementTests.gp", sph::elementPlots(tests));
+    sph::ProcessTask task;
+    task.command = {gnuplot->string(), "elementTests.gp"};
+    task.folder = folder;
+    task.log = folder / "log.gnuplot";
+    if (const auto outcome = sph::runProcess(task); !outcome.well())
+        throw sph::CaseError(fmt::format("gnuplot could not draw {}: {}; read {}", (output / "elementTests.gp").string(), outcome.inWords(),
+                                         (output / "log.gnuplot").string()));
+    std::filesystem::remove(task.log);
+}
+
+void printTest(const sph::ElementTest& test, const std::vector<sph::ElementRow>& rows)
+{
+    int subSteps = 0, rejected = 0;
+    for (const auto& row : rows)
+    {
+        subSteps += row.subSteps.accepted;
+        rejected += row.subSteps.rejected;
+    }
+    const auto free = std::ranges::count(rows, sph::StressState::stressFree, &sph::ElementRow::state);
+    const auto& end = rows.back();
+    fmt::print("{:<24} {:<20} p {:>11.6g} Pa, q {:>11.6g} Pa, volume strain {:>+12.6g}; {} rows, {} substeps, {} rejected{}\n", test.name,
+               test.type, -trace(end.stress) / 3, sph::deviatorStress(end.stress), trace(end.strain), rows.size(), subSteps, rejected,
+               free ? fmt::format("; free of stress in {} rows", free) : "");
+    std::fflush(stdout);
+}
+
+int runTests(const sph::Case& c)
+{
+    const auto properties = c.dictionary(sph::soilProperties);
+    const auto soil = sph::readSoil(properties, "within");
+    properties.reportUnused();
+    const auto plan = sph::readElementTests(c, soil.law);
+    c.diagnostics().throwIfAny();
+    for (const auto& warning : c.diagnostics().warnings()) fmt::print("Warning: {}\n", warning);
+    if (const auto* law = std::get_if<sph::WuBauer>(&soil.law))
+        fmt::print("Earth pressure at rest, K_0 by eq. (21): {:.6f}\n", law->K0().value());
+    sph::createFolders(c.folder() / output);
+    for (const auto& test : plan.tests)
+    {
+        const auto rows = sph::runElementTest(soil, test);
+        sph::writeElementTable(c.folder() / output / (test.name + ".csv"), rows);
+        printTest(test, rows);
+    }
+    if (plan.plots) draw(c, plan.tests);
+    fmt::print("\nEnd\n");
+    return 0;
+}
+
+int runCalibration(const sph::Case& c)
+{
+    const auto measured = sph::readMeasurement(c);
+    c.diagnostics().throwIfAny();
+    const auto found = sph::calibrate(measured);
+    const auto& law = found.law;
+    const auto coeffs =
+        fmt::format("law wuBauer;\nwuBauerCoeffs\n{{\n    c1 {};\n    c2 {};\n    c3 {};\n    c4 {};\n}}\n", sph::shortestText(law.c1),
+                    sph::shortestText(law.c2), sph::shortestText(law.c3), sph::shortestText(law.c4));
+    sph::createFolders(c.folder() / output);
+    sph::writeFile(c.folder() / output / "calibration", coeffs);
+    fmt::print("c1 {:.6g}, c2 {:.6g}, c3 {:.6g}, c4 {:.6g}; K_0 {:.6f}\n", law.c1, law.c2, law.c3, law.c4, law.K0().value());
+    if (found.misfitStress)
+        fmt::print("root mean square of what the points are off: q {:.3g} % of the peak, volume strain {:.3g} % of its largest\n",
+                   100 * *found.misfitStress, 100 * *found.misfitVolume);
+    if (!(law.c4 > 9 * std::abs(law.c1))) fmt::print("Warning: c4 is not above 9 |c1|: some strain paths lead to tension\n");
+    fmt::print("{}, for constant/soilProperties\n\nEnd\n", (output / "calibration").string());
+    return 0;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    bool calibrates = false;
+    return sph::runApplication(
+        "elementTest", argc, argv,
+        "Tests soil of constant/soilProperties in one element, without SPH, as told by system/elementTestDict, and writes tables and plots into\n"
+        "postProcessing/elementTest. Calibrates law wuBauer to one triaxial test.",
+        [&](CLI::App& app)
+        { app.add_flag("--calibrate", calibrates, "Find c1 ... c4 of law wuBauer from the section calibration, and stop"); },
+        [&](const std::filesystem::path& caseFolder)
+        {
+            const sph::Case c(caseFolder);
+            return calibrates ? runCalibration(c) : runTests(c);
+        });
+}

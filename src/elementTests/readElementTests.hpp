@@ -1,0 +1,31 @@
+/// system/elementTestDict:
+///
+///     tests
+///     {
+///         oedometer { type oedometer; pressure 1e5; strain (0.02); points 20; }
+///         ...
+///     }
+///     plots yes;
+#pragma once
+#include "Case.hpp"
+#include "ElementTest.hpp"
+#include "calibrate.hpp"
+
+namespace sph
+{
+
+inline const std::string elementTestDictionary = "system/elementTestDict";
+
+struct ElementTestPlan
+{
+    std::vector<ElementTest> tests;
+    bool plots = true;
+};
+
+/// Mistakes go to the case's Diagnostics. Tests are checked against the law: a start that it does not admit is an error.
+ElementTestPlan readElementTests(const Case&, const SoilLaw&);
+/// The section `calibration`.
+Measurement readMeasurement(const Case&);
+EntryList elementTestEntries();
+
+}
