@@ -105,8 +105,9 @@ ElementRow heldRow(const Law& law, const StressIntegration& how, const ElementRo
     };
     const auto error = [&](const ElementState& e, const ElementState& s)
     {
-        const double strained = norm(e.strain) * law.stiffness(s.stress) / norm(s.stress) / how.tolerance;
-        return std::fmax(relativeError(e.stress, state.stress, s.stress, how.tolerance), strained) + 0 * strained; // not a number stays so
+        return relativeError(e.stress, state.stress, s.stress, how.tolerance) +
+               norm(e.strain) * law.stiffness(s.stress) / (norm(s.stress) * how.tolerance) +
+               overshoot(law, state.stress, s.stress, how.tolerance);
     };
     const auto admits = [&](const ElementState& s) { return !Law::tensionless || law.admits(s.stress); };
     const auto settled = [&](ElementState& s) { return settle(law, how, s.stress, row.state); };

@@ -1,7 +1,7 @@
 /// What a constitutive law of soil is: a value with a few constants, and pure functions of the stress.
 ///
 /// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
-/// has two (`in3D` of base/StressTensor.hpp). A law of one's own is one header that satisfies this concept and one word in soilLaws.hpp.
+/// has two (`in3D` of base/StressTensor.hpp). A law with a yield surface also has `bool yields(stress)`: the stress is on it. A law of one's own is one header that satisfies this concept and one word in soilLaws.hpp.
 #pragma once
 #include "EntryList.hpp"
 #include "StressTensor.hpp"

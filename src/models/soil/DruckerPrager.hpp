@@ -50,10 +50,12 @@ struct DruckerPrager
     double yield(SymmTensor<3> sigma) const { return rootJ2(sigma) + alpha_phi * trace(sigma) - k_c; }
     double width(SymmTensor<3> sigma) const { return 1e-9 * (norm(sigma) + k_c); }
 
+    bool yields(SymmTensor<3> sigma) const { return yield(sigma) >= -width(sigma); }
+
     SymmTensor<3> rate(SymmTensor<3> sigma, SymmTensor<3> D) const
     {
         const auto trial = elastic.rate(sigma, D);
-        if (yield(sigma) < -width(sigma)) return trial;
+        if (!yields(sigma)) return trial;
         const double J = rootJ2(sigma), G = elastic.G, K = elastic.K;
         const auto n = J > width(sigma) ? 1 / J * deviator(sigma) : SymmTensor<3>{};
         const double lambda = (3 * K * alpha_phi * trace(D) + G * doubleDot(n, D)) / (9 * K * alpha_phi * alpha_psi + G);

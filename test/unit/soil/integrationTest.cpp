@@ -47,12 +47,7 @@ TEST(SoilIntegration, oedometer)
 {
     EXPECT_LT(oedometerError(0.1, tight()), sixDigits);
     StressIntegration how;
-    for (const double step : {1e-2, 1e-3})
-    {
-        const double error = oedometerError(step, how);
-        EXPECT_LT(error, 1e-5);
-        RecordProperty("error_" + std::to_string(step), std::to_string(1e9 * error) + "e-9");
-    }
+    for (const double step : {1e-2, 1e-3}) { EXPECT_LT(oedometerError(step, how), 1e-5); }
     how.pair = &bogackiShampine;
     EXPECT_LT(oedometerError(1e-2, how), 1e-4); // errors accumulate over the many substeps of an order lower
 }
@@ -117,7 +112,6 @@ TEST(SoilIntegration, randomStatesAndDirections)
     for (const double size : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
     {
         Largest error;
-        int rejected = 0;
         for (int k = 0; k < 2000; ++k)
         {
             const auto stress = turnedAtRandom(1e5 * principal(-share(generator), -share(generator), -1), generator);
@@ -131,13 +125,10 @@ TEST(SoilIntegration, randomStatesAndDirections)
             ASSERT_EQ(step.state, StressState::regular);
             ASSERT_LT(trace(step.stress), 0);
             ASSERT_TRUE(isCompressive(step.stress));
-            rejected += step.subSteps.rejected;
             how.tolerance = 1e-11;
             const auto exact = integrateStress(karlsruhe, stress, L, how).stress;
             error(norm(step.stress - exact) / std::abs(trace(exact)));
         }
-        RecordProperty("error_" + std::to_string(size), std::to_string(error.value()));
-        RecordProperty("rejected_" + std::to_string(size), rejected);
         EXPECT_LT(error.value(), size > 0.05 ? 5e-5 : 1e-5) << size;
     }
 }
