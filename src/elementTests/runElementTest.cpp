@@ -163,9 +163,11 @@ std::vector<ElementRow> runElementTest(const Soil& soil, const ElementTest& test
                                             "strength",
                                             test.name, rows.back().path));
             if (row.state == StressState::unresolved)
-                throw CaseError(test.where, fmt::format("test {}: stopped behind path {:.6g}, where {}", test.name, rows.back().path,
-                                                        holds ? "no strain rate holds the stresses that are to be held"
-                                                              : "substeps have become too short"));
+                throw CaseError(
+                    test.where,
+                    fmt::format("test {}: stopped behind path {:.6g}, where {}", test.name, rows.back().path,
+                                holds ? "no strain rate holds the stresses that are to be held"
+                                      : "substeps have become too short or too many: the law is too stiff for the steps between rows"));
             rows.push_back(row);
         }
     return rows;

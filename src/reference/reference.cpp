@@ -5,6 +5,7 @@
 #include "SolidsPlan.hpp"
 #include "SweepPlan.hpp"
 #include "models.hpp"
+#include "readElementTests.hpp"
 #include "readPhases.hpp"
 #include "readSettings.hpp"
 #include "resolutionEntries.hpp"
@@ -23,6 +24,7 @@ EntryRegistry collect()
     all.add("constant/g", gravityEntries(), "gravity; without the file there is none");
     all.add("constant/geometry", geometryEntries(), "space, its periodic directions, and the walls in it");
     all.add("constant/phaseProperties", phaseEntries(), "the liquids and gases");
+    all.add(soilProperties, soilEntries(), "the law of soil and how its stress is integrated");
     all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
     all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
     all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
@@ -32,6 +34,7 @@ EntryRegistry collect()
     all.add("system/sphSchemes", schemeEntries());
     for (const auto* model : models())
         for (const auto& each : model->entries) all.add(each.file, each.entries, each.meaning);
+    all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
     return all;
 }

@@ -49,7 +49,7 @@ inline constexpr EmbeddedPair bogackiShampine{"bogackiShampine",
                                               {{{}, {1. / 2}, {0, 3. / 4}, {2. / 9, 1. / 3, 4. / 9}}},
                                               {-5. / 72, 1. / 12, 1. / 9, -1. / 8}};
 
-/// What an integration took; not resolved: substeps became shorter than rounding of the whole.
+/// What an integration took; not resolved: substeps became too short, or too many.
 struct SubSteps
 {
     int accepted = 0, rejected = 0;
@@ -65,10 +65,16 @@ SubSteps integrate(const EmbeddedPair& pair, State& y, double firstStep, const a
 {
     constexpr double shortest = 1e-14, safety = 0.9, mostGrowth = 5, leastGrowth = 0.2;
     SubSteps taken;
+    constexpr int most = 100000; // soil strained by 0.1 takes some hundred
     double t = 0, h = std::min(1.0, firstStep);
     std::array<State, 7> k{f(0, y)};
     while (t < 1)
     {
+        if (h < shortest || taken.accepted + taken.rejected >= most)
+        {
+            taken.resolved = false;
+            break;
+        }
         const bool last = h >= 1 - t;
         if (last) h = 1 - t;
         auto end = y;
@@ -94,12 +100,7 @@ SubSteps integrate(const EmbeddedPair& pair, State& y, double firstStep, const a
             continue;
         }
         ++taken.rejected;
-        h *= admitted ? std::fmax(leastGrowth, growth) : 0.25; // fmax: growth is not a number where the error is none
-        if (h < shortest)
-        {
-            taken.resolved = false;
-            break;
-        }
+        h *= admitted ? std::fmax(leastGrowth, growth) : 0.25; // fmax: growth is not a number where the error is not
     }
     return taken;
 }

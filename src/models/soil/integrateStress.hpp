@@ -43,7 +43,7 @@ enum class StressState
     regular,
     stressFree, ///< below the floor, at some time of the step
     inadmissible, ///< the law does not hold for the stress at the start (a principal stress is tensile): it is left, or put back, as by `returned`
-    unresolved ///< substeps became too short: the stress is that of the last one
+    unresolved ///< substeps became too short or too many: the stress is that of the last one
 };
 
 struct StressStep
