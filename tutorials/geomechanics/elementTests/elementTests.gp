@@ -23,14 +23,17 @@ set ylabel 'sigma_1 - sigma_3 [kPa]'
 set key bottom right
 plot tables.'triaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 1 title 'triaxial', \
     tables.'biaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 2 title 'biaxial', \
-    'run/druckerPrager/'.tables.'triaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 1 dt 2 title 'Drucker-Prager', \
-    'run/druckerPrager/'.tables.'biaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 2 dt 2 title 'Drucker-Prager', \
+    'run/druckerPrager/'.tables.'triaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 1 dt 2 title 'triaxial, Drucker-Prager', \
+    'run/druckerPrager/'.tables.'biaxial.csv' using (100*$1):(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))) with lines ls 2 dt 2 title 'biaxial, Drucker-Prager', \
     'reference/triaxial.csv' using (100*$2):(1e-3*$3) every 2 with points pt 6 ps 0.8 lc 'black' title 'reference'
 set ylabel 'volume strain, compression positive [%]'
-set key top right
+set key bottom right
+set yrange [0:1.2]
 plot tables.'triaxial.csv' using (100*$1):(-100*column('volumeStrain [-]')) with lines ls 1 title 'triaxial', \
     tables.'biaxial.csv' using (100*$1):(-100*column('volumeStrain [-]')) with lines ls 2 title 'biaxial', \
     'reference/triaxial.csv' using (100*$2):(100*$4) every 2 with points pt 6 ps 0.8 lc 'black' title 'reference'
+set autoscale y
+set key top right
 set title 'simple shear from 100 kPa'
 set xlabel 'gamma'
 set ylabel 'tau, sigma_zz [kPa]' noenhanced
@@ -44,10 +47,13 @@ set title 'isotropic loading and unloading'
 set xlabel 'volume compression [%]'
 set ylabel 'p [kPa]'
 set logscale y
+set yrange [50:1000]
+set samples 21
 set key top left
-plot tables.'isotropic.csv' using (-100*column('volumeStrain [-]')):(1e-3*column('p [Pa]')) with lines ls 1 title 'loading to 1 %, unloading', \
-    [0:1] 100*exp(1.675387*x) with points pt 6 ps 0.8 lc 'black' title 'exp(167.5387 e), exp(-419.9947 e)', [0.5:1] 100*exp(1.675387 - 4.199947*(1 - x)) with points pt 6 ps 0.8 lc 'black' notitle
+plot tables.'isotropic.csv' using (-100*column('volumeStrain [-]')):(1e-3*column('p [Pa]')) with lines ls 1 title 'to 1 % and back', \
+    [0:1] 100*exp(1.675387*x) with points pt 6 ps 0.8 lc 'black' title 'exponentials', [0.5:1] 100*exp(1.675387 - 4.199947*(1 - x)) with points pt 6 ps 0.8 lc 'black' notitle
 unset logscale y
+set autoscale y
 set title 'cycles of +-0.01 % in an oedometer'
 set xlabel 'length of the strain path [%]'
 set ylabel 'vertical stress [kPa]'
