@@ -105,9 +105,8 @@ ElementRow heldRow(const Law& law, const StressIntegration& how, const ElementRo
     };
     const auto error = [&](const ElementState& e, const ElementState& s)
     {
-        return relativeError(e.stress, state.stress, s.stress, how.tolerance) +
-               norm(e.strain) * law.stiffness(s.stress) / (norm(s.stress) * how.tolerance) +
-               overshoot(law, state.stress, s.stress, how.tolerance);
+        const double strained = norm(e.strain) * law.stiffness(s.stress) / (std::fmax(norm(state.stress), norm(s.stress)) * how.tolerance);
+        return substepError(law, e.stress, from.stress, state.stress, s.stress, how.tolerance) + strained;
     };
     const auto admits = [&](const ElementState& s) { return !Law::tensionless || law.admits(s.stress); };
     const auto settled = [&](ElementState& s) { return settle(law, how, s.stress, row.state); };

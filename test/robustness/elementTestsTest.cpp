@@ -81,8 +81,10 @@ TEST(ElementTests, hugeAndTinyNumbers)
             EXPECT_EQ(outcome.err.find("stopped unexpectedly"), std::string::npos) << outcome.err;
             EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
             if (outcome.code == 0 && c.has("postProcessing"))
+            {
                 for (const auto& [name, text] : c.files("postProcessing"))
                     EXPECT_TRUE(text.find("nan") == std::string::npos && text.find("inf") == std::string::npos) << name << text;
+            }
         }
 }
 

@@ -68,7 +68,7 @@ SubSteps integrate(const EmbeddedPair& pair, State& y, double firstStep, const a
     constexpr int most = 100000; // soil strained by 0.1 takes some hundred
     double t = 0, h = std::min(1.0, firstStep);
     std::array<State, 7> k{f(0, y)};
-    while (t < 1)
+    while (true)
     {
         if (h < shortest || taken.accepted + taken.rejected >= most)
         {
@@ -87,20 +87,22 @@ SubSteps integrate(const EmbeddedPair& pair, State& y, double firstStep, const a
         }
         State e = h * pair.e[0] * k[0];
         for (int s = 1; s < pair.stages; ++s) e += h * pair.e[s] * k[s];
-        const double err = error(e, end), growth = safety * std::pow(err, -1.0 / pair.order);
+        const double err = error(e, end);
         const bool admitted = admits(end);
+        const auto growth = [&] { return safety * std::pow(err, -1.0 / pair.order); };
         if (admitted && err <= 1)
         {
-            t = last ? 1 : t + h;
             ++taken.accepted;
             y = end;
-            k[0] = settle(y) ? f(t, y) : k[pair.stages - 1];
-            if (ends(y)) break;
-            h *= std::fmin(mostGrowth, growth);
+            const bool changed = settle(y);
+            if (last || ends(y)) break; // most steps are one substep: nothing is prepared for another
+            t += h;
+            k[0] = changed ? f(t, y) : k[pair.stages - 1];
+            h *= std::fmin(mostGrowth, growth());
             continue;
         }
         ++taken.rejected;
-        h *= admitted ? std::fmax(leastGrowth, growth) : 0.25; // fmax: growth is not a number where the error is not
+        h *= admitted ? std::fmax(leastGrowth, growth()) : 0.25; // fmax: growth is not a number where the error is not
     }
     return taken;
 }

@@ -89,20 +89,23 @@ inline SymmTensor<3> acting(SymmTensor<3> stress, bool tensionless, const Stress
     return tensionless && how.stressFree == StressFree::floor ? stress + how.floorPressure * identity(stress) : stress;
 }
 
-/// The error of a substep over what is tolerated.
-inline double relativeError(SymmTensor<3> error, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
+/// An error over `tolerance` of the larger of two stresses.
+inline double relativeError(SymmTensor<3> error, SymmTensor<3> a, SymmTensor<3> b, double tolerance)
 {
-    const double size = std::fmax(norm(from), norm(to)), off = norm(error);
-    return off > 0 ? off / (tolerance * size) : off; // 0, or not a number
+    const double size = std::fmax(doubleDot(a, a), doubleDot(b, b)), off = doubleDot(error, error);
+    return off == 0 ? 0 : std::sqrt(off / size) / tolerance; // not a number stays so
 }
 
-/// Of a law with a yield surface: how far a substep from within it has gone beyond, over what is tolerated. An embedded pair may be blind to the kink of
-/// the rate there; this makes it find the place.
-template<ConstitutiveLaw Law> double overshoot(const Law& law, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
+/// The error of a substep over what is tolerated. Of a law whose stiffness vanishes with the stress relative to the substep's own stresses, of others to that at
+/// the start of the step, too: they pass through 0. A substep that begins within a yield surface counts as an error also how far it has gone beyond: an embedded
+/// pair may be blind to the kink of the rate there, and so finds the place.
+template<ConstitutiveLaw Law>
+double substepError(const Law& law, SymmTensor<3> error, SymmTensor<3> start, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
 {
+    const double relative = relativeError(error, Law::tensionless ? from : start, to, tolerance);
     if constexpr (requires { law.yields(from); })
-        if (!law.yields(from)) return relativeError(law.returned(to) - to, from, to, tolerance);
-    return 0;
+        if (!law.yields(from)) return relative + relativeError(law.returned(to) - to, start, to, tolerance);
+    return relative;
 }
 
 /// `deformation` = L dt [1].
@@ -130,8 +133,7 @@ StressStep integrateStress(const Law& law, SymmTensor<3> stress, Tensor<3> defor
         const bool varies = turns && how.turning == Turning::within;
         const auto rate = [&](double t, SymmTensor<3> s)
         { return law.rate(s, varies ? rotated(strain, rotationOf((0.5 - t) * turn)) : strain); };
-        const auto error = [&](SymmTensor<3> e, SymmTensor<3> s)
-        { return relativeError(e, step.stress, s, how.tolerance) + overshoot(law, step.stress, s, how.tolerance); };
+        const auto error = [&](SymmTensor<3> e, SymmTensor<3> s) { return substepError(law, e, stress, step.stress, s, how.tolerance); };
         const auto admits = [&](SymmTensor<3> s) { return !Law::tensionless || law.admits(s); };
         const auto settled = [&](SymmTensor<3>& s) { return settle(law, how, s, step.state); };
         step.subSteps = integrate(*how.pair, step.stress, how.pair->firstStrain / size, rate, error, admits, settled, ends);

@@ -89,6 +89,16 @@ TEST(ElementTests, triaxialTangents)
     EXPECT_NEAR(karlsruhe.rate(principal(-1, -1, -2.929121), limit).zz, 0, 1e-4);
 }
 
+// In plane strain sand is stronger: sin(phi) = (s1 - s3)/(s1 + s3) of 40.5 degrees, for 29.4 in the triaxial test.
+TEST(ElementTests, biaxial)
+{
+    const auto end = rowsOf("type biaxial; pressure 1e5; strain (0.3); points 3;", tightly).back();
+    const double angle = 180 / std::numbers::pi * std::asin((end.stress.xx - end.stress.zz) / -(end.stress.xx + end.stress.zz));
+    EXPECT_NEAR(angle, 40.5, 0.05);
+    EXPECT_NEAR(end.strain.yy, 0, 1e-15);
+    EXPECT_NEAR(end.stress.xx, -1e5, 0.01);
+}
+
 double shearError(int points, const std::string& more)
 {
     Largest error;

@@ -111,6 +111,19 @@ TEST(DruckerPrager, apexAndReturn)
     EXPECT_LE(law.yield(step.stress), law.width(step.stress));
 }
 
+// Without cohesion, pulled apart: stress-free, in a bounded number of substeps, and soil again when it is pushed together.
+TEST(DruckerPrager, apart)
+{
+    const auto law = DruckerPrager::of(ElasticLaw::of(2e7, 0.3), 30, 0, 0);
+    auto step = integrateStress(law, principal(-1e3, -1e3, -2e3), diagonal(0.01, 0.01, 0.01), {});
+    EXPECT_EQ(step.state, StressState::regular);
+    EXPECT_LT(norm(step.stress), 1e-3);
+    EXPECT_LT(step.subSteps.accepted + step.subSteps.rejected, 200);
+    step = integrateStress(law, {}, diagonal(-1e-3, -1e-3, -1e-3), {});
+    EXPECT_EQ(step.state, StressState::regular);
+    EXPECT_LT(relative(trace(step.stress), -3 * 3e-3 * law.elastic.K), 1e-9);
+}
+
 std::string errorsOf(const std::string& text, Soil* soil = nullptr)
 {
     const auto diagnostics = std::make_shared<Diagnostics>();
