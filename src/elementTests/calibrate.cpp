@@ -133,7 +133,8 @@ void checkPoints(const Measurement& m)
 {
     constexpr std::size_t fewest = 5;
     if (m.points.size() < fewest)
-        throw CaseError(m.where, fmt::format("{} points of a triaxial test are too few: at least {}", m.points.size(), fewest));
+        throw CaseError(m.where,
+                        fmt::format("{} points of a triaxial test up to its peak are too few: at least {}", m.points.size(), fewest));
     for (std::size_t k = 0; k < m.points.size(); ++k)
     {
         const auto& point = m.points[k];
@@ -169,9 +170,10 @@ Calibration calibrate(const Measurement& measured)
     auto m = measured;
     if (!m.points.empty())
     {
+        // What comes behind the peak, softening, is beyond the law.
+        m.points.erase(std::ranges::max_element(m.points, {}, &TriaxialPoint::q) + 1, m.points.end());
         checkPoints(m);
-        const auto peak = std::ranges::max_element(m.points, {}, &TriaxialPoint::q);
-        m.figures = figuresOf(m.figures.pressure, {m.points.begin(), peak + 1});
+        m.figures = figuresOf(m.figures.pressure, m.points);
     }
     const auto& f = m.figures;
     if (!(f.initialStiffness > 0 && f.peak > 0))

@@ -37,7 +37,7 @@ struct TriaxialFigures
 struct Measurement
 {
     TriaxialFigures figures;
-    std::vector<TriaxialPoint> points;
+    std::vector<TriaxialPoint> points; ///< up to the peak; those behind it are left out
     Location where;
 };
 
@@ -51,7 +51,7 @@ struct Calibration
 /// Throws CaseError with what is impossible where no constants, or none that a soil can have, give what was measured.
 Calibration calibrate(const Measurement&);
 
-/// Figures of a curve: secants of the first points extrapolated to the start, the last point as the peak.
+/// Figures of a curve of at least four points: secants of the first ones extrapolated to the start, the last one as the peak.
 TriaxialFigures figuresOf(double pressure, const std::vector<TriaxialPoint>&);
 
 }
