@@ -2,6 +2,7 @@
 #include "LeakGuard.hpp"
 #include "CaseError.hpp"
 #include "Walls.hpp"
+#include "offWalls.hpp"
 #include "scenes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -83,6 +84,34 @@ TEST(LeakGuard, PutsBackOutOfACorner)
     const auto x = positionOf(scene.store, 0);
     EXPECT_NEAR(x.x, 0.399, 1e-12);
     EXPECT_NEAR(x.y, 0.001, 1e-12);
+}
+
+// Off the floor and off the block at once; the walls that it was put off are told. In a slit narrower than twice the distance it stays between the two.
+TEST(OffWalls, HoldsOffAllWallsInTurn)
+{
+    Guarded scene({{0.2, 0.5}});
+    std::vector<Vector<2>> normals;
+    const auto corner = offWalls(*scene.images, Vector<2>{0.399, 0.002}, 0.01, 0.025, [&](const Vector<2>& n) { normals.push_back(n); });
+    EXPECT_NEAR(corner.x, 0.39, 1e-15);
+    EXPECT_NEAR(corner.y, 0.01, 1e-15);
+    EXPECT_EQ(normals, (std::vector<Vector<2>>{{-1, 0}, {0, 1}}));
+    const Vector<2> free{0.38, 0.4};
+    EXPECT_EQ(offWalls(*scene.images, free, 0.01, 0.025, [&](const Vector<2>&) { ADD_FAILURE(); }), free);
+
+    addWall(scene.geometry, SolidBox({0.1, 0.004, -Box::infinity}, {0.3, 0.2, Box::infinity}));
+    repeatPeriodically(scene.geometry, 0.2);
+    const Images<2> withSlit(scene.geometry, 0.2, spacing);
+    const auto between = offWalls(withSlit, Vector<2>{0.2, 0.003}, 0.003, 0.025, [](const Vector<2>&) {});
+    EXPECT_GE(between.y, 0);
+    EXPECT_LE(between.y, 0.004);
+}
+
+// Of the three within 0.06 m of the floor or of the block one is also near both, and is told once.
+TEST(Images, NameTheParticlesThatAreNearTheirFaces)
+{
+    Guarded scene({{0.2, 0.5}, {0.2, 0.05}, {0.35, 0.05}, {0.36, 0.2}, {0.2, 0.07}});
+    scene.images->build(scene.store, 5);
+    EXPECT_EQ(scene.images->nearFaces(0.06), (std::vector<std::size_t>{1, 2, 3}));
 }
 
 // However deep, and outside the domain: with its mass, 2 + 3 + 5 kg/m. Whoever only touches is put off the wall, the others stay with what they have.
