@@ -30,6 +30,14 @@ TEST(Walls, ThinnerThanTheSupport)
     c.isRefused("meshToGhost", {"constant/geometry:4"}, "-check");
 }
 
+// OpenFOAM's patches have a type slip; here a type is a shape.
+TEST(Walls, WithThePatchTypeSlipAreToldWhatToWrite)
+{
+    Damaged c;
+    c.replace("constant/geometry", "walls\n{", "walls\n{\n    lid { type slip; }");
+    c.isRefused("meshToGhost", {"constant/geometry:4", "\"slip\" is unknown", "`slip yes;`"}, "-check");
+}
+
 TEST(Runs, BlownUpByAnAbsurdVelocity)
 {
     Damaged c;
