@@ -326,7 +326,7 @@ std::vector<std::shared_ptr<const Shape>> readShapes(const Dictionary& wall, con
     const auto before = wall.diagnostics().errors();
     const auto type = shapeType().known(wall);
     if (!type && shapeType().is(wall, "slip"))
-        shapeType().error(wall, "of a wall is its shape; one that the fluid slides along has a shape and `slip yes;`");
+        shapeType().error(wall, "`type` of a wall is its shape; one that the fluid slides along has a shape and `slip yes;`");
     if (!type) return {};
     auto shapes = catalogue()[std::size_t(shapeType().indexOf(*type))].read(wall, g);
     if (wall.diagnostics().errors() != before) return {};
