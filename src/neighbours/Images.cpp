@@ -341,13 +341,14 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     }
 }
 
-template<int dim> std::vector<std::size_t> Images<dim>::nearFaces(double distance) const
+template<int dim> std::vector<std::pair<std::size_t, double>> Images<dim>::nearFaces(double distance) const
 {
-    std::vector<std::size_t> near;
+    std::vector<std::pair<std::size_t, double>> near;
     for (std::size_t k = 0; k < entries_.size(); ++k)
-        if (entries_[k].ghost() && feet_[firstFoot_[k]].distance < distance) near.push_back(std::size_t(entries_[k].source));
+        if (const auto& e = entries_[k]; e.ghost() && feet_[firstFoot_[k]].distance < distance)
+            near.emplace_back(e.source, feet_[firstFoot_[k]].distance);
     std::ranges::sort(near);
-    const auto repeated = std::ranges::unique(near);
+    const auto repeated = std::ranges::unique(near, {}, [](const auto& one) { return one.first; });
     near.erase(repeated.begin(), repeated.end());
     return near;
 }

@@ -92,8 +92,9 @@ public:
                     [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
 
-    /// The particles that lay nearer than this [m] to a face that they are mirrored in when images were last moved, ascending.
-    std::vector<std::size_t> nearFaces(double distance) const;
+    /// The particles that lay nearer than this [m] to a face that they are mirrored in when images were last moved, ascending, with the least of the
+    /// distances: from the planes of faces, so that no wall is nearer.
+    std::vector<std::pair<std::size_t, double>> nearFaces(double distance) const;
 
     /// Patches that may be within reach of a point.
     std::span<const int> wallsNear(Vector<dim> x) const { return grid_.near(in3D(x)); }

@@ -147,7 +147,9 @@ void readPhases(const Case& theCase, Settings& settings)
             sound = 10 * most.velocity;
             if (most.velocity > 0)
                 settings.reasons.push_back(
-                    fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}", name, sound, most.velocity, most.by));
+                    fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}{}", name, sound, most.velocity, most.by,
+                                settings.shaking.empty() ? ""
+                                                         : "; `shaking` of constant/g is not in it: `expected` is to have what it does"));
             else
                 entry::soundSpeed.error(
                     phase,

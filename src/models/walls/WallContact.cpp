@@ -1,6 +1,7 @@
 #include "WallContact.hpp"
 #include "offWalls.hpp"
 #include "reduce.hpp"
+#include <algorithm>
 
 namespace sph
 {
@@ -25,7 +26,14 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
 {
     near_.clear();
-    for (const std::size_t i : p.images().nearFaces(closestOf(p) + p.skin())) near_.push_back({i, {}, 0});
+    const auto x = p.store().pointers(Position{});
+    // A step that no sound limits may carry a particle a quarter of a spacing on after lists have become too old.
+    for (const auto& [i, d] : p.images().nearFaces(0.5 * p.coefficients().spacing + p.skin()))
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&, i = i](int c) { return x[c][i]; });
+        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p))});
+    }
 }
 
 /// By how much it has been put off [m].

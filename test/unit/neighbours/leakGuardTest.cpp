@@ -111,7 +111,14 @@ TEST(Images, NameTheParticlesThatAreNearTheirFaces)
 {
     Guarded scene({{0.2, 0.5}, {0.2, 0.05}, {0.35, 0.05}, {0.36, 0.2}, {0.2, 0.07}});
     scene.images->build(scene.store, 5);
-    EXPECT_EQ(scene.images->nearFaces(0.06), (std::vector<std::size_t>{1, 2, 3}));
+    const auto near = scene.images->nearFaces(0.06);
+    ASSERT_EQ(near.size(), 3);
+    const std::pair<std::size_t, double> expected[]{{1, 0.05}, {2, 0.05}, {3, 0.04}};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        EXPECT_EQ(near[k].first, expected[k].first);
+        EXPECT_NEAR(near[k].second, expected[k].second, 1e-15);
+    }
 }
 
 // However deep, and outside the domain: with its mass, 2 + 3 + 5 kg/m. Whoever only touches is put off the wall, the others stay with what they have.

@@ -3,6 +3,7 @@
 #include "Simulation.hpp"
 #include "periodicSquare.hpp"
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -63,6 +64,20 @@ TEST(Shaking, IsOfSecondOrder)
         EXPECT_LT(fine.uneven.value(), 1e-9);
         EXPECT_NEAR(std::abs(coarse.x - exact) / std::abs(fine.x - exact), 4, 0.1);
     }
+}
+
+// How fast a vessel throws its water no formula knows: the log says that the user has to.
+TEST(Shaking, IsNotInTheAutomaticSoundSpeed)
+{
+    auto files = shaken(channelCase(), "(0 -9.81 0)", "vector(30*sin($t), 0, 0)");
+    files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed automatic; }\nexpected { depth 1; }\n";
+    const auto said = [](const Files& given) {
+        return fmt::format("{}", fmt::join(settingsOf(given).reasons, "\n")).find("`shaking` of constant/g is not in it") !=
+               std::string::npos;
+    };
+    EXPECT_TRUE(said(files));
+    files["constant/g"] = "value (0 -9.81 0);\n";
+    EXPECT_FALSE(said(files));
 }
 
 // The same bytes, walls with their momentum balance and hydrostatic pressure included; and without it the channel stands still.
