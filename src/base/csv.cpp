@@ -22,6 +22,17 @@ std::vector<std::string> csvCells(const std::string& line)
     return cells;
 }
 
+std::optional<std::vector<std::string>> CsvLines::next()
+{
+    for (std::string line; std::getline(in_, line);)
+    {
+        ++number_;
+        if (line.starts_with('#')) continue;
+        if (auto cells = csvCells(line); cells.size() > 1 || !cells[0].empty()) return cells;
+    }
+    return {};
+}
+
 std::optional<double> finiteNumber(const std::string& text)
 {
     double value;

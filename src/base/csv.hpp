@@ -1,6 +1,7 @@
 /// Lines of comma-separated values.
 #pragma once
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,20 @@ namespace sph
 
 /// The cells of a line without the blanks around each; a comma within double quotes belongs to its cell.
 std::vector<std::string> csvCells(const std::string& line);
+
+/// The lines of a table that hold cells: empty ones and those that begin with `#` are left out.
+class CsvLines
+{
+    std::istringstream in_;
+    int number_ = 0;
+
+public:
+    explicit CsvLines(const std::string& text) : in_(text) {}
+    /// The cells of the next line; none at the end.
+    std::optional<std::vector<std::string>> next();
+    /// Of the line that was read last, from 1.
+    int number() const { return number_; }
+};
 
 /// The number that the whole text is; none for "", "1e", "nan" and "inf".
 std::optional<double> finiteNumber(const std::string& text);

@@ -20,6 +20,7 @@ struct ElementLeg
 struct ElementTest
 {
     std::string name, type;
+    std::string pathAxis; ///< what ElementLeg::path is, for the axis of a plot
     SymmTensor<3> stress; ///< at the start [Pa]
     std::vector<ElementLeg> legs;
     std::array<bool, 6> held{}; ///< whose stress is held, as in symmComponents

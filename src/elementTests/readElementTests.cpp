@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <functional>
 #include <numbers>
-#include <sstream>
 
 namespace sph
 {
@@ -51,6 +50,7 @@ struct TestType
     Tensor<3> unit;
     std::array<bool, 6> held; ///< xx xy xz yy yz zz
     const ListOf<double>* drivenBy;
+    const char* axis = "strain [-]"; ///< of what drives it
 };
 
 const std::vector<TestType>& testTypes()
@@ -77,10 +77,11 @@ const std::vector<TestType>& testTypes()
          "at constant vertical stress",
          {0, 0, 1, 0, 0, 0, 0, 0, 0},
          {false, false, false, false, false, true},
-         &entry::gamma},
-        {"constantVolumeShear", "simple shear at constant volume", {0, 0, 1, 0, 0, 0, 0, 0, 0}, {}, &entry::gamma},
-        {"rotation", "of the whole, without strain", {}, {}, &entry::angle},
-        {"strainPath", "strains of a table", {}, {}, nullptr},
+         &entry::gamma,
+         "gamma [-]"},
+        {"constantVolumeShear", "simple shear at constant volume", {0, 0, 1, 0, 0, 0, 0, 0, 0}, {}, &entry::gamma, "gamma [-]"},
+        {"rotation", "of the whole, without strain", {}, {}, &entry::angle, "angle [degrees]"},
+        {"strainPath", "strains of a table", {}, {}, nullptr, "length of the path [-]"},
     };
     return all;
 }
@@ -122,14 +123,11 @@ std::vector<std::vector<double>> readTable(const Case& c, const std::string& fil
         diagnostics.error({file, 0}, reason);
         return rows;
     }
-    std::istringstream in(*text);
-    int number = 0;
-    for (std::string line; std::getline(in, line);)
+    CsvLines lines(*text);
+    while (const auto line = lines.next())
     {
-        ++number;
-        const Location here{file, number};
-        if (line.empty() || line[0] == '#' || line == "\r") continue;
-        const auto cells = csvCells(line);
+        const auto& cells = *line;
+        const Location here{file, lines.number()};
         if (names.empty())
         {
             names = cells;
@@ -219,10 +217,10 @@ ElementTest readTest(const Case& c, const Dictionary& d, const SoilLaw& law)
     test.points = entry::points(d);
     test.stress = readStart(d);
     const auto word = entry::type.known(d);
-    entry::type(d);
     if (!word) return test;
     test.type = *word;
     const auto& type = testTypes()[std::size_t(entry::type.indexOf(*word))];
+    test.pathAxis = type.axis;
     test.held = type.held;
     if (type.drivenBy) readLegs(d, type, test);
     else readStrainPath(c, d, test);

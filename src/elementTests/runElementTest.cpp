@@ -144,10 +144,11 @@ std::vector<ElementRow> runElementTest(const Soil& soil, const ElementTest& test
 {
     const bool holds = std::ranges::any_of(test.held, [](bool h) { return h; });
     std::vector<ElementRow> rows{{0, {}, test.stress, StressState::regular, {}}};
+    double from = 0;
     for (const auto& leg : test.legs)
+    {
         for (int k = 0; k < test.points; ++k)
         {
-            const double from = &leg == test.legs.data() ? 0 : (&leg)[-1].path;
             const auto part = 1.0 / test.points * leg.deformation;
             auto row = std::visit(
                 [&](const auto& law) {
@@ -169,6 +170,8 @@ std::vector<ElementRow> runElementTest(const Soil& soil, const ElementTest& test
                                       : "substeps have become too short or too many: the law is too stiff for the steps between rows"));
             rows.push_back(row);
         }
+        from = leg.path;
+    }
     return rows;
 }
 

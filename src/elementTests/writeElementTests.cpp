@@ -23,22 +23,13 @@ const char* wordOf(StressState state)
     }
 }
 
-/// What the test is driven by, for an axis.
-std::string drivenBy(const ElementTest& test)
-{
-    if (test.type == "rotation") return "angle [degrees]";
-    if (test.type == "simpleShear" || test.type == "constantVolumeShear") return "gamma [-]";
-    return test.type == "strainPath" ? "length of the path [-]" : "strain [-]";
-}
-
 }
 
 void writeElementTable(const std::filesystem::path& file, const std::vector<ElementRow>& rows)
 {
     std::string text = "path,";
-    for (const char* field : {"strain", "stress"})
-        for (const auto component : SymmTensor<3>::names)
-            text += fmt::format("{}.{} {},", field, component, field[3] == 'a' ? "[-]" : "[Pa]");
+    for (const auto& [field, unit] : {std::pair("strain", "[-]"), std::pair("stress", "[Pa]")})
+        for (const auto component : SymmTensor<3>::names) text += fmt::format("{}.{} {},", field, component, unit);
     text += "volumeStrain [-],p [Pa],q [Pa],K [-],state,subSteps,rejected\n";
     for (const auto& row : rows)
     {
@@ -69,7 +60,7 @@ std::string elementPlots(const std::vector<ElementTest>& tests)
                               "plot '{0}.csv' using 'path':'volumeStrain [-]' with lines notitle\n"
                               "set xlabel 'p [kPa]'\nset ylabel 'q [kPa]'\n"
                               "plot '{0}.csv' using (1e-3*column('p [Pa]')):(1e-3*column('q [Pa]')) with lines notitle\nunset multiplot\n",
-                              test.name, drivenBy(test));
+                              test.name, test.pathAxis);
     return script;
 }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace sph
 {
@@ -109,19 +108,12 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
     if (fileName.empty() || coordinateName.empty() || valueName.empty()) return;
 
-    std::string reason, line;
+    std::string reason;
     const auto text = readText(caseFolder / fileName, reason);
     if (!text) return entry::file.error(d, fmt::format("cannot read {}: {}", fileName, reason));
-    std::istringstream file(*text);
-    int number = 0;
-    const auto nextLine = [&]
-    {
-        do ++number;
-        while (std::getline(file, line) && line.starts_with('#'));
-        return bool(file);
-    };
-    if (!nextLine()) return entry::file.error(d, fmt::format("cannot read {}: it is empty", fileName));
-    const auto header = csvCells(line);
+    CsvLines lines(*text);
+    const auto header = lines.next().value_or(std::vector<std::string>{});
+    if (header.empty()) return entry::file.error(d, fmt::format("cannot read {}: it is empty", fileName));
     const auto column = [&](const Dictionary& asked, const std::string& key, const std::string& name)
     {
         const auto found = std::find(header.begin(), header.end(), name);
@@ -136,11 +128,10 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     if (std::max({c, v, t}) >= header.size() || filter.contains(header.size())) return;
 
     std::map<double, std::map<double, double>> table;
-    while (nextLine())
+    while (const auto row = lines.next())
     {
-        const auto cells = csvCells(line);
-        if (cells.size() == 1 && cells[0].empty()) continue;
-        const Location here{fileName, number};
+        const auto& cells = *row;
+        const Location here{fileName, lines.number()};
         if (cells.size() != header.size())
         {
             d.diagnostics().error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
-#include <sstream>
 
 namespace sph
 {
@@ -169,16 +168,13 @@ std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, cons
         diagnostics.error({file, 0}, "cannot be read: " + reason);
         return rows;
     }
-    std::istringstream in(*text);
+    CsvLines lines(*text);
     std::vector<std::string> header;
-    std::string line;
     bool any = false;
-    for (int number = 1; std::getline(in, line); ++number)
+    while (const auto line = lines.next())
     {
-        if (line.starts_with('#')) continue;
-        const auto cells = csvCells(line);
-        if (cells.size() == 1 && cells[0].empty()) continue;
-        const Location here{file, number};
+        const auto& cells = *line;
+        const Location here{file, lines.number()};
         if (header.empty())
         {
             header = cells;
