@@ -341,6 +341,16 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     }
 }
 
+template<int dim> Foot Images<dim>::nearestFoot(Vector<dim> x, double reach) const
+{
+    Foot nearest;
+    nearest.distance = Box::infinity;
+    for (const int p : wallsNear(x))
+        if (const Foot foot = geometry_->foot(p, in3D(x)); foot.exposure > 0 && foot.distance <= reach && foot.distance < nearest.distance)
+            nearest = foot;
+    return nearest;
+}
+
 template<int dim> std::vector<std::pair<std::size_t, double>> Images<dim>::nearFaces(double distance) const
 {
     std::vector<std::pair<std::size_t, double>> near;

@@ -84,13 +84,14 @@ public:
 
     /// Calls f(foot, patch) for each patch that may be within reach of a place, also where an edge or a vertex is the nearest place of the
     /// patch and there is no image, but not where that place lies in another solid.
-    template<class F> void forEachWallNear(Vector<dim> x, const F& f) const { forEachWallNear(x, Box::infinity, f); }
-    /// The same of the feet within a distance [m].
-    template<class F> void forEachWallNear(Vector<dim> x, double distance, const F& f) const
+    template<class F> void forEachWallNear(Vector<dim> x, const F& f) const
     {
-        forEachFoot(*geometry_, wallsNear(x), in3D(x), distance,
+        forEachFoot(*geometry_, wallsNear(x), in3D(x), Box::infinity,
                     [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
+
+    /// The nearest foot of x within `reach` [m] that bounds the fluid, on a face, an edge or a vertex, or one that is infinitely far.
+    Foot nearestFoot(Vector<dim> x, double reach) const;
 
     /// The particles that lay nearer than this [m] to a face that they are mirrored in when images were last moved, ascending, with the least of the
     /// distances: from the planes of faces, so that no wall is nearer.

@@ -5,25 +5,13 @@
 namespace sph
 {
 
-/// The nearest foot of x within `reach` [m] that bounds the fluid, on a face, an edge or a vertex, or one that is infinitely far.
-template<int dim> Foot nearestFootOf(const Geometry& geometry, const Images<dim>& images, const Vector<dim>& x, double reach)
-{
-    Foot nearest;
-    nearest.distance = Box::infinity;
-    for (const int p : images.wallsNear(x))
-        if (const Foot foot = geometry.foot(p, in3D(x)); foot.exposure > 0 && foot.distance <= reach && foot.distance < nearest.distance)
-            nearest = foot;
-    return nearest;
-}
-
 /// x, put off the nearest wall in turn until none is nearer than `closest` [m]: what is put off one solid may be put into the next. Calls
 /// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
-template<int dim, class F>
-Vector<dim> offWalls(const Geometry& geometry, const Images<dim>& images, Vector<dim> x, double closest, double reach, const F& pushed)
+template<int dim, class F> Vector<dim> offWalls(const Images<dim>& images, Vector<dim> x, double closest, double reach, const F& pushed)
 {
     for (int turn = 0; turn < 8; ++turn)
     {
-        const Foot foot = nearestFootOf(geometry, images, x, reach);
+        const Foot foot = images.nearestFoot(x, reach);
         if (!(foot.distance < closest)) break;
         const auto n = in<dim>(foot.normal);
         x += (closest - foot.distance) * n;

@@ -299,8 +299,8 @@ private:
     Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
         const double inset = wallInset * spacing_;
-        const auto reached = offWalls(geometry_, images_, wanted, inset, Box::infinity, [](const Vector<dim>&) {});
-        return nearestFootOf(geometry_, images_, reached, Box::infinity).distance > 0.5 * inset ? reached : from;
+        const auto reached = offWalls(images_, wanted, inset, Box::infinity, [](const Vector<dim>&) {});
+        return images_.nearestFoot(reached, Box::infinity).distance > 0.5 * inset ? reached : from;
     }
 
     KernelResidual measured() const
