@@ -2,12 +2,22 @@
 #pragma once
 #include "EntryList.hpp"
 
+namespace sph
+{
+/// Word of `stress` of a phase without a state equation.
+inline constexpr const char* byLaw = "constitutiveLaw";
+}
+
 namespace sph::entry
 {
 
 const ListOf<std::string> phases{"phases", required, "names of the phases; each has a dictionary"};
 const FreeName phaseName{"<phase>", "dictionary", "a phase of that name"};
 const Scalar rho{"rho", units::density, required, positive, "density at rest"};
+const Choice stress{"stress",
+                    {{"stateEquation", "-p I, and the viscous stress"}, {byLaw, "that of constant/soilProperties"}},
+                    "stateEquation",
+                    "what the stress of the phase is"};
 const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative,
                        "surface tension of pairs of phases: of none, or of each, 0 included"};
 const VectorParameter gravity{"value", units::mPerS2, required, "gravity"};

@@ -9,14 +9,17 @@
 namespace sph
 {
 
-struct StressDivergence
+template<class OfStress> struct DivergenceOf
 {
-    static constexpr auto name = "stressDivergence";
     using Adds = Acceleration;
-    using Reads = Fields<Stress, Volume>;
+    using Reads = Fields<OfStress, Volume>;
     using ReadsOwn = Fields<Mass>;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * ((sqr(i.V) * i.S + sqr(j.V) * j.S) * ij.gradW); }
+};
+struct StressDivergence : DivergenceOf<Stress>
+{
+    static constexpr auto name = "stressDivergence";
 };
 
 /// The pair's stress weighed by the densities, as the density-weighted pressure weighs p (S = -p I gives that form):

@@ -3,6 +3,7 @@
 #include "GradientCorrection.hpp"
 #include "KernelMoment.hpp"
 #include "StressDivergence.hpp"
+#include "VelocityGradient.hpp"
 
 namespace sph
 {
@@ -10,7 +11,7 @@ namespace sph
 template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection,
-                     SurfaceDetection, OutwardNormal>();
+                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient>();
 }
 
 template Catalogue<2> operatorTerms<2>();

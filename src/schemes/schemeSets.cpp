@@ -28,6 +28,7 @@ const std::vector<Set>& sets()
         {"enclosed", "one liquid that turns between walls",
          "resolution { support 3.2; } shifting 4; shiftingSpeed largest; backgroundPressure 0; integration { scheme symplecticEuler; }"},
         {"bed", "one liquid that travels through a bed of grains", "transportVelocity 1; integration { scheme symplecticEuler; }"},
+        {"soil", "soil by a constitutive law", "density continuity; integration { scheme symplecticEuler; }"},
         {"paper", "what Barker et al. (2012) printed", ""},
         {"paperPowder",
          "what Kauzlaric et al. (2011) printed of powder in a binder, eqs. (3.1) to (3.8), and the walls of Morris et al. (1997); their kernel is not",
@@ -60,7 +61,7 @@ namespace entry
 const Choice scheme{
     "scheme", names(),
     byScene(
-        "freeSurface where one liquid, without openings, fills less than 95 % of its space and the file has none of that set's words; else suite"),
+        "freeSurface where one liquid, without openings, fills less than 95 % of its space and the file has none of that set's words; soil where the phase has `stress constitutiveLaw`; else suite"),
     "the set of defaults"};
 }
 

@@ -7,6 +7,7 @@
 #include "pressure.hpp"
 #include "scalarTransport.hpp"
 #include "shifting.hpp"
+#include "soil.hpp"
 #include "suspension.hpp"
 #include "tension.hpp"
 #include "viscosity.hpp"
@@ -19,7 +20,7 @@ const std::vector<const Model*>& models()
 {
     static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(),
                                                &pressureModel(), &viscosityModel(),  &tensionModel(),         &forcesModel(),
-                                               &shiftingModel(), &wallsModel(),      &integrationModel()};
+                                               &shiftingModel(), &soilModel(),       &wallsModel(),           &integrationModel()};
     return all;
 }
 

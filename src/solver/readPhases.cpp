@@ -107,7 +107,7 @@ EntryList phaseEntries()
 {
     using namespace entry;
     return {phases,
-            {phaseName, {rho, mu, soundSpeed, exponent}},
+            {phaseName, {rho, mu, stress, soundSpeed, exponent}},
             entry::sigma,
             bodyForce,
             {expected, {entry::velocity, depth, pressure, entry::radius}}};
@@ -139,6 +139,13 @@ void readPhases(const Case& theCase, Settings& settings)
         const double rho = entry::rho(phase);
         c.restDensity.push_back(rho);
         c.viscosity.push_back(entry::mu(phase));
+        if (entry::stress(phase) == byLaw)
+        {
+            settings.chosen[entry::stress.keyword()] = byLaw;
+            for (auto* ofStateEquation : {&c.soundSpeed, &c.stiffness}) ofStateEquation->push_back(0);
+            c.exponent.push_back(1);
+            continue;
+        }
         double sound = 1;
         if (const auto given = entry::soundSpeed(phase)) sound = *given;
         else

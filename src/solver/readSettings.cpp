@@ -1,6 +1,7 @@
 #include "readSettings.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
+#include "phaseEntries.hpp"
 #include "readPhases.hpp"
 #include "schemeSets.hpp"
 #include "shareFilled.hpp"
@@ -48,9 +49,16 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
 /// Where one liquid leaves a part of its space empty it has a free surface, for which the defaults of enclosed fluids are no choice at all.
 void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
 {
+    if (entry::scheme.given(schemes)) return;
+    if (settings.has(entry::stress.keyword(), byLaw))
+    {
+        addSchemeSet(schemes, "soil");
+        settings.reasons.push_back(fmt::format("scheme soil: {}", wordsOfSet("soil")));
+        return;
+    }
     const std::string set = "freeSurface";
-    if (entry::scheme.given(schemes) || settings.multiphase() || theCase.has("constant/openings") ||
-        theCase.has("constant/transportProperties") || givesWordsOf(set, schemes))
+    if (settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties") ||
+        givesWordsOf(set, schemes))
         return;
     const auto share = shareFilled(theCase, geometry, settings.coefficients.spacing);
     if (!share || *share > 0.95) return;

@@ -61,6 +61,24 @@ inline Files suspensionCase()
     return files;
 }
 
+/// Sand that fills the lower half of a box with smooth sides and a rough floor, stirred.
+inline Files soilCase()
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1; velocity { type taylorGreen; U 1; L 1; }\nfill ( { region box; min (0 0 "
+        "0); max (1 0.5 0); phase sand; } );\n";
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); "
+                                 "normal (0 1 0); }\n    left { type plane; point (0 0 0); normal (1 0 0); slip yes; }\n    right { type "
+                                 "plane; point (1 0 0); normal (-1 0 0); slip yes; }\n}\n";
+    files["constant/phaseProperties"] = "phases (sand);\nsand { rho 1850; stress constitutiveLaw; }\n";
+    files["constant/soilProperties"] = "rho 1850;\nlaw wuBauer;\nwuBauerCoeffs { c1 -69.4; c2 -673.1; c3 -655.9; c4 699.6; }\n"
+                                       "initialStress { type geostatic; surface 0.5; }\n";
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);\n";
+    return files;
+}
+
 /// A suspension that comes into a channel through an inlet and leaves it through an outlet.
 inline Files openCase()
 {

@@ -107,8 +107,9 @@ void Run::reportPlan() const
                         simulation_->size(), simulation_->images(), c.spacing, settings_.resolution.kernel, settings_.resolution.support,
                         simulation_->meanNeighbours());
     for (std::size_t k = 0; k < c.phases.size(); ++k)
-        log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s, sound speed {:.4g} m/s\n", c.phases[k],
-                            simulation_->summary().count[k], c.restDensity[k], c.viscosity[k], c.soundSpeed[k]);
+        log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s{}\n", c.phases[k],
+                            simulation_->summary().count[k], c.restDensity[k], c.viscosity[k],
+                            c.soundSpeed[k] > 0 ? fmt::format(", sound speed {:.4g} m/s", c.soundSpeed[k]) : ", stress by a law");
     log_ << simulation_->introduction();
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();
@@ -139,12 +140,11 @@ void Run::check(const StepLimit& limit) const
         for (const double rho : {summary.minDensity[k], summary.maxDensity[k]})
             if (summary.count[k] > 0 && impossible(k, rho)) notWeaklyCompressible(k, rho, "");
     for (std::size_t k = 0; k < summary.mass.size(); ++k)
-        if (summary.maxSpeedOf[k] > mostMach * settings_.coefficients.soundSpeed[k])
+        if (const double c = settings_.coefficients.soundSpeed[k]; c > 0 && summary.maxSpeedOf[k] > mostMach * c)
             throw DivergedError(fmt::format(
                 "{} has reached {:.4g} m/s at time {}, {:.3g} times its sound speed: no flow of a weakly compressible fluid. The "
                 "step was limited by {}: try a smaller factor in `integration`, or a larger sound speed",
-                settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(),
-                summary.maxSpeedOf[k] / settings_.coefficients.soundSpeed[k], limit.by));
+                settings_.coefficients.phases[k], summary.maxSpeedOf[k], time_.name(), summary.maxSpeedOf[k] / c, limit.by));
 }
 
 void Run::checkParticles(const StepLimit& limit) const
@@ -164,10 +164,14 @@ void Run::notFinite(const std::string& what, const StepLimit& limit) const
 void Run::notWeaklyCompressible(std::size_t k, double rho, const std::string& where) const
 {
     const auto& c = settings_.coefficients;
-    throw DivergedError(
-        fmt::format("the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s, sound "
-                    "speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a smaller step",
-                    c.phases[k], rho, where, time_.name(), rho / c.restDensity[k], simulation_->summary().maxSpeed, c.soundSpeed[k]));
+    throw DivergedError(fmt::format(
+        "the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s{}", c.phases[k], rho,
+        where, time_.name(), rho / c.restDensity[k], simulation_->summary().maxSpeed,
+        c.soundSpeed[k] > 0
+            ? fmt::format(", sound speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a "
+                          "smaller step",
+                          c.soundSpeed[k])
+            : "): choose a smaller step, or more artificial viscosity"));
 }
 
 double Run::nextDeltaT(const StepLimit& limit)
@@ -198,7 +202,7 @@ void Run::warnOfCompression()
     warned_.resize(c.phases.size());
     for (std::size_t k = 0; k < warned_.size(); ++k)
     {
-        if (warned_[k] || summary.count[k] == 0) continue;
+        if (warned_[k] || summary.count[k] == 0 || !(c.soundSpeed[k] > 0)) continue; // soil may loosen and flow
         const double mach = summary.maxSpeedOf[k] / c.soundSpeed[k], compression = summary.maxDensity[k] / c.restDensity[k];
         std::string what;
         if (mach > suspectMach)

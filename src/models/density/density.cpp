@@ -2,6 +2,7 @@
 #include "DensityDiffusion.hpp"
 #include "DensityRelaxation.hpp"
 #include "densityTerms.hpp"
+#include "phaseEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -35,13 +36,13 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 namespace
 {
 /// Density over that at rest which has the pressure of the time folder's file [Pa, above the background's], by Tait's law the other way round;
-/// 1 without such a file.
+/// 1 without such a file, or where a phase has no state equation.
 double compressionAtStart(std::size_t i, const Loading& loading)
 {
     const auto given = loading.cloud.fields.find("p");
-    if (given == loading.cloud.fields.end()) return 1;
     const auto& c = loading.coefficients;
     const auto k = loading.phaseOf(i);
+    if (given == loading.cloud.fields.end() || c.stiffness[k] == 0) return 1;
     const double p = given->second.component[0][i], ratio = 1 + p / c.stiffness[k];
     if (ratio <= 0)
         throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}",
@@ -141,7 +142,11 @@ const Model& densityModel()
                              densityTerms<3>(),
                              prepare,
                              {{"density",
-                               [](const Settings& s) { return s.integratedDensity && s.integration.moves && !s.integration.predicts; },
+                               [](const Settings& s)
+                               {
+                                   const bool pushes = !s.has(entry::stress.keyword(), byLaw); // by a state equation
+                                   return pushes && s.integratedDensity && s.integration.moves && !s.integration.predicts;
+                               },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
                                "predictorCorrector"}},
                              {},

@@ -1,4 +1,5 @@
 #include "pressure.hpp"
+#include "phaseEntries.hpp"
 #include "pressureTerms.hpp"
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,7 @@ void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     readBackground(reading);
+    if (settings.has(entry::stress.keyword(), byLaw)) return;
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
     reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : ""));
@@ -99,6 +101,7 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
     const auto& c = settings.coefficients;
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
+    if (settings.has(entry::stress.keyword(), byLaw)) return {};
     if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow"};
     const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const double soundStep = s.sound * h / (sound + measured.maxSpeed);

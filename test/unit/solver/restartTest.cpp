@@ -118,6 +118,13 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
     files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
+TEST(Restart, OfSoil)
+{
+    restartEqualsTheWhole(soilCase());
+    auto byLeapfrog = soilCase();
+    byLeapfrog["system/sphSchemes"] += "density continuity; integration { scheme leapfrog; }\n";
+    restartEqualsTheWhole(byLeapfrog);
+}
 TEST(Restart, OfASuspensionAsPrinted)
 {
     for (const char* integrator : {"predictorCorrector", "leapfrog", "quasiSteady"})
@@ -250,6 +257,7 @@ TEST(Threads, DoNotChangeABitOfWallsByLayers)
 }
 // What comes in and goes is put in order and counted; powder migrates, and the viscosity is solved for.
 TEST(Threads, DoNotChangeABitOfOpeningsAndMigration) { threadsDoNotChangeABit(openCase()); }
+TEST(Threads, DoNotChangeABitOfSoil) { threadsDoNotChangeABit(soilCase()); }
 TEST(Threads, DoNotChangeABitOfMigrationAlone)
 {
     auto files = suspensionCase();

@@ -8,7 +8,7 @@
 /// direction: second order in the angle of a step, and exact at rest or in rigid rotation. `turning within` turns D at each stage: the integral of the law at steps of any
 /// size, for a sine and two products of tensors a stage.
 ///
-/// Verified by test/unit/soil against an independent integrator, with random states, and by rigid rotation.
+/// Verified by test/unit/soilLaws against an independent integrator, with random states, and by rigid rotation.
 #pragma once
 #include "ConstitutiveLaw.hpp"
 #include "EmbeddedPair.hpp"

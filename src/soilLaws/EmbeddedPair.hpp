@@ -6,7 +6,7 @@
 ///   dormandPrince    order 5, error by order 4, 7 stages: Dormand & Prince (1980)
 ///   bogackiShampine  order 3, error by order 2, 4 stages: Bogacki & Shampine (1989)
 ///
-/// Verified by test/unit/soil (orders on an equation with a known solution).
+/// Verified by test/unit/soilLaws (orders on an equation with a known solution).
 #pragma once
 #include <algorithm>
 #include <array>

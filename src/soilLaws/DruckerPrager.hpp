@@ -10,7 +10,7 @@
 /// psi = 0, which is what it computes with.)
 ///
 /// What truncation leaves outside is put back as in the paper: tension cracking, I1 > k_c/alpha_phi to I1 = k_c/alpha_phi, then sqrt(J2) to k_c - alpha_phi I1.
-/// Verified by test/unit/soil (strength in triaxial compression and extension, and in plane strain).
+/// Verified by test/unit/soilLaws (strength in triaxial compression and extension, and in plane strain).
 #pragma once
 #include "ElasticLaw.hpp"
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 ///   sigma^ = 2 G D + (K - 2 G/3) tr(D) I,     G = E/(2 (1 + nu)),  K = E/(3 (1 - 2 nu))
 ///
 /// sigma^ [Pa/s] Jaumann rate, D [1/s] strain rate, E [Pa] Young's modulus, nu [1] Poisson's ratio. No range: every stress is admissible. Verified by
-/// test/unit/soil (Hooke's law under uniaxial stress and strain).
+/// test/unit/soilLaws (Hooke's law under uniaxial stress and strain).
 #pragma once
 #include "ConstitutiveLaw.hpp"
 

@@ -1,0 +1,52 @@
+/// How the acting stress of a wall ghost follows from that of the particle it mirrors:
+///
+///   S_g = R S R + 2 d rho n.(g + f/rho) n n      behind a wall that slips: no shear stress at the wall, R = I - 2 n n
+///   S_g = S     + 2 d rho n.(g + f/rho) n n      behind a wall that holds the soil: its shear stress goes on
+///
+/// d [m] distance of the source from the wall, n normal into the soil, rho [kg/m^3], f [N/m^3] body force. The second part is the momentum balance of soil at rest across the wall; of the
+/// stresses along a plane wall nothing pushes at it, and they are those of the source. With `wallPressure detaching` S_nn <= max(S_nn of the source, 0): no suction; with `mirrored` it is
+/// left out. Verified by test/unit/soil.
+#pragma once
+#include "Coefficients.hpp"
+#include "Images.hpp"
+#include <string>
+
+namespace sph
+{
+
+template<int dim> class ContinuedStress final : public GhostRule<SymmTensor<dim>, dim>
+{
+    const Geometry& geometry_;
+    FieldStore<dim>& store_;
+    const Vector<3>& g_;
+    Vector<dim> f_;
+    bool slips_, continues_, detaches_;
+    const double* rho_ = nullptr;
+
+public:
+    /// `slips`: all walls do; `pressure`: word of wallPressure.
+    ContinuedStress(const Geometry& geometry, FieldStore<dim>& store, const Coefficients& c, bool slips, const std::string& pressure)
+        : geometry_(geometry),
+          store_(store),
+          g_(c.g),
+          f_(in<dim>(c.bodyForce)),
+          slips_(slips),
+          continues_(pressure != "mirrored"),
+          detaches_(pressure == "detaching")
+    {}
+    SymmTensor<dim> operator()(SymmTensor<dim> S, std::size_t source, const Reflection<dim>& r, bool) const override
+    {
+        const auto beyond = change(S, r);
+        if (!continues_) return beyond;
+        const double S_nn = dot(r.normal, S * r.normal), rise = (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * in<dim>(g_) + f_);
+        const double allowed = detaches_ ? std::fmin(rise, std::fmax(0.0, -S_nn)) : rise;
+        return beyond + allowed * outer(r.normal);
+    }
+    SymmTensor<dim> change(SymmTensor<dim> dS, const Reflection<dim>& r) const override
+    {
+        return slips_ || geometry_.walls[std::size_t(r.wall)].slips ? mirrored(dS, r.normal) : dS;
+    }
+    void bind() override { rho_ = store_.component(Density::info.name, 0); }
+};
+
+}

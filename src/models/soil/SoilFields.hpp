@@ -1,0 +1,38 @@
+/// Fields and numbers of soil.
+#pragma once
+#include "fieldTags.hpp"
+
+namespace sph
+{
+
+/// S is what acts on neighbours, in the plane of the flow; c the speed of sound of the law's present stiffness, sqrt(M/rho).
+// clang-format off
+struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
+struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
+struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
+// clang-format on
+
+/// What terms of soil are made from.
+struct SoilNumbers
+{
+    double floorPressure = 0;     ///< that acts on no neighbour [Pa]; 0 where there is none
+    double alpha = 0;             ///< of the artificial viscosity [1]
+    bool actsOnRecession = false; ///< and not on approach alone
+};
+
+/// The group of the plan that runs at the velocities of a step's end.
+inline constexpr const char* ofStrain = "velocity gradient";
+
+/// As base/StressTensor.hpp has them in two dimensions.
+constexpr SymmTensor<3> inPlane(SymmTensor<3> a) { return a; }
+constexpr SymmTensor<3> in3D(SymmTensor<3> a) { return a; }
+constexpr Tensor<3> in3D(Tensor<2> a) { return {a.xx, a.xy, 0, a.yx, a.yy, 0, 0, 0, 0}; }
+constexpr Tensor<3> in3D(Tensor<3> a) { return a; }
+/// Of a stress that stays in plane strain.
+template<int dim> constexpr StressTensor<dim> stressIn(SymmTensor<3> a)
+{
+    if constexpr (dim == 3) return a;
+    else return {a.xx, a.xy, a.yy, a.zz};
+}
+
+}

@@ -1,0 +1,126 @@
+#include "StressUpdate.hpp"
+#include "ContinuedStress.hpp"
+#include "SoilFields.hpp"
+#include "VelocityGradient.hpp"
+#include "reduce.hpp"
+#include "soilLaws.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+template<class Value, std::size_t n, class Pointer> Value valueAt(const std::array<Pointer, n>& arrays, std::size_t i)
+{
+    Value q;
+    fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
+    return q;
+}
+}
+
+template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers&) : particles_(particles)
+{
+    const auto& settings = particles.settings();
+    particles.images().setRule(ActingStress{},
+                               std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
+                                                                      settings.has("wallVelocity", "freeSlip"),
+                                                                      settings.chosen.at("wallPressure")));
+}
+
+template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
+{
+    stressFree += more.stressFree;
+    inadmissible += more.inadmissible;
+    unresolved += more.unresolved;
+    Larger{}(fastest, more.fastest);
+    power += more.power;
+    return *this;
+}
+
+template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(Place place)
+{
+    if (place != Place::afterKick) return {};
+    return {{"stress",
+             "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
+             {ofStrain}}};
+}
+
+template<int dim> void StressUpdate<dim>::sorted(Particles<dim>& particles)
+{
+    if (std::exchange(measured_, true)) return;
+    const auto sigma = std::as_const(particles.store()).pointers(SoilStress{});
+    const double* const rho = particles.store().component(Density::info.name, 0);
+    double* const c = particles.store().component(SoilSound::info.name, 0);
+    std::visit(
+        [&](const auto& law)
+        {
+            summary_.fastest = reduce(
+                particles.size(), 0.0,
+                [&](std::size_t i) { return c[i] = std::sqrt(law.stiffness(in3D(valueAt<StressTensor<dim>>(sigma, i))) / rho[i]); },
+                Larger{});
+        },
+        particles.coefficients().template of<Soil>().law);
+}
+
+template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, double deltaT)
+{
+    particles.evaluate(ofStrain);
+    auto& store = particles.store();
+    const auto& soil = particles.coefficients().template of<Soil>();
+    const auto sigma = store.pointers(SoilStress{});
+    const auto L = std::as_const(store).pointers(VelocityGradient{});
+    const double *rho = store.component(Density::info.name, 0), *V = store.component(Volume::info.name, 0);
+    double* const c = store.component(SoilSound::info.name, 0);
+    const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
+    {
+        return [&](std::size_t i)
+        {
+            const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
+            const auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
+            const auto step = integrateStress(law, before, deltaT * gradient, soil.integration);
+            sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
+            c[i] = std::sqrt(law.stiffness(step.stress) / rho[i]);
+            const auto mean = acting(0.5 * (before + step.stress), Law::tensionless, soil.integration);
+            return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
+                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(mean, symm(gradient))};
+        };
+    };
+    summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
+}
+
+template<int dim> std::vector<StepLimit> StressUpdate<dim>::limits() const
+{
+    const auto& coefficients = particles_.coefficients();
+    const double h = 0.5 * coefficients.support, alpha = coefficients.template of<SoilNumbers>().alpha;
+    return {{particles_.settings().integration.factors.sound * h / (summary_.fastest + particles_.maxSpeed()), "sound in soil"},
+            {0.5 * h / (alpha * summary_.fastest), "artificial viscosity"}};
+}
+
+template<int dim> Numbers StressUpdate<dim>::columns(const Particles<dim>&) const
+{
+    return {{"maxSoundSpeed", summary_.fastest},
+            {"stressFree", double(summary_.stressFree)},
+            {"inadmissible", double(summary_.inadmissible)},
+            {"unresolved", double(summary_.unresolved)}};
+}
+
+template<int dim> std::string StressUpdate<dim>::report(const Particles<dim>&) const
+{
+    return fmt::format(
+        "soil: sound {:.4g} m/s at most, {} particles stress-free, {} with a stress that the law does not admit, {} not resolved\n",
+        summary_.fastest, summary_.stressFree, summary_.inadmissible, summary_.unresolved);
+}
+
+template<int dim> std::string StressUpdate<dim>::note() const
+{
+    if (summary_.inadmissible + summary_.unresolved == 0) return "";
+    return fmt::format("  {} stresses inadmissible, {} not resolved", summary_.inadmissible, summary_.unresolved);
+}
+
+template class StressUpdate<2>;
+template class StressUpdate<3>;
+
+}

@@ -1,0 +1,47 @@
+/// The stress of soil, a staggered leapfrog: v lives at the ends of steps, x as seen by forces, and sigma, in their middles.
+///
+///   x^(n+1/2) = x^n + dt/2 v^n,    v^(n+1) = v^n + dt a(x^(n+1/2), sigma^(n+1/2))
+///   sigma^(n+3/2) = integral of the law over L dt,    L = velocity gradient of v^(n+1) at x^(n+1/2)        (integrateStress.hpp)
+///
+/// The stress of a step's middle is so the one that acts there, and sound is stable up to the limit below though the first order terms of a viscosity lag.
+///
+///   dt <= f h/max_i(c_i + |v|),    dt <= 0.5 h/(alpha max_i c_i)        c_i = sqrt(M_i/rho_i), M the law's stiffness, h = H/2, f = soundFactor
+///
+/// Stress-free, inadmissible and unresolved particles of the last step are counted.
+#pragma once
+#include "Particles.hpp"
+
+namespace sph
+{
+
+template<int dim> class StressUpdate final : public Part<dim>
+{
+public:
+    StressUpdate(Particles<dim>&, const Numbers&);
+
+    std::vector<Stage<dim>> stages(Place) override;
+    /// The speeds of sound of the stress that was read, before the first evaluation.
+    void sorted(Particles<dim>&) override;
+    std::vector<StepLimit> limits() const override;
+    Numbers columns(const Particles<dim>&) const override;
+    std::string report(const Particles<dim>&) const override;
+    std::string note() const override;
+    /// Minus that of the stress: what deforms soil is taken from its motion.
+    double power() const override { return summary_.power; }
+
+private:
+    struct Counts
+    {
+        std::size_t stressFree = 0, inadmissible = 0, unresolved = 0;
+        double fastest = 0; ///< largest c [m/s]
+        double power = 0;   ///< -sum V S:D [W]
+        Counts& operator+=(const Counts&);
+    };
+    const Particles<dim>& particles_;
+    Counts summary_;
+    bool measured_ = false;
+
+    void advance(Particles<dim>&, double deltaT);
+};
+
+}

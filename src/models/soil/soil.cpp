@@ -1,0 +1,222 @@
+#include "soil.hpp"
+#include "SoilFields.hpp"
+#include "StressUpdate.hpp"
+#include "VelocityGradient.hpp"
+#include "phaseEntries.hpp"
+#include "soilLaws.hpp"
+#include "soilTerms.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace entry
+{
+const SubDictionary soil{"soil", notGiven, "how soil is discretised"};
+const Scalar correctedFrom{
+    "correctedFrom", units::none, CorrectedFrom{}.lambda, between(0.1, 2),
+    "least eigenvalue of the moment matrix from which on the velocity gradient is corrected in full; from 0.1 less on in part"},
+    alpha{"artificialViscosity", units::none, 1, nonNegative,
+          "alpha of Monaghan and Gingold, with the sound speed of the soil's present stiffness"};
+const Choice viscosityActs{"viscosityActs",
+                           {{"onApproach", "of two particles"},
+                            {"always", "on recession, too: for long rest; far too viscous in a collapse"}},
+                           "onApproach",
+                           "when the artificial viscosity does"};
+
+const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(sigma)/3"},
+    surface{"surface", units::m, required, anyNumber, "height of the soil's surface, against gravity, from the origin"},
+    K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
+       "earth pressure at rest: lateral over vertical stress"};
+
+Cases initialCases()
+{
+    return {{{"isotropic", "the same pressure everywhere"}, {pressure}},
+            {{"geostatic", "at rest under gravity: vertical stress rho g depth, lateral K0 of it; floorPressure at least"}, {surface, K0}}};
+}
+const Choice type{"type", wordsOf(initialCases()), required, "what it is"};
+const SubDictionary initialStress{initialStressKeyword, byScene("the field sigma of the time folder"),
+                                  "stress at the start where there is no field of it"};
+}
+
+namespace
+{
+bool isSoil(const Settings& s) { return s.has(entry::stress.keyword(), byLaw); }
+
+/// Stress [Pa] at a place, where no field gives it.
+using InitialStress = std::function<SymmTensor<3>(Vector<3>)>;
+
+bool isTensionless(const Soil& soil)
+{
+    return std::visit([]<class Law>(const Law&) { return Law::tensionless; }, soil.law);
+}
+
+std::optional<double> earthPressureOf(const Soil& soil)
+{
+    const auto* law = std::get_if<WuBauer>(&soil.law);
+    return law ? law->K0() : std::nullopt;
+}
+
+InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector<3> g)
+{
+    const auto d = entry::initialStress.needed(dict);
+    const SymmTensor<3> I{1, 0, 0, 1, 0, 1};
+    const auto type = entry::type.known(d);
+    if (!type) return nullptr;
+    if (*type == "isotropic") return [p = entry::pressure.needed(d), I](Vector<3>) { return -p * I; };
+    const double surface = entry::surface.needed(d);
+    if (!(mag(g) > 0))
+    {
+        entry::type.error(d, "geostatic needs gravity, `value` of constant/g");
+        return nullptr;
+    }
+    const auto ofLaw = earthPressureOf(soil);
+    const double K = ofLaw ? entry::K0(d, *ofLaw) : entry::K0.needed(d);
+    return [=, rho = soil.rho, floor = soil.integration.floorPressure](Vector<3> x)
+    {
+        const auto down = 1 / mag(g) * g;
+        const double depth = surface + dot(down, x), vertical = std::fmax(rho * mag(g) * depth, floor);
+        return -vertical * (outer(down) + K * (I - outer(down)));
+    };
+}
+
+template<int dim> void fill(const Loading& loading, const InitialStress& initial)
+{
+    for (std::size_t i = 0; i < loading.size(); ++i)
+        store(stressIn<dim>(initial({loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]})),
+              [&](int c, double q) { loading.values[std::size_t(c)][i] = q; });
+}
+
+template<int dim> void checkStress(const Loading& loading, const Soil& soil)
+{
+    const Location where{loading.cloud.fields.contains(SoilStress::info.name) ? loading.cloud.folder + "/" + SoilStress::info.name
+                                                                              : soilProperties,
+                         0};
+    for (std::size_t i = 0; i < loading.size(); ++i)
+    {
+        StressTensor<dim> sigma;
+        fetch(sigma, [&](int c) { return loading.values[std::size_t(c)][i]; });
+        const auto s = in3D(sigma);
+        const bool admitted = std::visit([&](const auto& law) { return norm(s) == 0 || law.admits(s); }, soil.law);
+        if (admitted && std::isfinite(norm(s))) continue;
+        throw CaseError(
+            where,
+            fmt::format(
+                "{} has a stress that the law does not admit, of principal values {:.6g}, {:.6g} and {:.6g} Pa, trace {:.6g} Pa; tension is positive{}",
+                loading.cloud.particle(i), principalValues(s)[0], principalValues(s)[1], principalValues(s)[2], trace(s),
+                isTensionless(soil) ? ", and this law has none: each principal value and the trace are negative" : ""));
+    }
+}
+
+Evolving stressOf(const Soil& soil, const InitialStress& initial, int dimension)
+{
+    Evolving sigma{stateField(SoilStress{})};
+    sigma.advancedByModel = true;
+    sigma.missing = [=](const Loading& loading)
+    {
+        if (loading.restarted)
+            throw CaseError("the time folder that the run goes on from has no field sigma: the stress of the soil is lost");
+        if (!initial)
+        {
+            if (!isTensionless(soil)) return;
+            throw CaseError(
+                {soilProperties, 0},
+                "has no `initialStress`, and the time folder no field sigma: free of stress, soil of this law has no stiffness");
+        }
+        dimension == 2 ? fill<2>(loading, initial) : fill<3>(loading, initial);
+    };
+    sigma.check = [=](const Loading& loading)
+    {
+        if (!loading.restarted) dimension == 2 ? checkStress<2>(loading, soil) : checkStress<3>(loading, soil);
+    };
+    return sigma;
+}
+
+/// Entries of fluids, which would do nothing, or move particles without their stress.
+void refuse(const Reading& reading)
+{
+    for (const auto* keyword : {"pressureGradient", "backgroundPressure", "pMin", "artificialViscosity", "densityDiffusion",
+                                "densityRelaxation", "shifting", "transportVelocity"})
+        if (reading.schemes.found(keyword))
+            reading.schemes.error(
+                keyword,
+                fmt::format(
+                    "{} goes with a state equation, and the stress of soil is that of a law; its own entries are in `soil {{ ... }}`",
+                    keyword));
+    for (const auto* file : {"constant/openings", "constant/transportProperties"})
+        if (reading.theCase.has(file))
+            reading.schemes.diagnostics().error({file, 0}, "does not go with soil: `stress constitutiveLaw` in constant/phaseProperties");
+}
+
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    if (!isSoil(settings)) return;
+    refuse(reading);
+    const auto dict = reading.theCase.dictionary(soilProperties);
+    const auto soil = readSoil(dict);
+    if (settings.multiphase()) entry::rho.error(dict, "soil goes with one phase alone; constant/phaseProperties lists several");
+    else if (soil.rho != c.restDensity[0])
+        entry::rho.error(dict, fmt::format("{:.6g} kg/m^3 is not the density of {} in constant/phaseProperties, {:.6g} kg/m^3", soil.rho,
+                                           c.phases[0], c.restDensity[0]));
+    const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c.g) : nullptr;
+    dict.reportUnused();
+    settings.state.push_back(stressOf(soil, initial, c.dimension));
+    settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
+    settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
+    c.set(soil);
+}
+
+void read(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    const auto d = entry::soil(reading.schemes);
+    SoilNumbers numbers;
+    numbers.alpha = entry::alpha(d);
+    numbers.actsOnRecession = entry::viscosityActs(d) == "always";
+    const CorrectedFrom corrected{entry::correctedFrom(d)};
+    if (!isSoil(settings))
+    {
+        if (entry::soil.given(reading.schemes))
+            entry::soil.error(reading.schemes,
+                              "does nothing without soil: no phase of constant/phaseProperties has `stress constitutiveLaw`");
+        return;
+    }
+    const auto& soil = c.of<Soil>();
+    if (isTensionless(soil) && soil.integration.stressFree == StressFree::floor) numbers.floorPressure = soil.integration.floorPressure;
+    c.set(numbers);
+    c.set(corrected);
+    for (const auto* term : {"meanPressure", "actingStress", "soilStressDivergence"}) reading.select(term);
+    if (numbers.alpha > 0) reading.select("soilViscosity");
+    settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
+    settings.parts.push_back(partOf<StressUpdate>());
+    settings.energyAdvice = "a smaller `soundFactor` in `integration`";
+}
+}
+
+const Model& soilModel()
+{
+    static const Model model{
+        "soil",
+        "stress of a constitutive law, which lives from step to step",
+        read,
+        soilTerms<2>(),
+        soilTerms<3>(),
+        prepare,
+        {{"density", [](const Settings& s) { return isSoil(s) && (!s.integratedDensity || s.has("volume", "numberDensity")); },
+          "soil has an integrated density and the volume m/rho: take continuity, and leave `volume` out"},
+         {"integration",
+          [](const Settings& s) { return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog"; },
+          "the stress of soil lives in the middle of steps, with one evaluation there: take scheme symplecticEuler or leapfrog"},
+         {"walls", [](const Settings& s) { return isSoil(s) && s.has("walls", "layers"); },
+          "layers carry no stress yet: with soil take walls reflected"}},
+        {},
+        {{soilProperties, {{entry::initialStress, {{entry::type, entry::initialCases()}}}}},
+         {"system/sphSchemes", {{entry::soil, {entry::alpha, entry::viscosityActs, entry::correctedFrom}}}}}};
+    return model;
+}
+
+}

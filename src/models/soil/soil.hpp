@@ -1,0 +1,10 @@
+/// Soil as a model: src/models/soil/README.md.
+#pragma once
+#include "Model.hpp"
+
+namespace sph
+{
+
+const Model& soilModel();
+
+}

@@ -1,0 +1,366 @@
+/// Soil by SPH: beside one element of it, in rotation, at rest under gravity; what it conserves; mistakes.
+#include "CaseError.hpp"
+#include "ContinuedStress.hpp"
+#include "Largest.hpp"
+#include "Particles.hpp"
+#include "Simulation.hpp"
+#include "SoilFields.hpp"
+#include "models.hpp"
+#include "periodicSquare.hpp"
+#include "scenes.hpp"
+#include "soilLaws.hpp"
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace sph::test
+{
+namespace
+{
+
+constexpr double spacing = 0.05;
+
+/// A lone block, without gravity.
+Files blockCase(const std::string& initial = "type isotropic; pressure 1e4;", const std::string& ofSoil = "")
+{
+    auto files = soilCase();
+    files.erase("constant/g");
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\nsoil { " + ofSoil + " }\n";
+    auto& properties = files["constant/soilProperties"];
+    properties.replace(properties.find("type geostatic; surface 0.5;"), 28, initial);
+    return files;
+}
+
+/// n x n (x n) particles about (3 3 3), each put off its place in a lattice by up to `jitter` spacings along each axis.
+template<int dim> Cloud block(int n, double jitter)
+{
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> any(-jitter, jitter);
+    Cloud cloud;
+    const auto at = [&](int k) { return 3 + (k + 0.5 - 0.5 * n + any(random)) * spacing; };
+    for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b)
+            for (int c = 0; c < (dim == 3 ? n : 1); ++c)
+            {
+                cloud.x.push_back(at(a));
+                cloud.y.push_back(at(b));
+                cloud.z.push_back(dim == 3 ? at(c) : 0);
+            }
+    return cloud;
+}
+
+void give(Cloud& cloud, const std::string& name, FieldClass type, const std::function<std::vector<double>(std::size_t)>& value)
+{
+    auto& field = cloud.fields[name];
+    field.type = type;
+    field.component.resize(std::size_t(componentsOf(type)));
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        for (std::size_t c = 0; c < field.component.size(); ++c) field.component[c].push_back(value(i)[c]);
+}
+
+Geometry emptySpace(int dimension) { return domain(dimension, {6, 6, dimension == 3 ? 6.0 : 0.0}); }
+
+Settings settingsIn(const Files& files, const Geometry& geometry)
+{
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    auto settings = readSettings(c, geometry);
+    c.diagnostics().throwIfAny();
+    return settings;
+}
+
+template<int dim> SymmTensor<3> stressOf(const Particles<dim>& particles, std::size_t i)
+{
+    StressTensor<dim> sigma;
+    const auto arrays = particles.store().pointers(SoilStress{});
+    fetch(sigma, [&](int c) { return arrays[std::size_t(c)][i]; });
+    return in3D(sigma);
+}
+
+/// Moves a block by prescribed velocities L x about its middle, the stress by the model's own stage: x = F(dt) x in each step. `visit(particles, i)` of those whose
+/// support was inside.
+template<int dim>
+void deform(Cloud cloud, const Files& files, double half, Tensor<dim> L, Tensor<dim> F, double deltaT, int steps,
+            const std::function<void(const Particles<dim>&, std::size_t)>& visit)
+{
+    const auto geometry = emptySpace(dim);
+    const auto settings = settingsIn(files, geometry);
+    give(cloud, "m", FieldClass::scalar,
+         [&](std::size_t i) { return std::vector{1850 * std::pow(spacing, dim) * (1 + 1e-9 * double(i))}; }); // numbers them
+    Particles<dim> particles(settings, geometry, allTerms<dim>(), cloud, {});
+    auto& store = particles.store();
+    const auto stages = particles.stages(Place::afterKick);
+    ASSERT_EQ(stages.size(), 1u);
+    Vector<dim> middle;
+    fetch(middle, [](int) { return 3.0; });
+    const double speed = 2 * half * std::sqrt(doubleDot(L, L));
+    for (int step = 0; step < steps; ++step)
+    {
+        particles.evaluate();
+        const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            sph::store(L * (positionOf(store, i) - middle), [&](int c, double q) { v[std::size_t(c)][i] = q; });
+        stages[0].run(particles, {0, deltaT, deltaT});
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            sph::store(middle + F * (positionOf(store, i) - middle), [&](int c, double q) { x[std::size_t(c)][i] = q; });
+        particles.moved(speed * deltaT);
+    }
+    const double reach = settings.resolution.H() + 1.5 * spacing;
+    const double* m = store.component("m", 0);
+    int inside = 0;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        const auto number = std::size_t(std::lround((m[i] / (1850 * std::pow(spacing, dim)) - 1) * 1e9));
+        const double off =
+            std::max({std::abs(cloud.x[number] - 3), std::abs(cloud.y[number] - 3), dim == 3 ? std::abs(cloud.z[number] - 3) : 0.0});
+        if (off > half - reach) continue;
+        ++inside;
+        visit(particles, i);
+    }
+    EXPECT_GT(inside, 20);
+}
+
+SymmTensor<3> element(const Files& files, SymmTensor<3> start, Tensor<3> deformation)
+{
+    const TestCase folder(files);
+    auto soil = readSoil(Case(folder.folder()).dictionary(soilProperties));
+    soil.integration.tolerance = 1e-11;
+    soil.integration.turning = Turning::within;
+    return std::visit([&](const auto& law) { return integrateStress(law, start, deformation, soil.integration).stress; }, soil.law);
+}
+
+template<int dim> double elementError(int n, double jitter, const Files& files)
+{
+    Tensor<dim> L{};
+    L.yy = -0.01; // oedometer: strain of 1 % in 1 s
+    auto F = full(identity(symm(L)));
+    const int steps = 20;
+    F += 1.0 / steps * L;
+    const auto expected = element(files, {-1e4, 0, 0, -1e4, 0, -1e4}, in3D(L));
+    Largest worst;
+    deform<dim>(block<dim>(n, jitter), files, 0.5 * n * spacing, L, F, 1.0 / steps, steps,
+                [&](const auto& particles, std::size_t i) { worst(norm(stressOf(particles, i) - expected) / norm(expected)); });
+    return worst.value();
+}
+// One element of soil within a block of disordered particles, strained alike by 1 % in 20 steps: measured 1.3e-9, the tolerance of the steps that both are made of. Where the correction ends at a
+// least eigenvalue of 0.9 some interior particles of 0.2 spacings of disorder are 14 % off, without correction 20 %.
+TEST(SoilBlock, UnderHomogeneousStrainIsAnElementTest)
+{
+    EXPECT_LT(elementError<2>(24, 0, blockCase()), 1e-4);
+    EXPECT_LT(elementError<2>(24, 0.2, blockCase()), 1e-4);
+    EXPECT_LT(elementError<3>(14, 0.2, blockCase()), 1e-4);
+    EXPECT_GT(elementError<2>(24, 0.2, blockCase("type isotropic; pressure 1e4;", "correctedFrom 2;")), 1e-2);
+}
+
+// A stress of unequal principal values turns with the block, at 90 steps a turn: by the exact angle of each step; measured 2e-13.
+TEST(SoilBlock, TurnedOnceHasTheStressItHad)
+{
+    const int steps = 90;
+    const double angle = 2 * std::numbers::pi / steps;
+    const Tensor<2> L{0, -1, 1, 0}, Q{std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)};
+    auto cloud = block<2>(24, 0.2);
+    give(cloud, "sigma", FieldClass::symmTensor, [](std::size_t) { return std::vector<double>{-1e4, 1e3, 0, -2e4, 0, -8e3}; });
+    const SymmTensor<3> expected{-1e4, 1e3, 0, -2e4, 0, -8e3};
+    Largest worst, ofNorm;
+    deform<2>(cloud, blockCase(), 12 * spacing, L, Q, angle, steps,
+              [&](const auto& particles, std::size_t i)
+              {
+                  worst(norm(stressOf(particles, i) - expected) / norm(expected));
+                  ofNorm(norm(stressOf(particles, i)) / norm(expected) - 1);
+              });
+    EXPECT_LT(worst.value(), 1e-6);
+    EXPECT_LT(ofNorm.value(), 1e-6);
+}
+
+// A lone block with random velocities and stresses, which artificial viscosity and stress divergence act on: pairs exchange what they lose.
+TEST(SoilBlock, KeepsItsMomentum)
+{
+    auto cloud = block<2>(16, 0.2);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> any(-1, 1);
+    give(cloud, "U", FieldClass::vector, [&](std::size_t) { return std::vector<double>{any(random), 1 + any(random), 0}; });
+    give(cloud, "sigma", FieldClass::symmTensor,
+         [&](std::size_t) {
+             return std::vector<double>{-1e4 * (2 + any(random)), 3e3 * any(random), 0, -1e4 * (2 + any(random)), 0,
+                                        -1e4 * (2 + any(random))};
+         });
+    const auto geometry = emptySpace(2);
+    for (const auto* acts : {"onApproach", "always"})
+    {
+        const auto settings = settingsIn(blockCase("type isotropic; pressure 1e4;", std::string("viscosityActs ") + acts + ";"), geometry);
+        const auto simulation = makeSimulation(settings, geometry, cloud, {});
+        const auto before = simulation->summary().momentum;
+        const double energy = simulation->summary().kineticEnergy;
+        for (int step = 0; step < 50; ++step) simulation->step(0, simulation->stepLimit().deltaT);
+        EXPECT_LT(mag(simulation->summary().momentum - before), 1e-12 * mag(before));
+        EXPECT_LT(simulation->summary().kineticEnergy, energy);
+        EXPECT_GT(simulation->summary().columns.at("maxSoundSpeed"), 10);
+    }
+}
+
+// By hand: rho = 1000 kg/m^3, d = 0.1 m, g = 10 m/s^2 into a floor whose ghost lies 0.2 m deeper.
+TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
+{
+    Geometry geometry = domain(2, {1, 1, 0});
+    addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+    FieldStore<2> store;
+    store.allocateState(Density{});
+    store.resize(1);
+    store.component("rho", 0)[0] = 1000;
+    Coefficients c;
+    c.g = {0, -10, 0};
+    const SymmTensor<2> S{-500, 70, -900};
+    Reflection<2> r{0.1, 1, {0, 1}, 0, {}};
+    const auto beyond = [&](const std::string& word, SymmTensor<2> of)
+    {
+        ContinuedStress<2> rule(geometry, store, c, false, word);
+        rule.bind();
+        return rule(of, 0, r, true);
+    };
+    EXPECT_EQ(beyond("hydrostatic", S).yy, -900 - 2000);
+    EXPECT_EQ(beyond("hydrostatic", S).xx, -500);
+    EXPECT_EQ(beyond("hydrostatic", S).xy, 70) << "soil that is held passes shear stress on";
+    EXPECT_EQ(beyond("mirrored", S).yy, -900);
+    geometry.walls[0].slips = true;
+    EXPECT_EQ(beyond("hydrostatic", S).xy, -70) << "no shear stress where soil slips";
+    r.normal = {0, -1}; // a lid: its weight would hang the soil up
+    EXPECT_EQ(beyond("hydrostatic", S).yy, -900 + 2000);
+    EXPECT_EQ(beyond("detaching", S).yy, 0);
+}
+
+/// The mean of K = sigma_xx/sigma_yy and the largest part by which one is off `target`, over the middle 80 % of the height of a column.
+struct EarthPressure
+{
+    double mean = 0, worst = 0, tensile = 0;
+};
+EarthPressure earthPressure(const TestCase& c, const std::string& time, double target)
+{
+    const Case theCase(c.folder());
+    const auto cloud = readCloud(c.folder(), time, "sph", theCase.diagnostics());
+    const auto& sigma = cloud.fields.at("sigma").component;
+    const double top = *std::ranges::max_element(cloud.y);
+    EarthPressure all;
+    Largest worst;
+    double n = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        all.tensile += principalValues(SymmTensor<3>{sigma[0][i], sigma[1][i], 0, sigma[3][i], 0, sigma[5][i]})[0] > 0;
+        if (cloud.y[i] < 0.1 * top || cloud.y[i] > 0.9 * top) continue;
+        const double K = sigma[0][i] / sigma[3][i];
+        all.mean += K;
+        worst(K / target - 1);
+        ++n;
+    }
+    all.mean /= n;
+    all.worst = worst.value();
+    return all;
+}
+// Sand 0.5 m wide and 1 m high between smooth walls, from 5 % of gravity and an isotropic stress to all of it in 2 s: monotonic compression by 20 without lateral strain makes
+// K = 0.5135 of 1 (issue's bounds: 1 % on the mean, 3 % on each). Measured 0.5136 and 0.2 %.
+TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory)
+{
+    auto files = soilCase();
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (0.5 1.2 0); }\nwalls\n{\n    base { type plane; point (0 0 0); normal (0 1 0); slip yes; }\n    left { type "
+        "plane; point (0 0 0); normal (1 0 0); slip yes; }\n    right { type plane; point (0.5 0 0); normal (-1 0 0); slip yes; }\n}\n";
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -0.4905 0); shaking \"vector(0, -9.3195*min($t/2, 1), 0)\";\n";
+    auto& properties = files["constant/soilProperties"];
+    properties.replace(properties.find("surface 0.5;"), 12, "surface 1; K0 1;");
+    files["system/packParticlesDict"] = "lattice cubic;\nfill ( { region box; min (0 0 0); max (0.5 1 0); phase sand; } );\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.4; kernel cubicSpline; }\nsoil { artificialViscosity 0.1; }\nintegration { damping { rate 400; until 10; } }\n";
+    files["system/controlDict"] =
+        "application sphFoamLike; startFrom startTime; startTime 0; stopAt endTime; endTime 2.3; adjustTimeStep yes; writeControl adjustableRunTime; "
+        "writeInterval 2.3; writeFormat binary;\n";
+    const TestCase c(files);
+    for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
+    const auto log = c.runWell("sphFoamLike");
+    const auto K = earthPressure(c, "2.3", 0.5135);
+    EXPECT_NEAR(K.mean / 0.5135, 1, 0.01);
+    EXPECT_LT(K.worst, 0.03);
+    EXPECT_EQ(K.tensile, 0);
+    EXPECT_NE(log.find(" 0 particles stress-free, 0 with a stress that the law does not admit, 0 not resolved"), std::string::npos);
+}
+
+std::string mistake(
+    const Files& files, const std::function<void(Cloud&)>& change = [](Cloud&) {})
+{
+    const auto geometry = emptySpace(2);
+    try
+    {
+        const auto settings = settingsIn(files, geometry);
+        auto cloud = block<2>(12, 0);
+        change(cloud);
+        makeSimulation(settings, geometry, cloud, {});
+    }
+    catch (const CaseError& e)
+    {
+        return e.what();
+    }
+    return "";
+}
+Files changed(Files files, const std::string& file, const std::string& from, const std::string& to)
+{
+    auto& text = files[file];
+    text.replace(text.find(from), from.size(), to);
+    return files;
+}
+void says(const std::string& message, const std::string& words) { EXPECT_NE(message.find(words), std::string::npos) << message; }
+
+// Each with the file and, where there is one, the line.
+TEST(SoilMistakes, SayWhereAndWhat)
+{
+    const auto good = blockCase();
+    EXPECT_EQ(mistake(good), "");
+    const auto schemes = [&](const std::string& more)
+    {
+        auto files = good;
+        files["system/sphSchemes"] += more + "\n";
+        return mistake(files);
+    };
+    says(schemes("density continuity; integration { scheme predictorCorrector; }"),
+         "system/sphSchemes:3: the stress of soil lives in the middle of steps");
+    says(schemes("density numberDensity;"), "system/sphSchemes:3: soil has an integrated density");
+    says(schemes("pressureGradient huAdams;"), "system/sphSchemes:3: pressureGradient goes with a state equation");
+    says(schemes("shifting 2;"), "system/sphSchemes:3: shifting goes with a state equation");
+    says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 0")), "constant/soilProperties:1: ");
+    says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 1600")),
+         "constant/soilProperties:1: 1600 kg/m^3 is not the density of sand");
+    says(mistake(changed(good, "constant/soilProperties", "type isotropic; pressure 1e4;", "type geostatic; surface 1;")),
+         "constant/soilProperties:4: geostatic needs gravity");
+    says(mistake(changed(good, "constant/soilProperties", "initialStress { type isotropic; pressure 1e4; }", "")),
+         "constant/soilProperties: has no `initialStress`");
+    says(mistake(changed(good, "constant/soilProperties", "pressure 1e4;", "pressure 1e4; K0 1;")),
+         "constant/soilProperties:4: entry \"K0\" is not used here");
+    says(mistake(good,
+                 [](Cloud& cloud)
+                 {
+                     give(cloud, "sigma", FieldClass::symmTensor,
+                          [](std::size_t i) { return std::vector<double>{-1e4, 0, 0, i == 5 ? 3e4 : -1e4, 0, -1e4}; });
+                 }),
+         "trace 10000 Pa; tension is positive, and this law has none");
+    says(mistake(changed(changed(good, "constant/phaseProperties", "phases (sand);", "phases (sand water); water { rho 1; soundSpeed 1; }"),
+                         "system/sphSchemes", "\n", "\n")),
+         "soil goes with one phase alone");
+    auto fluid = changed(good, "constant/phaseProperties", "stress constitutiveLaw;", "soundSpeed 1;");
+    says(mistake(fluid), "system/sphSchemes:2: does nothing without soil");
+}
+
+// Layers need meshToGhost's file, which the run asks for after this.
+TEST(SoilMistakes, LayersCarryNoStress)
+{
+    auto files = soilCase();
+    files["system/sphSchemes"] += "walls layers;\n";
+    files["constant/geometry"].replace(files["constant/geometry"].find("slip yes;"), 9, "");
+    files["constant/geometry"].replace(files["constant/geometry"].find("slip yes;"), 9, "");
+    const TestCase c(files);
+    for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
+    const auto ran = c.run("sphFoamLike");
+    EXPECT_NE(ran.code, 0);
+    says(ran.err, "system/sphSchemes:2: layers carry no stress yet");
+}
+
+}
+}
