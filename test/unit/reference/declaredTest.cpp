@@ -9,6 +9,8 @@
 #include "readPhases.hpp"
 #include "readSettings.hpp"
 #include "reference.hpp"
+#include "soilLaws.hpp"
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace sph;
@@ -96,6 +98,19 @@ TEST(Declared, modelsFiles)
 {
     for (const auto* file : {"constant/transportProperties", "constant/openings", "system/sphSchemes"})
         EXPECT_EQ(differenceOf(file, readAsBoth), "") << file;
+}
+
+TEST(Declared, soil)
+{
+    // A phase of soil under gravity, in place of the two fluids of `small`.
+    const auto read = [](const Case& c)
+    {
+        std::ofstream(c.folder() / "constant/phaseProperties") << "phases (someName); someName { rho 1; stress constitutiveLaw; }";
+        std::ofstream(c.folder() / "constant/g") << "value (0 0 -1);";
+        const Case soil(c.folder());
+        readSettings(soil, readGeometry(soil.dictionary("constant/geometry"), 1));
+    };
+    EXPECT_EQ(differenceOf(soilProperties, read), "");
 }
 
 TEST(Declared, packing)
