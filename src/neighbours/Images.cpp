@@ -341,13 +341,14 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     }
 }
 
-template<int dim> Foot Images<dim>::nearestFoot(Vector<dim> x, double reach) const
+template<int dim> NearestFoot Images<dim>::nearestFoot(Vector<dim> x, double reach) const
 {
-    Foot nearest;
-    nearest.distance = Box::infinity;
+    NearestFoot nearest;
+    nearest.foot.distance = Box::infinity;
     for (const int p : wallsNear(x))
-        if (const Foot foot = geometry_->foot(p, in3D(x)); foot.exposure > 0 && foot.distance <= reach && foot.distance < nearest.distance)
-            nearest = foot;
+        if (const Foot foot = geometry_->foot(p, in3D(x));
+            foot.exposure > 0 && foot.distance <= reach && foot.distance < nearest.foot.distance)
+            nearest = {foot, p};
     return nearest;
 }
 

@@ -91,7 +91,7 @@ public:
     }
 
     /// The nearest foot of x within `reach` [m] that bounds the fluid, on a face, an edge or a vertex, or one that is infinitely far.
-    Foot nearestFoot(Vector<dim> x, double reach) const;
+    NearestFoot nearestFoot(Vector<dim> x, double reach) const;
 
     /// The particles that lay nearer than this [m] to a face that they are mirrored in when images were last moved, ascending, with the least of the
     /// distances: from the planes of faces, so that no wall is nearer.

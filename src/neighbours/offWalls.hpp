@@ -11,7 +11,7 @@ template<int dim, class F> Vector<dim> offWalls(const Images<dim>& images, Vecto
 {
     for (int turn = 0; turn < 8; ++turn)
     {
-        const Foot foot = images.nearestFoot(x, reach);
+        const Foot foot = images.nearestFoot(x, reach).foot;
         if (!(foot.distance < closest)) break;
         const auto n = in<dim>(foot.normal);
         x += (closest - foot.distance) * n;

@@ -2,6 +2,7 @@
 #include "FreeSurface.hpp"
 #include "GradientCorrection.hpp"
 #include "KernelMoment.hpp"
+#include "LinearFit.hpp"
 #include "StressDivergence.hpp"
 #include "VelocityGradient.hpp"
 
@@ -11,7 +12,7 @@ namespace sph
 template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection,
-                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient>();
+                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights>();
 }
 
 template Catalogue<2> operatorTerms<2>();

@@ -300,7 +300,7 @@ private:
     {
         const double inset = wallInset * spacing_;
         const auto reached = offWalls(images_, wanted, inset, Box::infinity, [](const Vector<dim>&) {});
-        return images_.nearestFoot(reached, Box::infinity).distance > 0.5 * inset ? reached : from;
+        return images_.nearestFoot(reached, Box::infinity).foot.distance > 0.5 * inset ? reached : from;
     }
 
     KernelResidual measured() const

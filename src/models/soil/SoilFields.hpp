@@ -1,6 +1,7 @@
 /// Fields and numbers of soil.
 #pragma once
 #include "fieldTags.hpp"
+#include <cmath>
 
 namespace sph
 {
@@ -9,6 +10,7 @@ namespace sph
 // clang-format off
 struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
 struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
+struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image::mirrored};                        template<int dim> struct At { StressTensor<dim> noise; }; };
 struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
 // clang-format on
 
@@ -18,6 +20,13 @@ struct SoilNumbers
     double floorPressure = 0;     ///< that acts on no neighbour [Pa]; 0 where there is none
     double alpha = 0;             ///< of the artificial viscosity [1]
     bool actsOnRecession = false; ///< and not on approach alone
+    double smoothing = 0;         ///< delta of the stress's noise [1]; 0: it is left
+    bool smoothsAtRest = false;   ///< and not by strain alone
+    double compactionSpeed = 0;   ///< c_c [m/s]
+    double compactFrom = 0;       ///< rho_c [kg/m^3]
+
+    /// The pressure of soil that is denser than its law, which knows no void ratio, has it [Pa]: c_c^2 max(0, rho - rho_c).
+    double compactionPressure(double rho) const { return sqr(compactionSpeed) * std::fmax(0.0, rho - compactFrom); }
 };
 
 /// The group of the plan that runs at the velocities of a step's end.

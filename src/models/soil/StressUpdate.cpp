@@ -74,16 +74,28 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const auto L = std::as_const(store).pointers(VelocityGradient{});
     const double *rho = store.component(Density::info.name, 0), *V = store.component(Volume::info.name, 0);
     double* const c = store.component(SoilSound::info.name, 0);
+    const auto& numbers = particles.coefficients().template of<SoilNumbers>();
+    const auto noise = numbers.smoothing > 0 ? std::as_const(store).pointers(StressNoise{})
+                                             : std::array<const double*, fieldComponents<StressNoise, dim>>{};
+    const double h = 0.5 * particles.coefficients().support;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
         return [&](std::size_t i)
         {
             const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
-            const auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
+            auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
+            if (numbers.smoothing > 0)
+            {
+                const double fastest = c[i] / h, byStrain = strainsOfNoise * norm(symm(gradient));
+                const double rate = numbers.smoothing * (numbers.smoothsAtRest ? fastest : std::fmin(fastest, byStrain));
+                const auto smoothed = before - std::expm1(-rate * deltaT) * in3D(valueAt<StressTensor<dim>>(noise, i));
+                if (law.admits(smoothed)) before = smoothed;
+            }
             const auto step = integrateStress(law, before, deltaT * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
-            c[i] = std::sqrt(law.stiffness(step.stress) / rho[i]);
-            const auto mean = acting(0.5 * (before + step.stress), Law::tensionless, soil.integration);
+            c[i] = std::sqrt(law.stiffness(step.stress) / rho[i] + (rho[i] > numbers.compactFrom ? sqr(numbers.compactionSpeed) : 0));
+            const auto mean = acting(0.5 * (before + step.stress), Law::tensionless, soil.integration) -
+                              numbers.compactionPressure(rho[i]) * identity(before);
             return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
                           step.state == StressState::unresolved, c[i], -V[i] * doubleDot(mean, symm(gradient))};
         };

@@ -7,6 +7,10 @@
 ///
 ///   dt <= f h/max_i(c_i + |v|),    dt <= 0.5 h/(alpha max_i c_i)        c_i = sqrt(M_i/rho_i), M the law's stiffness, h = H/2, f = soundFactor
 ///
+/// With `stressSmoothing` delta the stress relaxes meanwhile towards that of its surroundings (StressNoise.hpp), where the law admits the result:
+///
+///   sigma += (1 - exp(-delta min(c/h, k |D|) dt)) noise,    k = 500;    delta c/h in place of the least of both with `smoothingActs always`
+///
 /// Stress-free, inadmissible and unresolved particles of the last step are counted.
 #pragma once
 #include "Particles.hpp"
@@ -37,6 +41,7 @@ private:
         double power = 0;   ///< -sum V S:D [W]
         Counts& operator+=(const Counts&);
     };
+    static constexpr double strainsOfNoise = 500; ///< k: by how much strain noise vanishes, 1/(k delta)
     const Particles<dim>& particles_;
     Counts summary_;
     bool measured_ = false;

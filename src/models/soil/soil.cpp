@@ -30,6 +30,16 @@ const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(s
     K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
        "earth pressure at rest: lateral over vertical stress"};
 
+const Scalar stressSmoothing{"stressSmoothing", units::none, 0, between(0, 1),
+                             "delta by which the stress's short-wave noise is smoothed; about 0.1 in collapses"};
+const Choice smoothingActs{"smoothingActs",
+                           {{"onStrain", "by 1/(500 delta) of strain"}, {"always", "at the rate delta c/h: creeps at rest"}},
+                           "onStrain",
+                           "when the stress is smoothed"};
+const Scalar compactionSpeed{
+    "compactionSpeed", units::mPerS, 0, nonNegative,
+    "speed of sound of what pushes soil apart where it is denser than 1.05 rho; about 10 times the largest velocity, in flows"};
+
 Cases initialCases()
 {
     return {{{"isotropic", "the same pressure everywhere"}, {pressure}},
@@ -177,6 +187,10 @@ void read(const Reading& reading)
     SoilNumbers numbers;
     numbers.alpha = entry::alpha(d);
     numbers.actsOnRecession = entry::viscosityActs(d) == "always";
+    numbers.smoothing = entry::stressSmoothing(d);
+    numbers.smoothsAtRest = entry::smoothingActs(d) == "always";
+    numbers.compactionSpeed = entry::compactionSpeed(d);
+    numbers.compactFrom = 1.05 * c.restDensity[0];
     const CorrectedFrom corrected{entry::correctedFrom(d)};
     if (!isSoil(settings))
     {
@@ -192,6 +206,7 @@ void read(const Reading& reading)
     for (const auto* term : {"meanPressure", "actingStress", "soilStressDivergence"}) reading.select(term);
     if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
+    if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     settings.parts.push_back(partOf<StressUpdate>());
     settings.energyAdvice = "a smaller `soundFactor` in `integration`";
 }
@@ -215,7 +230,10 @@ const Model& soilModel()
           "layers carry no stress yet: with soil take walls reflected"}},
         {},
         {{soilProperties, {{entry::initialStress, {{entry::type, entry::initialCases()}}}}},
-         {"system/sphSchemes", {{entry::soil, {entry::alpha, entry::viscosityActs, entry::correctedFrom}}}}}};
+         {"system/sphSchemes",
+          {{entry::soil,
+            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressSmoothing, entry::smoothingActs,
+             entry::compactionSpeed}}}}}};
     return model;
 }
 

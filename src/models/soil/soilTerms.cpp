@@ -2,6 +2,7 @@
 #include "ActingStress.hpp"
 #include "SoilViscosity.hpp"
 #include "StressDivergence.hpp"
+#include "StressNoise.hpp"
 
 namespace sph
 {
@@ -17,7 +18,7 @@ struct SoilStressDivergence : DivergenceOf<ActingStress>
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilViscosity>();
+    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilViscosity, StressOffLine>();
 }
 
 template Catalogue<2> soilTerms<2>();

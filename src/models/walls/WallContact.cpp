@@ -47,11 +47,15 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
 
     // Deeper than that the leak guard ends the run.
     const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
-    const double d = std::min(reach, p.images().nearestFoot(x_i, reach).distance);
+    const auto [foot, patch] = p.images().nearestFoot(x_i, reach);
+    const double d = std::min(reach, foot.distance);
     near = {i, x_i, std::max(0.0, d - closest)};
     if (d >= closest) return 0;
     fetch(v_i, [&](int c) { return v[c][i]; });
     const auto held = offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
+    if (const auto& geometry = p.geometry(); ofSoil_)
+        if (const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region); !geometry.walls[std::size_t(wall)].slips)
+            v_i = in<dim>(geometry.wallVelocity(wall, in3D(held)));
     sph::store(held, [&](int c, double q) { x[c][i] = q; });
     sph::store(v_i, [&](int c, double q) { v[c][i] = q; });
     return mag(held - x_i);

@@ -1,6 +1,7 @@
 #include "walls.hpp"
 #include "WallContact.hpp"
 #include "WallRules.hpp"
+#include "phaseEntries.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -92,7 +93,9 @@ void read(const Reading& reading)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
     settings.parts.push_back(
         partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
-    if (!geometry.patches.empty() && geometry.layers.empty()) settings.parts.push_back(partOf<WallContact>());
+    if (!geometry.patches.empty() && geometry.layers.empty())
+        settings.parts.push_back(
+            partOf<WallContact>(settings.has(entry::stress.keyword(), byLaw) && !settings.has("wallVelocity", "freeSlip")));
 }
 }
 
