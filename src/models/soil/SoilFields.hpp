@@ -6,12 +6,16 @@
 namespace sph
 {
 
-/// S is what acts on neighbours, in the plane of the flow; c the speed of sound of the law's present stiffness, sqrt(M/rho).
+/// S is what acts on neighbours, in the plane of the flow; c the speed of sound of the law's present stiffness, sqrt(M/rho). On request: gamma = integral of
+/// sqrt(2 e:e) dt, e = dev D, and w = integral of sigma:D dt, what the stress has done to a volume.
 // clang-format off
 struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
 struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
 struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image::mirrored};                        template<int dim> struct At { StressTensor<dim> noise; }; };
 struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
+struct StrainRate   { static constexpr FieldInfo info{"strainRate", "1/s"};  template<int dim> struct At { SymmTensor<dim> D; }; };
+struct ShearStrain  { static constexpr FieldInfo info{"shearStrain", "1"};   template<int dim> struct At { double gamma; }; };
+struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; template<int dim> struct At { double w; }; };
 // clang-format on
 
 /// What terms of soil are made from.

@@ -78,6 +78,8 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const auto noise = numbers.smoothing > 0 ? std::as_const(store).pointers(StressNoise{})
                                              : std::array<const double*, fieldComponents<StressNoise, dim>>{};
     const double h = 0.5 * particles.coefficients().support;
+    double* const gamma = store.has(ShearStrain{}) ? store.component(ShearStrain::info.name, 0) : nullptr;
+    double* const w = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
         return [&](std::size_t i)
@@ -96,8 +98,11 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
             c[i] = std::sqrt(law.stiffness(step.stress) / rho[i] + (rho[i] > numbers.compactFrom ? sqr(numbers.compactionSpeed) : 0));
             const auto mean = acting(0.5 * (before + step.stress), Law::tensionless, soil.integration) -
                               numbers.compactionPressure(rho[i]) * identity(before);
+            const auto D = symm(gradient);
+            if (gamma) gamma[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
+            if (w) w[i] += deltaT * doubleDot(0.5 * (before + step.stress), D);
             return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
-                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(mean, symm(gradient))};
+                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(mean, D)};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);

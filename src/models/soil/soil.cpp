@@ -36,6 +36,11 @@ const Choice smoothingActs{"smoothingActs",
                            {{"onStrain", "by 1/(500 delta) of strain"}, {"always", "at the rate delta c/h: creeps at rest"}},
                            "onStrain",
                            "when the stress is smoothed"};
+const Choices shown{"shown",
+                    "fields",
+                    {"strainRate", "shearStrain", "stressWork"},
+                    std::vector<std::string>{},
+                    "further fields of time folders: D, the integrals of sqrt(2 dev D:dev D) and of sigma:D"};
 const Scalar compactionSpeed{
     "compactionSpeed", units::mPerS, 0, nonNegative,
     "speed of sound of what pushes soil apart where it is denser than 1.05 rho; about 10 times the largest velocity, in flows"};
@@ -175,6 +180,11 @@ void prepare(const Reading& reading)
     dict.reportUnused();
     settings.state.push_back(stressOf(soil, initial, c.dimension));
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
+    for (const auto& field : entry::shown(entry::soil(reading.schemes)))
+        if (field == StrainRate::info.name) settings.shown.emplace_back(field, field);
+        else
+            settings.state.push_back(
+                {.value = field == ShearStrain::info.name ? stateField(ShearStrain{}) : stateField(StressWork{}), .advancedByModel = true});
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     c.set(soil);
 }
@@ -206,6 +216,8 @@ void read(const Reading& reading)
     for (const auto* term : {"meanPressure", "actingStress", "soilStressDivergence"}) reading.select(term);
     if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
+    for (const auto& field : entry::shown(d))
+        if (field == StrainRate::info.name) settings.groups.back().terms.push_back(field);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     settings.parts.push_back(partOf<StressUpdate>());
     settings.energyAdvice = "a smaller `soundFactor` in `integration`";
@@ -232,8 +244,8 @@ const Model& soilModel()
         {{soilProperties, {{entry::initialStress, {{entry::type, entry::initialCases()}}}}},
          {"system/sphSchemes",
           {{entry::soil,
-            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressSmoothing, entry::smoothingActs,
-             entry::compactionSpeed}}}}}};
+            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressSmoothing, entry::smoothingActs, entry::compactionSpeed,
+             entry::shown}}}}}};
     return model;
 }
 

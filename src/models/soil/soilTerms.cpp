@@ -3,12 +3,22 @@
 #include "SoilViscosity.hpp"
 #include "StressDivergence.hpp"
 #include "StressNoise.hpp"
+#include "VelocityGradient.hpp"
 
 namespace sph
 {
 
 namespace
 {
+/// D = sym(grad v) [1/s]
+struct StrainRateOfGradient
+{
+    static constexpr auto name = "strainRate";
+    using Provides = StrainRate;
+    using ReadsOwn = Fields<VelocityGradient>;
+    auto operator()(const auto& i) const { return symm(i.L); }
+};
+
 /// The symmetric form: StressDivergence.hpp.
 struct SoilStressDivergence : DivergenceOf<ActingStress>
 {
@@ -18,7 +28,7 @@ struct SoilStressDivergence : DivergenceOf<ActingStress>
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilViscosity, StressOffLine>();
+    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilViscosity, StressOffLine, StrainRateOfGradient>();
 }
 
 template Catalogue<2> soilTerms<2>();
