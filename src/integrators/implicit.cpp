@@ -11,6 +11,7 @@ template<int dim> void stages(Schedule<dim>& schedule)
 {
     schedule.join(Place::beforeDrift)
         .driftWhole()
+        .join(Place::beforeEvaluation)
         .evaluate()
         .join(Place::solve)
         .kick()

@@ -11,6 +11,7 @@ template<int dim> void stages(Schedule<dim>& schedule)
 {
     schedule.join(Place::beforeDrift)
         .drift()
+        .join(Place::beforeEvaluation)
         .predict()
         .evaluate()
         .evaluateOnceAStep()

@@ -10,6 +10,7 @@ template<int dim> void stages(Schedule<dim>& schedule)
 {
     schedule.join(Place::beforeDrift)
         .drift()
+        .join(Place::beforeEvaluation)
         .evaluate()
         .join(Place::solve)
         .kick()

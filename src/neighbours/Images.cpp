@@ -356,8 +356,15 @@ template<int dim> std::vector<std::pair<std::size_t, double>> Images<dim>::nearF
 {
     std::vector<std::pair<std::size_t, double>> near;
     for (std::size_t k = 0; k < entries_.size(); ++k)
-        if (const auto& e = entries_[k]; e.ghost() && feet_[firstFoot_[k]].distance < distance)
-            near.emplace_back(e.source, feet_[firstFoot_[k]].distance);
+    {
+        if (!entries_[k].ghost()) continue;
+        double d = feet_[firstFoot_[k]].distance;
+        // An image in a smooth patch lies along a mean normal, and neighbours that have none may be nearer in hollows: among rocks
+        // the surface is up to 7 % nearer.
+        const auto& mirror = mirrors_[firstFoot_[k]];
+        if (const auto* mesh = meshOf(mirror.patch); mesh && !mesh->body().facets()[std::size_t(mirror.facet)].planar) d *= 0.5;
+        if (d < distance) near.emplace_back(entries_[k].source, d);
+    }
     std::ranges::sort(near);
     const auto repeated = std::ranges::unique(near, {}, [](const auto& one) { return one.first; });
     near.erase(repeated.begin(), repeated.end());

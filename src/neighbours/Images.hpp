@@ -94,7 +94,7 @@ public:
     NearestFoot nearestFoot(Vector<dim> x, double reach) const;
 
     /// The particles that lay nearer than this [m] to a face that they are mirrored in when images were last moved, ascending, with the least of the
-    /// distances: from the planes of faces, so that no wall is nearer.
+    /// distances: from the planes of faces, and half of it from smooth patches, so that no wall is nearer.
     std::vector<std::pair<std::size_t, double>> nearFaces(double distance) const;
 
     /// Patches that may be within reach of a point.

@@ -43,9 +43,10 @@ template<int dim> struct Stage
 enum class Place
 {
     beforeDrift,
-    afterEvaluation, ///< each one: also at the start, and before fields are written
-    solve,           ///< forces are there, velocities are not
-    afterKick,       ///< velocities are those of the end of the step
+    beforeEvaluation, ///< positions are those that forces are taken at, velocities still those of the start of the step
+    afterEvaluation,  ///< each one: also at the start, and before fields are written
+    solve,            ///< forces are there, velocities are not
+    afterKick,        ///< velocities are those of the end of the step
     afterDrift,
     atEnd
 };

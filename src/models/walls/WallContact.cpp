@@ -13,8 +13,8 @@ template<int dim> double closestOf(const Particles<dim>& p) { return LeakGuard<d
 
 template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
-    // Behind all that moves particles.
-    if (place != Place::atEnd) return {};
+    // Behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
+    if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
     return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.v, 0) n",
              [this](Particles<dim>& p, const Substep&)
              {

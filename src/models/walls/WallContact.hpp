@@ -1,4 +1,5 @@
-/// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it.
+/// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it, at the
+/// end of the step and where its forces are taken.
 ///
 ///   d < d_0:   x += (d_0 - d) n,   v -= min(n.v, 0) n;    v = v_w of soil at a wall that holds it
 ///

@@ -226,5 +226,30 @@ TEST(MeshImages, OfARoughBodyHaveFiniteShares)
     }
 }
 
+// Whoever is near the surface is named, and not as farther off than it is. Images lie along the mean normals of corners, where the surface is farther
+// by 0.012 spacings at most here.
+TEST(MeshImages, NearFacesAreNoFartherThanTheSurface)
+{
+    auto s = icosphere(3, 6 * H);
+    for (std::size_t p = 0; p < s.points.size(); ++p) s.points[p] = (1 + 0.01 * std::sin(7.0 * double(p * p))) * s.points[p];
+    const double within = 0.8 * spacing;
+    for (const bool inside : {false, true})
+    {
+        const auto g = meshScene(inside ? inverted(s) : s);
+        std::vector<Vector<3>> points;
+        for (const auto& direction : icosphere(4, 1).points)
+            for (const double d : {0.02, 0.3})
+                if (const auto p = (6 * H + (inside ? -d : d) * spacing) * direction; g.distance(p) > 0) points.push_back(p);
+        WithImages all(g, points);
+        std::vector<double> bound(points.size(), within);
+        for (const auto& [i, d] : all.images.nearFaces(within)) bound[i] = d;
+        Largest missed;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            missed(std::max(0.0, std::min(within, bound[i]) - std::min(within, g.distance(points[i]))));
+        EXPECT_GT(points.size(), 2000);
+        EXPECT_LT(missed.value(), 1e-12) << (inside ? "inside" : "outside");
+    }
+}
+
 }
 }
