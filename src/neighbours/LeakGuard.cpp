@@ -115,6 +115,27 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     return found;
 }
 
+namespace
+{
+/// The face of the domain that a place outside lies farthest beyond, in words: " through its face x = 1 m"; nothing of a place inside.
+std::string faceBehind(const Geometry& g, const Vector<3>& x)
+{
+    double farthest = 0;
+    std::string face;
+    const auto consider = [&](char axis, double q, double low, double high)
+    {
+        const double beyond = std::max(q - high, low - q);
+        if (!(beyond > farthest)) return;
+        farthest = beyond;
+        face = fmt::format(" through its face {} = {:.6g} m", axis, q > high ? high : low);
+    };
+    consider('x', x.x, g.low.x, g.high.x);
+    consider('y', x.y, g.low.y, g.high.y);
+    if (g.dimension == 3) consider('z', x.z, g.low.z, g.high.z);
+    return face;
+}
+}
+
 template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x, const Found& found) const
 {
     const double d = std::max(found.depth, -geometry_.distance(x));
@@ -123,7 +144,7 @@ template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x,
         fmt::format("particle {} at {} {}", i, at(x),
                     d > 0 ? fmt::format("is {:.3g} m beyond a wall{}{}", d, wall,
                                         found.lost ? "" : ", and `leakedParticles stop;` of system/sphSchemes lets none be put back")
-                          : fmt::format("has left the domain {} {}", at(geometry_.low), at(geometry_.high))));
+                          : fmt::format("has left the domain {} {}{}", at(geometry_.low), at(geometry_.high), faceBehind(geometry_, x))));
 }
 
 /// Of two as deep always the same, whichever comes first.
