@@ -1,5 +1,6 @@
 #include "Integrator.hpp"
 #include "ImplicitSolve.hpp"
+#include "TwoLevels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -15,11 +16,15 @@ const Integrator& symplecticEulerIntegrator();
 const Integrator& semiImplicitIntegrator();
 const Integrator& implicitIntegrator();
 const Integrator& quasiSteadyIntegrator();
+const Integrator& verletIntegrator();
+/// The increments of what evolves, and the steps that use them.
+void readVerlet(Settings&);
 
 const std::vector<const Integrator*>& integrators()
 {
-    static const std::vector<const Integrator*> all{&predictorCorrectorIntegrator(), &leapfrogIntegrator(), &symplecticEulerIntegrator(),
-                                                    &semiImplicitIntegrator(),       &implicitIntegrator(), &quasiSteadyIntegrator()};
+    static const std::vector<const Integrator*> all{
+        &predictorCorrectorIntegrator(), &leapfrogIntegrator(),    &symplecticEulerIntegrator(), &semiImplicitIntegrator(),
+        &implicitIntegrator(),           &quasiSteadyIntegrator(), &verletIntegrator()};
     return all;
 }
 
@@ -45,19 +50,21 @@ const Choice scheme{"scheme", integratorWords(),
                     "the integrator"};
 const Count maxSubSteps{"maxSubSteps", 1, anyNumber,
                         "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
+    verletSteps{"verletSteps", 50, atLeast(2), "of verlet: each so many steps one starts from the present level alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
 const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
     tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive,
               "residual of a solve over the velocity; with implicit over that at its start"},
     flowFactor{"flowFactor", units::none, 0.2, positive, "of the limit by flow, h/|v|, with implicit"},
-    soundFactor{"soundFactor", units::none, 0.4, positive, "of the limit by sound, h/(c + |v|)"},
+    soundFactor{"soundFactor", units::none, byScene("0.4; half of it with verlet"), positive, "of the limit by sound, h/(c + |v|)"},
     dampedSoundFactor{"dampedSoundFactor", units::none, 0.25, positive, "of nu/c^2, where semiImplicit may step over sound"},
-    stiffnessFactor{"stiffnessFactor", units::none, 1.2, positive, "of the limit by the stiffness between phases"},
-    viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, a third with viscosity cleary"), positive,
-                  "of the limit by viscosity, h^2/nu"},
-    diffusiveFactor{"diffusiveFactor", units::none, byScene("0.125; half of it with leapfrog"), positive,
+    stiffnessFactor{"stiffnessFactor", units::none, byScene("1.2; half of it with verlet"), positive,
+                    "of the limit by the stiffness between phases"},
+    viscousFactor{"viscousFactor", units::none, byScene("0.125; half of it with leapfrog, less with verlet, a third with viscosity cleary"),
+                  positive, "of the limit by viscosity, h^2/nu"},
+    diffusiveFactor{"diffusiveFactor", units::none, byScene("0.125; half of it with leapfrog, less with verlet"), positive,
                     "of the limit by diffusion of scalars, h^2/D"},
-    capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps"), positive,
+    capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps, and with verlet"), positive,
                     "of the limit by surface tension"},
     forceFactor{"forceFactor", units::none, 0.25, positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
@@ -87,6 +94,25 @@ std::string chosenScheme(const Reading& reading)
     return "implicit";
 }
 
+void prepareTwoLevels(const Reading& reading, const Dictionary& dict)
+{
+    auto& settings = reading.settings;
+    const TwoLevels levels(entry::verletSteps(dict));
+    settings.coefficients.set(levels);
+    auto& f = settings.integration.factors;
+    for (double* factor : {&f.sound, &f.stiffness, &f.capillary})
+        *factor *= 0.5; // what oscillates by omega is stable up to omega dt = 1, not 2
+    for (double* factor : {&f.viscous, &f.diffusive}) *factor *= levels.stableDecay();
+    if (settings.integration.maxSubSteps > 1)
+        entry::maxSubSteps.error(dict, "goes with steps from one level: verlet's start a step before, take predictorCorrector or leapfrog");
+    for (const auto* file : {"constant/openings", "constant/transportProperties"})
+        if (reading.theCase.has(file))
+            entry::scheme.error(dict,
+                                fmt::format("verlet keeps two levels of all particles, and does not go with {}: take predictorCorrector "
+                                            "or leapfrog",
+                                            file));
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -105,6 +131,7 @@ void prepare(const Reading& reading)
     if (integration.maxSubSteps < 1 || integration.maxSubSteps % 2 == 0)
         entry::maxSubSteps.error(
             dict, "is an odd number, 1 or more: what acts once in a step does so in its middle, where all else is evaluated");
+    if (needs.twoLevels) prepareTwoLevels(reading, dict);
     // Impulses that come less often than a quarter of the shortest capillary period shift what they balance (test/stability/README.md).
     if (integration.maxSubSteps > 1) integration.factors.capillary *= 0.5;
     if (integration.maxSubSteps > 1 && integration.solves)
@@ -171,6 +198,7 @@ void read(const Reading& reading)
     for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force})
         *factor *= all;
     if (integration.solves) readSolve(reading, dict);
+    if (reading.settings.coefficients.has<TwoLevels>()) readVerlet(reading.settings);
 }
 
 /// s sqrt(h/|dv/dt|), s = 0.25
@@ -196,9 +224,10 @@ const Model& integrationModel()
                              {forceLimit},
                              {{"system/sphSchemes",
                                {{entry::integration,
-                                 {entry::scheme, entry::maxSubSteps, entry::theta, entry::tolerance, entry::maxIter, entry::stepFactor,
-                                  entry::soundFactor, entry::flowFactor, entry::dampedSoundFactor, entry::stiffnessFactor,
-                                  entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor, entry::forceFactor}}}}}};
+                                 {entry::scheme, entry::maxSubSteps, entry::verletSteps, entry::theta, entry::tolerance, entry::maxIter,
+                                  entry::stepFactor, entry::soundFactor, entry::flowFactor, entry::dampedSoundFactor,
+                                  entry::stiffnessFactor, entry::viscousFactor, entry::diffusiveFactor, entry::capillaryFactor,
+                                  entry::forceFactor}}}}}};
     return model;
 }
 

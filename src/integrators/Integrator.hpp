@@ -12,6 +12,7 @@ struct Integrator
     struct
     {
         bool predicts = false, keepsRates = false, solves = false, solvesPressure = false, moves = true; ///< as in Integration
+        bool twoLevels = false;                                                                          ///< as TwoLevels
         double viscousFactor = 1; ///< of the limits by viscosity and diffusion
     } needs;
     void (*stages2)(Schedule<2>&);

@@ -1,28 +1,10 @@
 #include "Schedule.hpp"
 #include "moves.hpp"
-#include "reduce.hpp"
 #include <fmt/format.h>
 #include <ostream>
 
 namespace sph
 {
-
-namespace
-{
-template<int dim> double largestAcceleration(Particles<dim>& p)
-{
-    const auto a = p.store().pointers(Acceleration{});
-    return std::sqrt(reduce(
-        p.size(), 0.0,
-        [&](std::size_t i)
-        {
-            double a2 = 0;
-            for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
-            return a2;
-        },
-        Larger{}));
-}
-}
 
 template<int dim> Schedule<dim>& Schedule<dim>::join(Place place)
 {
@@ -74,7 +56,7 @@ template<int dim> Schedule<dim>& Schedule<dim>::driftByKick()
     return then({"drift by kick", "x += dt (v_1 - v_0)",
                  [](Particles<dim>& p, const Substep& s)
                  {
-                     sph::driftByKick(p, s.deltaT);
+                     driftByAcceleration(p, sqr(s.deltaT));
                      p.moved(s.deltaT * s.deltaT * largestAcceleration(p));
                  }});
 }

@@ -1,4 +1,6 @@
 #include "moves.hpp"
+#include "TwoLevels.hpp"
+#include "reduce.hpp"
 
 namespace sph
 {
@@ -34,10 +36,10 @@ template<int dim> void drift(Particles<dim>& p, double deltaT)
     for (const auto& carrier : p.settings().carriers) advance(p, stateField(Position{}), x, x, carrier, deltaT);
 }
 
-template<int dim> void driftByKick(Particles<dim>& p, double deltaT)
+template<int dim> void driftByAcceleration(Particles<dim>& p, double square)
 {
     const std::string x = Position::info.name;
-    advance(p, stateField(Position{}), x, x, Acceleration::info.name, deltaT * deltaT);
+    advance(p, stateField(Position{}), x, x, Acceleration::info.name, square);
 }
 
 template<int dim> void kick(Particles<dim>& p, double deltaT)
@@ -52,6 +54,28 @@ template<int dim> void kickCarried(Particles<dim>& p, double deltaT)
                   {
                       if (q.value.name != Velocity::info.name && q.value.name != Density::info.name)
                           advance(p, q.value, q.value.name, q.value.name, q.rate->name, deltaT);
+                  });
+}
+
+template<int dim> void kickFromTwoLevels(Particles<dim>& p, double deltaT, double lastDeltaT)
+{
+    const double span = lastDeltaT + deltaT, kept = lastDeltaT > 0 ? 1 : 0;
+    forEachKicked(p,
+                  [&](const Evolving& q)
+                  {
+                      for (int c = 0; c < q.value.in(dim); ++c)
+                      {
+                          double *const value = p.store().component(q.value.name, c), *const d =
+                                                                                          p.store().component(incrementOf(q.value), c);
+                          const double* const rate = p.store().component(q.rate->name, c);
+                          const std::size_t n = p.size();
+#pragma omp parallel for simd schedule(static)
+                          for (std::size_t i = 0; i < n; ++i)
+                          {
+                              d[i] = span * rate[i] - kept * d[i];
+                              value[i] += d[i];
+                          }
+                      }
                   });
 }
 
@@ -78,10 +102,24 @@ template<int dim> void correct(Particles<dim>& p, double deltaT)
     forEachKicked(p, [&](const Evolving& q) { advance(p, q.value, q.value.name, q.startName(), q.rate->name, deltaT); });
 }
 
+template<int dim> double largestAcceleration(const Particles<dim>& p)
+{
+    const auto a = p.store().pointers(Acceleration{});
+    return std::sqrt(reduce(
+        p.size(), 0.0,
+        [&](std::size_t i)
+        {
+            double a2 = 0;
+            for (int c = 0; c < dim; ++c) a2 += sqr(a[c][i]);
+            return a2;
+        },
+        Larger{}));
+}
+
 template void drift(Particles<2>&, double);
 template void drift(Particles<3>&, double);
-template void driftByKick(Particles<2>&, double);
-template void driftByKick(Particles<3>&, double);
+template void driftByAcceleration(Particles<2>&, double);
+template void driftByAcceleration(Particles<3>&, double);
 template void kick(Particles<2>&, double);
 template void kick(Particles<3>&, double);
 template void kickCarried(Particles<2>&, double);
@@ -92,5 +130,9 @@ template void predict(Particles<2>&, double);
 template void predict(Particles<3>&, double);
 template void correct(Particles<2>&, double);
 template void correct(Particles<3>&, double);
+template void kickFromTwoLevels(Particles<2>&, double, double);
+template void kickFromTwoLevels(Particles<3>&, double, double);
+template double largestAcceleration(const Particles<2>&);
+template double largestAcceleration(const Particles<3>&);
 
 }

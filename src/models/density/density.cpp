@@ -1,6 +1,7 @@
 #include "density.hpp"
 #include "DensityDiffusion.hpp"
 #include "DensityRelaxation.hpp"
+#include "TwoLevels.hpp"
 #include "densityTerms.hpp"
 #include "phaseEntries.hpp"
 #include <cmath>
@@ -131,6 +132,16 @@ void read(const Reading& reading)
     readDiffusion(reading);
     readRelaxation(reading);
 }
+
+/// s h/(4 delta c) from two levels, s their stable decay; from one, sound binds first.
+std::optional<StepLimit> diffusionLimit(const Settings& settings, const Measured&)
+{
+    const auto& c = settings.coefficients;
+    if (!c.has<TwoLevels>() || !c.has<DiffusionNumber>()) return {};
+    const double fastest = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
+    return StepLimit{c.of<TwoLevels>().stableDecay() * 0.25 * 0.5 * c.support / (c.of<DiffusionNumber>().delta * fastest),
+                     "density diffusion", true};
+}
 }
 
 const Model& densityModel()
@@ -145,11 +156,12 @@ const Model& densityModel()
                                [](const Settings& s)
                                {
                                    const bool pushes = !s.has(entry::stress.keyword(), byLaw); // by a state equation
-                                   return pushes && s.integratedDensity && s.integration.moves && !s.integration.predicts;
+                                   return pushes && s.integratedDensity && s.integration.moves && !s.integration.predicts &&
+                                          !s.coefficients.has<TwoLevels>();
                                },
-                               "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog or "
-                               "predictorCorrector"}},
-                             {},
+                               "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog, "
+                               "predictorCorrector or verlet"}},
+                             {diffusionLimit},
                              {{"system/sphSchemes",
                                {entry::density, entry::continuityForm, entry::volume, entry::normalisation, entry::densityDiffusion,
                                 entry::densityDiffusionForm, entry::densityRelaxation}}}};

@@ -1,6 +1,7 @@
-/// dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium.
+/// dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium. Velocities of both levels decay, where there are two.
 #pragma once
 #include "Particles.hpp"
+#include "TwoLevels.hpp"
 #include <cmath>
 
 namespace sph
@@ -20,8 +21,12 @@ public:
                  {
                      if (substep.time >= until_) return;
                      const double factor = std::exp(-rate_ * substep.deltaT);
-                     for (double* v : p.store().pointers(Velocity{}))
-                         for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+                     for (const auto& name : {std::string(Velocity::info.name), incrementOf(stateField(Velocity{}))})
+                         for (int c = 0; c < dim && p.store().has(name); ++c)
+                         {
+                             double* const v = p.store().component(name, c);
+                             for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
+                         }
                  }}};
     }
 };

@@ -18,11 +18,22 @@ template<class Value, std::size_t n, class Pointer> Value valueAt(const std::arr
     fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
     return q;
 }
+
+/// c = sqrt(M/rho) [m/s], and with it the speed of what pushes compacted soil apart.
+double soundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
+{
+    return std::sqrt(law.stiffness(stress) / rho + (rho > numbers.compactFrom ? sqr(numbers.compactionSpeed) : 0));
+}
 }
 
-template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers&) : particles_(particles)
+template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
 {
     const auto& settings = particles.settings();
+    if (particles.coefficients().template has<TwoLevels>())
+    {
+        levels_ = particles.coefficients().template of<TwoLevels>();
+        levels_->restore(restored);
+    }
     particles.images().setRule(ActingStress{},
                                std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
                                                                       settings.has("wallVelocity", "freeSlip"),
@@ -41,25 +52,33 @@ template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts:
 
 template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(Place place)
 {
-    if (place != Place::afterKick) return {};
+    if (levels_ && place == Place::afterKick)
+        return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
+    if (place != (levels_ ? Place::beforeDrift : Place::afterKick)) return {};
     return {{"stress",
-             "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             levels_ ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
+                     : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
 }
 
 template<int dim> void StressUpdate<dim>::sorted(Particles<dim>& particles)
 {
-    if (std::exchange(measured_, true)) return;
+    if (!std::exchange(measured_, true)) measure(particles);
+}
+
+template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
+{
     const auto sigma = std::as_const(particles.store()).pointers(SoilStress{});
     const double* const rho = particles.store().component(Density::info.name, 0);
     double* const c = particles.store().component(SoilSound::info.name, 0);
+    const auto& numbers = particles.coefficients().template of<SoilNumbers>();
     std::visit(
         [&](const auto& law)
         {
             summary_.fastest = reduce(
                 particles.size(), 0.0,
-                [&](std::size_t i) { return c[i] = std::sqrt(law.stiffness(in3D(valueAt<StressTensor<dim>>(sigma, i))) / rho[i]); },
+                [&](std::size_t i) { return c[i] = soundSpeed(law, in3D(valueAt<StressTensor<dim>>(sigma, i)), rho[i], numbers); },
                 Larger{});
         },
         particles.coefficients().template of<Soil>().law);
@@ -71,6 +90,8 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     auto& store = particles.store();
     const auto& soil = particles.coefficients().template of<Soil>();
     const auto sigma = store.pointers(SoilStress{});
+    const double lastDeltaT = levels_ ? levels_->next(deltaT) : 0, span = lastDeltaT + deltaT;
+    const auto older = levels_ ? store.pointers(OlderStress{}) : decltype(store.pointers(OlderStress{})){};
     const auto L = std::as_const(store).pointers(VelocityGradient{});
     const double *rho = store.component(Density::info.name, 0), *V = store.component(Volume::info.name, 0);
     double* const c = store.component(SoilSound::info.name, 0);
@@ -78,31 +99,34 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const auto noise = numbers.smoothing > 0 ? std::as_const(store).pointers(StressNoise{})
                                              : std::array<const double*, fieldComponents<StressNoise, dim>>{};
     const double h = 0.5 * particles.coefficients().support;
-    double* const gamma = store.has(ShearStrain{}) ? store.component(ShearStrain::info.name, 0) : nullptr;
-    double* const w = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
+    double* const strain = store.has(ShearStrain{}) ? store.component(ShearStrain::info.name, 0) : nullptr;
+    double* const work = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
         return [&](std::size_t i)
         {
             const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
-            auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
+            const auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
+            auto start = lastDeltaT > 0 ? in3D(valueAt<StressTensor<dim>>(older, i)) : before;
+            if (levels_) sph::store(stressIn<dim>(before), [&](int k, double q) { older[std::size_t(k)][i] = q; });
+            const auto D = symm(gradient);
             if (numbers.smoothing > 0)
             {
-                const double fastest = c[i] / h, byStrain = strainsOfNoise * norm(symm(gradient));
+                const double fastest = c[i] / h, byStrain = strainsOfNoise * norm(D);
                 const double rate = numbers.smoothing * (numbers.smoothsAtRest ? fastest : std::fmin(fastest, byStrain));
-                const auto smoothed = before - std::expm1(-rate * deltaT) * in3D(valueAt<StressTensor<dim>>(noise, i));
-                if (law.admits(smoothed)) before = smoothed;
+                const auto smoothed = start - std::expm1(-rate * span) * in3D(valueAt<StressTensor<dim>>(noise, i));
+                if (law.admits(smoothed)) start = smoothed;
             }
-            const auto step = integrateStress(law, before, deltaT * gradient, soil.integration);
+            const auto step = integrateStress(law, start, span * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
-            c[i] = std::sqrt(law.stiffness(step.stress) / rho[i] + (rho[i] > numbers.compactFrom ? sqr(numbers.compactionSpeed) : 0));
-            const auto mean = acting(0.5 * (before + step.stress), Law::tensionless, soil.integration) -
-                              numbers.compactionPressure(rho[i]) * identity(before);
-            const auto D = symm(gradient);
-            if (gamma) gamma[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
-            if (w) w[i] += deltaT * doubleDot(0.5 * (before + step.stress), D);
+            c[i] = soundSpeed(law, step.stress, rho[i], numbers);
+            const auto mean = levels_ ? before : 0.5 * (start + step.stress);
+            if (strain) strain[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
+            if (work) work[i] += deltaT * doubleDot(mean, D);
+            const auto onNeighbours =
+                acting(mean, Law::tensionless, soil.integration) - numbers.compactionPressure(rho[i]) * identity(mean);
             return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
-                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(mean, D)};
+                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(onNeighbours, D)};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
@@ -113,7 +137,7 @@ template<int dim> std::vector<StepLimit> StressUpdate<dim>::limits() const
     const auto& coefficients = particles_.coefficients();
     const double h = 0.5 * coefficients.support, alpha = coefficients.template of<SoilNumbers>().alpha;
     return {{particles_.settings().integration.factors.sound * h / (summary_.fastest + particles_.maxSpeed()), "sound in soil"},
-            {0.5 * h / (alpha * summary_.fastest), "artificial viscosity"}};
+            {(levels_ ? levels_->stableDecay() : 1) * 0.5 * h / (alpha * summary_.fastest), "artificial viscosity"}};
 }
 
 template<int dim> Numbers StressUpdate<dim>::columns(const Particles<dim>&) const
@@ -129,6 +153,11 @@ template<int dim> std::string StressUpdate<dim>::report(const Particles<dim>&) c
     return fmt::format(
         "soil: sound {:.4g} m/s at most, {} particles stress-free, {} with a stress that the law does not admit, {} not resolved\n",
         summary_.fastest, summary_.stressFree, summary_.inadmissible, summary_.unresolved);
+}
+
+template<int dim> void StressUpdate<dim>::save(Numbers& numbers) const
+{
+    if (levels_) levels_->save(numbers);
 }
 
 template<int dim> std::string StressUpdate<dim>::note() const

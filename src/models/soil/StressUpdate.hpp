@@ -5,6 +5,12 @@
 ///
 /// The stress of a step's middle is so the one that acts there, and sound is stable up to the limit below though the first order terms of a viscosity lag.
 ///
+/// With two levels (`scheme verlet`, TwoLevels.hpp) all lives at the ends of steps, and the law is integrated from the level before over the velocity gradient between the two:
+///
+///   sigma^(n+1) = integral of the law from sigma^(n-1) over (dt_0 + dt) L^n, or from sigma^n over dt L^n by a re-coupling step;    L^n = velocity gradient of v^n at x^n
+///
+/// The limit by artificial viscosity is then `stableDecay` times as long.
+///
 ///   dt <= f h/max_i(c_i + |v|),    dt <= 0.5 h/(alpha max_i c_i)        c_i = sqrt(M_i/rho_i), M the law's stiffness, h = H/2, f = soundFactor
 ///
 /// With `stressSmoothing` delta the stress relaxes meanwhile towards that of its surroundings (StressNoise.hpp), where the law admits the result:
@@ -14,6 +20,8 @@
 /// Stress-free, inadmissible and unresolved particles of the last step are counted.
 #pragma once
 #include "Particles.hpp"
+#include "TwoLevels.hpp"
+#include <optional>
 
 namespace sph
 {
@@ -30,6 +38,7 @@ public:
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
     std::string note() const override;
+    void save(Numbers&) const override;
     /// Minus that of the stress: what deforms soil is taken from its motion.
     double power() const override { return summary_.power; }
 
@@ -44,9 +53,11 @@ private:
     static constexpr double strainsOfNoise = 500; ///< k: by how much strain noise vanishes, 1/(k delta)
     const Particles<dim>& particles_;
     Counts summary_;
+    std::optional<TwoLevels> levels_; ///< none where steps start from one
     bool measured_ = false;
 
     void advance(Particles<dim>&, double deltaT);
+    void measure(Particles<dim>&); ///< the speeds of sound
 };
 
 }

@@ -219,6 +219,7 @@ void read(const Reading& reading)
     for (const auto& field : entry::shown(d))
         if (field == StrainRate::info.name) settings.groups.back().terms.push_back(field);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
+    if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
     settings.parts.push_back(partOf<StressUpdate>());
     settings.energyAdvice = "a smaller `soundFactor` in `integration`";
 }
@@ -236,8 +237,12 @@ const Model& soilModel()
         {{"density", [](const Settings& s) { return isSoil(s) && (!s.integratedDensity || s.has("volume", "numberDensity")); },
           "soil has an integrated density and the volume m/rho: take continuity, and leave `volume` out"},
          {"integration",
-          [](const Settings& s) { return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog"; },
-          "the stress of soil lives in the middle of steps, with one evaluation there: take scheme symplecticEuler or leapfrog"},
+          [](const Settings& s)
+          {
+              return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog" &&
+                     !s.coefficients.has<TwoLevels>();
+          },
+          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
          {"walls", [](const Settings& s) { return isSoil(s) && s.has("walls", "layers"); },
           "layers carry no stress yet: with soil take walls reflected"}},
         {},

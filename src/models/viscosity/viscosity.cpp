@@ -1,5 +1,6 @@
 #include "viscosity.hpp"
 #include "ArtificialViscosity.hpp"
+#include "TwoLevels.hpp"
 #include "viscosityTerms.hpp"
 #include <algorithm>
 
@@ -75,6 +76,15 @@ std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& 
     if (!(nu > 0) || settings.integration.solves) return {};
     return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true};
 }
+
+/// s h/(2 alpha c) from two levels, s their stable decay; from one, sound binds first.
+std::optional<StepLimit> artificialLimit(const Settings& settings, const Measured&)
+{
+    const auto& c = settings.coefficients;
+    if (!c.has<TwoLevels>() || !c.has<ArtificialNumber>()) return {};
+    return StepLimit{c.of<TwoLevels>().stableDecay() * 0.5 * sqr(0.5 * c.support) * c.restDensity[0] / c.of<ArtificialNumber>().mu,
+                     "artificial viscosity", true};
+}
 }
 
 const Model& viscosityModel()
@@ -89,7 +99,7 @@ const Model& viscosityModel()
                                [](const Settings& s)
                                { return s.has("viscosity", "none") && s.integration.solves && !s.integration.solvesPressure; },
                                "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
-                             {viscousLimit},
+                             {viscousLimit, artificialLimit},
                              {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};
     return model;
 }

@@ -11,7 +11,9 @@
 #include "soilLaws.hpp"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -172,6 +174,168 @@ TEST(SoilBlock, TurnedOnceHasTheStressItHad)
               });
     EXPECT_LT(worst.value(), 1e-6);
     EXPECT_LT(ofNorm.value(), 1e-6);
+}
+
+/// A smooth flow about (3 3): everything is compressed by 1 in 1 s at first, and some of it more than the rest. v [m/s] and grad v [1/s].
+constexpr double waves = std::numbers::pi;
+Vector<2> flowAt(Vector<2> x)
+{
+    const double k = waves;
+    return {-0.6 * (x.x - 3) + 0.2 / k * std::sin(k * x.x) * std::cos(k * x.y),
+            -0.8 * (x.y - 3) + 0.3 / k * std::cos(k * x.x) * std::sin(k * x.y)};
+}
+Tensor<2> gradientAt(Vector<2> x)
+{
+    const double k = waves, sx = std::sin(k * x.x), cx = std::cos(k * x.x), sy = std::sin(k * x.y), cy = std::cos(k * x.y);
+    return {-0.6 + 0.2 * cx * cy, -0.2 * sx * sy, -0.3 * sx * sy, -0.8 + 0.3 * cx * cy};
+}
+/// By the flow, fourth order in dt [s].
+Vector<2> carried(Vector<2> x, double dt)
+{
+    const auto a = flowAt(x), b = flowAt(x + 0.5 * dt * a), c = flowAt(x + 0.5 * dt * b), d = flowAt(x + dt * c);
+    return x + dt / 6 * (a + 2 * b + 2 * c + d);
+}
+
+/// A square block about (3 3) of particles dx apart, off their lattice by up to `jitter` spacings along each axis; `inner` is half the side of what is looked at, two of the widest supports inside.
+struct SmoothBlock
+{
+    static constexpr double inner = 0.4, outer = inner + 0.45;
+    Geometry geometry = emptySpace(2);
+    Settings settings;
+    Cloud cloud;
+    std::unique_ptr<Particles<2>> particles;
+    double mass;
+
+    SmoothBlock(const std::string& properties, double dx, double jitter, const std::string& ofSoil) : mass(1850 * dx * dx)
+    {
+        auto files = blockCase();
+        files["constant/soilProperties"] = properties;
+        files["system/sphSchemes"] = fmt::format("resolution {{ spacing {}; support 3; kernel wendlandC2; }}\nsoil {{ {} }}\n", dx, ofSoil);
+        settings = settingsIn(files, geometry);
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> any(-jitter * dx, jitter * dx);
+        const int n = int(std::lround(2 * outer / dx));
+        for (int a = 0; a < n; ++a)
+            for (int b = 0; b < n; ++b)
+            {
+                cloud.x.push_back(3 + (a + 0.5 - 0.5 * n) * dx + any(random));
+                cloud.y.push_back(3 + (b + 0.5 - 0.5 * n) * dx + any(random));
+                cloud.z.push_back(0);
+            }
+        give(cloud, "m", FieldClass::scalar, [&](std::size_t i) { return std::vector{mass * (1 + 1e-9 * double(i))}; }); // numbers them
+        particles = std::make_unique<Particles<2>>(settings, geometry, allTerms<2>(), cloud, Numbers{});
+    }
+    /// Calls f(particle, where it was at the start) for those inside.
+    void forEachInside(const std::function<void(std::size_t, Vector<2>)>& f) const
+    {
+        const double* const m = particles->store().component("m", 0);
+        for (std::size_t i = 0; i < particles->size(); ++i)
+        {
+            const auto number = std::size_t(std::lround((m[i] / mass - 1) * 1e9));
+            const Vector<2> x{cloud.x[number], cloud.y[number]};
+            if (std::max(std::abs(x.x - 3), std::abs(x.y - 3)) < inner) f(i, x);
+        }
+    }
+};
+
+/// Carried by the flow for 0.01 s, in 20 steps; the stress is advanced by the model's own stage in the middle of each. What it is off, over its change, both in the mean of squares; it is compared
+/// with the law along the path of each particle, in 200 steps of constant grad v.
+double stressError(const std::string& law, double dx, double jitter, const std::string& ofSoil = "")
+{
+    const SmoothBlock block("rho 1850; " + law + "initialStress { type isotropic; pressure 1e4; }\n", dx, jitter, ofSoil);
+    auto& particles = *block.particles;
+    auto& store = particles.store();
+    const auto stages = particles.stages(Place::afterKick);
+    const int steps = 20, ofPath = 10;
+    const double dt = 0.01 / steps, fine = dt / ofPath;
+    const auto carry = [&](double by)
+    {
+        const auto x = store.pointers(Position{});
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            sph::store(carried(positionOf(store, i), by), [&](int c, double q) { x[std::size_t(c)][i] = q; });
+        particles.moved(2 * by);
+    };
+    carry(0.5 * dt);
+    for (int step = 0; step < steps; ++step)
+    {
+        particles.evaluate();
+        const auto v = store.pointers(Velocity{});
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            sph::store(flowAt(positionOf(store, i)), [&](int c, double q) { v[std::size_t(c)][i] = q; });
+        stages[0].run(particles, {0, dt, dt});
+        carry(dt);
+    }
+    const auto& soil = block.settings.coefficients.of<Soil>();
+    double off = 0, change = 0;
+    block.forEachInside(
+        [&](std::size_t i, Vector<2> x)
+        {
+            const SymmTensor<3> start{-1e4, 0, 0, -1e4, 0, -1e4};
+            auto expected = start;
+            for (int k = 0; k < steps * ofPath; ++k)
+            {
+                const auto L = fine * in3D(gradientAt(carried(x, 0.5 * fine)));
+                expected = std::visit([&](const auto& of) { return integrateStress(of, expected, L, soil.integration).stress; }, soil.law);
+                x = carried(x, fine);
+            }
+            off += sqr(norm(stressOf(particles, i) - expected));
+            change += sqr(norm(expected - start));
+        });
+    return std::sqrt(off / change);
+}
+
+/// What the acceleration by a smooth stress is off, over div(sigma)/rho, both in the mean of squares.
+double divergenceError(double dx, double jitter)
+{
+    const SmoothBlock block("rho 1850; law elastic; elasticCoeffs { E 2e7; nu 0.3; }\n", dx, jitter, "");
+    auto& particles = *block.particles;
+    auto& store = particles.store();
+    const auto sigma = store.pointers(SoilStress{});
+    const double k = waves;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        const auto x = positionOf(store, i);
+        const double a = 3e3 * std::sin(k * x.x) * std::cos(k * x.y);
+        sph::store(stressIn<2>({a - 1e4, 0.5 * a, 0, -a - 1e4, 0, -1e4}), [&](int c, double q) { sigma[std::size_t(c)][i] = q; });
+    }
+    particles.evaluate();
+    const auto acceleration = std::as_const(store).pointers(Acceleration{});
+    double off = 0, all = 0;
+    block.forEachInside(
+        [&](std::size_t i, Vector<2> x)
+        {
+            const double a_x = 3e3 * k * std::cos(k * x.x) * std::cos(k * x.y), a_y = -3e3 * k * std::sin(k * x.x) * std::sin(k * x.y);
+            const Vector<2> expected{(a_x + 0.5 * a_y) / 1850, (0.5 * a_x - a_y) / 1850};
+            off += sqr(mag(Vector<2>{acceleration[0][i], acceleration[1][i]} - expected));
+            all += sqr(mag(expected));
+        });
+    return std::sqrt(off / all);
+}
+
+/// Of errors at 0.1, 0.05 and 0.025.
+double orderOf(const std::function<double(double)>& error) { return 0.5 * std::log2(error(0.1) / error(0.025)); }
+
+// With the corrected gradient measured 1.89 on a lattice, 1.89 and 1.75 at 0.1 and 0.2 spacings off it (elastic; hypoplastic 1.87, 1.88, 1.71), errors at 0.025 of 1.1e-3 to 1.5e-3 (2.2e-3 to 3e-3). Off the lattice
+// it is first order in the end: 1.69 and 1.00 from 0.025 to 0.0125. Without correction 1.0 on the lattice, and 0.2 and 0 off it, where 2 to 4 % of the stress (4 to 9 %) are lost at any spacing.
+TEST(SoilBlock, StressOfASmoothFlowIsOfSecondOrder)
+{
+    for (const std::string law :
+         {"law elastic; elasticCoeffs { E 2e7; nu 0.3; }\n", "law wuBauer; wuBauerCoeffs { c1 -69.4; c2 -673.1; c3 -655.9; c4 699.6; }\n"})
+        for (const double jitter : {0.0, 0.1, 0.2})
+        {
+            SCOPED_TRACE(law + std::to_string(jitter));
+            EXPECT_GT(orderOf([&](double dx) { return stressError(law, dx, jitter); }), 1.5);
+            if (jitter == 0) continue;
+            EXPECT_LT(orderOf([&](double dx) { return stressError(law, dx, jitter, "correctedFrom 2;"); }), 0.5);
+        }
+}
+
+// The symmetric form conserves momentum, and has no order where particles are off a lattice: a uniform stress then accelerates them, by its size times the disorder over the spacing. Measured 1.64 on
+// the lattice, -1.04 and -1.06 at 0.1 and 0.2 spacings off it.
+TEST(SoilBlock, DivergenceOfASmoothStressConvergesOnALatticeAlone)
+{
+    EXPECT_GT(orderOf([](double dx) { return divergenceError(dx, 0); }), 1.5);
+    EXPECT_NEAR(orderOf([](double dx) { return divergenceError(dx, 0.1); }), -1, 0.2);
 }
 
 // A lone block with random velocities and stresses, which artificial viscosity and stress divergence act on: pairs exchange what they lose.
@@ -355,7 +519,7 @@ EarthPressure earthPressure(const TestCase& c, const std::string& time, double t
 }
 // Sand 0.5 m wide and 1 m high between smooth walls, from 5 % of gravity and an isotropic stress to all of it in 2 s: monotonic compression by 20 without lateral strain brings K from 1 to 0.5135.
 // The bounds are 1 % on the mean and 3 % on each particle; measured 0.5136 and 0.2 %.
-TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory)
+void expectEarthPressureOfItsHistory(const std::string& integration)
 {
     auto files = soilCase();
     files["constant/geometry"] =
@@ -366,7 +530,8 @@ TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory)
     properties.replace(properties.find("surface 0.5;"), 12, "surface 1; K0 1;");
     files["system/packParticlesDict"] = "lattice cubic;\nfill ( { region box; min (0 0 0); max (0.5 1 0); phase sand; } );\n";
     files["system/sphSchemes"] =
-        "resolution { spacing 0.05; support 2.4; kernel cubicSpline; }\nsoil { artificialViscosity 0.1; }\nintegration { damping { rate 400; until 10; } }\n";
+        "resolution { spacing 0.05; support 2.4; kernel cubicSpline; }\nsoil { artificialViscosity 0.1; }\nintegration { damping { rate 400; until 10; } " +
+        integration + " }\n";
     files["system/controlDict"] =
         "application sphFoamLike; startFrom startTime; startTime 0; stopAt endTime; endTime 2.3; adjustTimeStep yes; writeControl adjustableRunTime; "
         "writeInterval 2.3; writeFormat binary;\n";
@@ -379,6 +544,9 @@ TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory)
     EXPECT_EQ(K.tensile, 0);
     EXPECT_NE(log.find(" 0 particles stress-free, 0 with a stress that the law does not admit, 0 not resolved"), std::string::npos);
 }
+TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory) { expectEarthPressureOfItsHistory(""); }
+// Measured
+TEST(SoilColumn, ReachesItByVerlet) { expectEarthPressureOfItsHistory("scheme verlet;"); }
 
 /// Settlement of the surface row of a layer 0.5 m high with smooth sides, under its own weight.
 double settlement(const std::string& properties)
@@ -446,7 +614,7 @@ TEST(SoilMistakes, SayWhereAndWhat)
         return mistake(files);
     };
     says(schemes("density continuity; integration { scheme predictorCorrector; }"),
-         "system/sphSchemes:3: the stress of soil lives in the middle of steps");
+         "system/sphSchemes:3: the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's");
     says(schemes("density numberDensity;"), "system/sphSchemes:3: soil has an integrated density");
     says(schemes("pressureGradient huAdams;"), "system/sphSchemes:3: pressureGradient goes with a state equation");
     says(schemes("shifting 2;"), "system/sphSchemes:3: shifting goes with a state equation");

@@ -118,9 +118,21 @@ TEST(Restart, OfASuspensionInCreepingFlow) // its particles stay where they are
     files["system/packParticlesDict"] = "lattice cubic; jitter 0.001;\nfill ( { region all; phase feedstock; } );\n";
     restartEqualsTheWhole(files, "0.08", "0.04", 2);
 }
+// Increments and the older stress are state, and so are the steps since the levels were re-coupled.
+TEST(Restart, OfVerlet)
+{
+    auto diffusing = with(channelCase(), "verlet"), grain = with(grainCase(), "verlet; verletSteps 7");
+    diffusing["constant/scalarTransport"] = "dye { D 0.01; initial \"$y\"; }\n";
+    grain["system/sphSchemes"] += "wallVelocity reflected;\n";
+    for (const auto& files : {diffusing, grain, with(dropCase(), "verlet"), with(columnCase(), "verlet", "leapfrog")})
+        restartEqualsTheWhole(files);
+}
 TEST(Restart, OfSoil)
 {
     restartEqualsTheWhole(soilCase());
+    auto byVerlet = soilCase();
+    byVerlet["system/sphSchemes"] += "integration { scheme verlet; damping { rate 20; until 0.06; } }\n";
+    restartEqualsTheWhole(byVerlet);
     auto byLeapfrog = soilCase();
     byLeapfrog["system/sphSchemes"] += "density continuity; integration { scheme leapfrog; }\n";
     restartEqualsTheWhole(byLeapfrog);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace sph::test
 {
@@ -505,6 +506,28 @@ TEST(Settings, AnIntegratedDensityNeedsForetoldVelocities)
         expectError(edited(channelCase(), "system/sphSchemes", "predictorCorrector;",
                            std::string(integrator) + "; } density continuity; unused {"),
                     "continuity needs velocities of the middle of a step");
+}
+
+// r^N lambda dt/2 = 1/2, r = lambda dt + sqrt(1 + (lambda dt)^2): 0.0572 for N = 50, 0.1751 for 10.
+TEST(Settings, VerletTakesItsEntries)
+{
+    const auto with = [](const std::string& entries)
+    { return edited(channelCase(), "system/sphSchemes", "predictorCorrector", "verlet" + entries); };
+    for (const auto& [entries, decay] : {std::pair("", 0.05724), std::pair("; verletSteps 10", 0.17512)})
+    {
+        const auto settings = reading(with(entries)).settings;
+        EXPECT_NEAR(settings.integration.factors.viscous / (decay * StepFactors{}.viscous), 1, 1e-3);
+        EXPECT_EQ(settings.integration.factors.sound, 0.5 * StepFactors{}.sound);
+        EXPECT_FALSE(settings.integration.predicts);
+        std::set<std::string> state;
+        for (const auto& q : settings.state) state.insert(q.value.name);
+        EXPECT_TRUE(state.contains("UIncrement"));
+        EXPECT_FALSE(state.contains("mIncrement"));
+    }
+    expectError(with("; verletSteps 1"), "system/sphSchemes:3: ");
+    expectError(with("; maxSubSteps 3"), "system/sphSchemes:3: goes with steps from one level");
+    expectError(edited(suspensionCase(), "system/sphSchemes", "semiImplicit", "verlet"), "does not go with constant/transportProperties");
+    expectError(edited(layersCase(), "system/sphSchemes", "semiImplicit", "verlet"), "does not go with constant/openings");
 }
 
 TEST(Settings, StepFactorScalesAllFactors)
