@@ -5,6 +5,7 @@
 #include "phaseEntries.hpp"
 #include "soilLaws.hpp"
 #include "soilTerms.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -202,6 +203,7 @@ void read(const Reading& reading)
     numbers.compactionSpeed = entry::compactionSpeed(d);
     numbers.compactFrom = 1.05 * c.restDensity[0];
     const CorrectedFrom corrected{entry::correctedFrom(d)};
+    const auto shown = entry::shown(d);
     if (!isSoil(settings))
     {
         if (entry::soil.given(reading.schemes))
@@ -216,8 +218,7 @@ void read(const Reading& reading)
     for (const auto* term : {"meanPressure", "actingStress", "soilStressDivergence"}) reading.select(term);
     if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
-    for (const auto& field : entry::shown(d))
-        if (field == StrainRate::info.name) settings.groups.back().terms.push_back(field);
+    if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
     settings.parts.push_back(partOf<StressUpdate>());
