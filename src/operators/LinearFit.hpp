@@ -6,7 +6,7 @@
 /// 0 for what is linear in space, wherever the particles lie and wherever they end. Ghosts of walls are left out: they continue few fields linearly. q and z are 0 where there are too few
 /// neighbours for a line: det M_2 below 0.05 (1 in the interior), or all of them on one side.
 ///
-/// V [m^3], W [1/m^d], q [m^2], z [m]. Verified by test/unit/plan (linear values) and test/unit/soil (noise).
+/// V [m^3], W [1/m^d], q [m^2], z [m]. Verified by test/unit/soil (linear values; noise).
 #pragma once
 #include "fieldTags.hpp"
 
