@@ -5,7 +5,9 @@
 #include "Shape.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,10 +39,13 @@ struct WallProperties
     Location anglesAt;                     ///< in constant/geometry
     /// Through `first`, as the wall says of the two phases; none where it says nothing of them.
     std::optional<double> angleOf(const std::string& first, const std::string& second) const;
-    Vector<3> velocity;      ///< [m/s] of the wall as a rigid body
-    Vector<3> origin, omega; ///< rotation about `origin` [rad/s]
-    bool slips = false;      ///< the fluid slides along it freely
+    Vector<3> velocity;                  ///< [m/s] of the wall as a rigid body
+    Vector<3> origin, omega;             ///< rotation about `origin` [rad/s]
+    bool slips = false;                  ///< the fluid slides along it freely
+    std::optional<double> frictionAngle; ///< of soil at it [degrees]; without one it holds what touches it, or slips
     Location where;
+    /// tan of the friction angle
+    double frictionCoefficient() const { return std::tan(frictionAngle.value_or(0) * std::numbers::pi / 180); }
 };
 
 class TriangleMesh;
@@ -115,6 +120,12 @@ struct Geometry
     }
     /// True where the fluid slides along some wall freely.
     bool slips() const { return std::ranges::any_of(walls, &WallProperties::slips); }
+    /// The first wall of a given friction angle; null where there is none.
+    const WallProperties* withFriction() const
+    {
+        const auto found = std::ranges::find_if(walls, [](const WallProperties& w) { return w.frictionAngle.has_value(); });
+        return found == walls.end() ? nullptr : &*found;
+    }
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
     /// Lengths below which surfaces touch [m].

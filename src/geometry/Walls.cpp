@@ -119,6 +119,7 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
         out += fmt::format(" velocity {};", text(wall.velocity));
         if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
         if (wall.slips) out += " slip yes;";
+        if (wall.frictionAngle) out += fmt::format(" frictionAngle {};", *wall.frictionAngle);
         out += " }\n";
     }
     out += "}\n\npatches\n(\n";

@@ -27,6 +27,8 @@ const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{}, "of the wa
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
 const Switch slip{"slip", false, "the fluid slides along the wall freely; else wallVelocity of system/sphSchemes decides"};
+const Scalar frictionAngle{"frictionAngle", degrees, byScene("none: soil sticks to the wall, or slips"),
+                           Range{.low = 0, .high = 90, .highIncluded = false}, "of soil that slides along the wall"};
 }
 
 void readSpace(const Dictionary& dict, Geometry& g)
@@ -96,6 +98,11 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     wall.velocity = entry::velocity(dict);
     entry::velocity.checkPlane(dict, wall.velocity, dimension);
     wall.slips = entry::slip(dict);
+    if (entry::frictionAngle.given(dict))
+    {
+        wall.frictionAngle = entry::frictionAngle.needed(dict);
+        if (wall.slips) entry::frictionAngle.error(dict, "a wall with `slip yes;` has no friction: leave out the one or the other");
+    }
     if (mayTurn)
     {
         wall.omega = entry::omega(dict);
@@ -123,13 +130,14 @@ EntryList geometryEntries()
     {
         if (isSingleShape(type.word)) entries += {entry::omega, entry::origin};
         if (type.word == "triSurface")
-            entries +=
-                triSurfaceEntries({entry::contactAngle, entry::contactAngles, entry::velocity, entry::omega, entry::origin, entry::slip});
+            entries += triSurfaceEntries({entry::contactAngle, entry::contactAngles, entry::velocity, entry::omega, entry::origin,
+                                          entry::slip, entry::frictionAngle});
     }
     return {entry::dimension,
             {entry::domain, {entry::min, entry::max, entry::periodic}},
             {entry::walls,
-             {{entry::wall, {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity, entry::slip}}}}};
+             {{entry::wall,
+               {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity, entry::slip, entry::frictionAngle}}}}};
 }
 
 namespace
@@ -149,7 +157,11 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
         auto wall = readWallProperties(region, g.dimension, true);
         wall.name = name + "." + region.keyword();
         // As the rest of the mesh
-        if (!entry::slip.given(region)) wall.slips = whole.slips;
+        if (!entry::slip.given(region) && !wall.frictionAngle)
+        {
+            wall.slips = whole.slips;
+            wall.frictionAngle = whole.frictionAngle;
+        }
         if (!wall.wets)
         {
             wall.wets = whole.wets;

@@ -19,11 +19,15 @@ namespace sph
 struct VelocityGradient { static constexpr FieldInfo info{"velocityGradient", "1/s"}; template<int dim> struct At { Tensor<dim> L; }; };
 // clang-format on
 
-/// lambda_c
+/// lambda_c, and the blending w.
 struct CorrectedFrom
 {
     double lambda = 0.8;
+    static constexpr double blending = 0.1;
+    double share(double leastEigenvalue) const { return std::clamp(1 + (leastEigenvalue - lambda) / blending, 0.0, 1.0); }
 };
+/// That of the scene.
+inline CorrectedFrom correctedFrom(const Coefficients& c) { return c.has<CorrectedFrom>() ? c.of<CorrectedFrom>() : CorrectedFrom{}; }
 
 /// B and G of one pass.
 template<int dim> struct GradientSums
@@ -39,19 +43,16 @@ struct CorrectedVelocityGradient
     using Provides = VelocityGradient;
     using Reads = Fields<Volume, Velocity>;
     static constexpr bool ofRawGradient = true;
-    static constexpr double blending = 0.1;
-    double corrected;
+    CorrectedFrom corrected;
 
-    explicit CorrectedVelocityGradient(const Coefficients& c)
-        : corrected((c.has<CorrectedFrom>() ? c.of<CorrectedFrom>() : CorrectedFrom{}).lambda)
-    {}
+    explicit CorrectedVelocityGradient(const Coefficients& c) : corrected(correctedFrom(c)) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         return GradientSums<dimensions(decltype(ij.x){})>{-j.V * ij.dWdrOverR * outer(ij.x), outer(j.V * (j.v - i.v), ij.gradW)};
     }
     auto finish(const auto&, const auto& sum) const
     {
-        const double w = std::min(1.0, 1 + (leastEigenvalue(sum.B) - corrected) / blending);
+        const double w = corrected.share(leastEigenvalue(sum.B));
         if (!(w > 0)) return sum.G;
         return sum.G * full(w / determinant(sum.B) * adjugate(sum.B) + (1 - w) * identity(sum.B));
     }

@@ -2,6 +2,7 @@
 ///
 ///   S_g = R S R + 2 d rho n.(g + f/rho) n n      behind a wall that slips: no shear stress at the wall, R = I - 2 n n
 ///   S_g = S     + 2 d rho n.(g + f/rho) n n      behind a wall that holds the soil: its shear stress goes on
+///   S_g = S + n b + b n + ...,  b = 2 (T n - S n)_t      behind one of a given friction angle: on the wall T acts (WallFriction.hpp)
 ///
 /// d [m] distance of the source from the wall, n normal into the soil, rho [kg/m^3], f [N/m^3] body force. The second part is the momentum balance of soil at rest across the wall; of the
 /// stresses along a plane wall nothing pushes at it, and they are those of the source. With `wallPressure detaching` S_nn <= max(S_nn of the source, 0): no suction; with `mirrored` it is
@@ -9,6 +10,7 @@
 #pragma once
 #include "Coefficients.hpp"
 #include "Images.hpp"
+#include "SoilFields.hpp"
 #include <string>
 
 namespace sph
@@ -22,6 +24,7 @@ template<int dim> class ContinuedStress final : public GhostRule<SymmTensor<dim>
     Vector<dim> f_;
     bool slips_, continues_, detaches_;
     const double* rho_ = nullptr;
+    std::array<double*, fieldComponents<WallShear, dim>> shear_{};
 
 public:
     /// `slips`: all walls do; `pressure`: word of wallPressure.
@@ -36,7 +39,7 @@ public:
     {}
     SymmTensor<dim> operator()(SymmTensor<dim> S, std::size_t source, const Reflection<dim>& r, bool) const override
     {
-        const auto beyond = change(S, r);
+        const auto beyond = rubs(r) ? S + withShear(S, source, r.normal) : change(S, r);
         if (!continues_) return beyond;
         const double S_nn = dot(r.normal, S * r.normal), rise = (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * in<dim>(g_) + f_);
         const double allowed = detaches_ ? std::fmin(rise, std::fmax(0.0, -S_nn)) : rise;
@@ -44,9 +47,24 @@ public:
     }
     SymmTensor<dim> change(SymmTensor<dim> dS, const Reflection<dim>& r) const override
     {
-        return slips_ || geometry_.walls[std::size_t(r.wall)].slips ? mirrored(dS, r.normal) : dS;
+        return slips_ || geometry_.walls[std::size_t(r.wall)].slips || rubs(r) ? mirrored(dS, r.normal) : dS;
     }
-    void bind() override { rho_ = store_.component(Density::info.name, 0); }
+    void bind() override
+    {
+        rho_ = store_.component(Density::info.name, 0);
+        if (geometry_.withFriction()) shear_ = store_.pointers(WallShear{});
+    }
+
+private:
+    bool rubs(const Reflection<dim>& r) const { return geometry_.walls[std::size_t(r.wall)].frictionAngle.has_value(); }
+    /// n b + b n
+    SymmTensor<dim> withShear(SymmTensor<dim> S, std::size_t source, Vector<dim> n) const
+    {
+        SymmTensor<dim> T;
+        fetch(T, [&](int c) { return shear_[std::size_t(c)][source]; });
+        const auto lacking = (T - S) * n, b = 2 * (lacking - dot(n, lacking) * n);
+        return 2.0 * symm(outer(n, b));
+    }
 };
 
 }

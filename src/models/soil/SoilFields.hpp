@@ -7,11 +7,12 @@ namespace sph
 {
 
 /// sigma_0 is the stress of the step before, where steps start from two levels (TwoLevels.hpp); S is what acts on neighbours, in the plane of the flow; c the speed of sound of the law's
-/// present stiffness, sqrt(M/rho). On request: gamma = integral of sqrt(2 e:e) dt, e = dev D, and w = integral of sigma:D dt, what the stress has done to a volume.
+/// present stiffness, sqrt(M/rho). T is the shear stress of joints with walls (WallFriction.hpp). On request: gamma = integral of sqrt(2 e:e) dt, e = dev D, and w = integral of sigma:D dt, what the stress has done to a volume.
 // clang-format off
 struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
 struct OlderStress  { static constexpr FieldInfo info{"sigma_0", "Pa", Image::mirrored};                            template<int dim> struct At { StressTensor<dim> sigma_0; }; };
 struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
+struct WallShear    { static constexpr FieldInfo info{"wallShear", "Pa", Image::mirrored};                          template<int dim> struct At { SymmTensor<dim> T; }; };
 struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image::mirrored};                        template<int dim> struct At { StressTensor<dim> noise; }; };
 struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
 struct StrainRate   { static constexpr FieldInfo info{"strainRate", "1/s"};  template<int dim> struct At { SymmTensor<dim> D; }; };

@@ -2,6 +2,7 @@
 #include "SoilFields.hpp"
 #include "StressUpdate.hpp"
 #include "VelocityGradient.hpp"
+#include "WallFriction.hpp"
 #include "phaseEntries.hpp"
 #include "soilLaws.hpp"
 #include "soilTerms.hpp"
@@ -31,6 +32,12 @@ const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(s
     K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
        "earth pressure at rest: lateral over vertical stress"};
 
+const Choice stressDivergence{
+    "stressDivergence",
+    {{"symmetric", "conserves momentum, and feels the disorder of particles"},
+     {"corrected", "of differences with the corrected gradient but at surfaces: exact for linear stresses, for quasi-static loading"}},
+    "symmetric",
+    "the form of the force by the stress"};
 const Scalar stressSmoothing{"stressSmoothing", units::none, 0, between(0, 1),
                              "delta by which the stress's short-wave noise is smoothed; about 0.1 in collapses"};
 const Choice smoothingActs{"smoothingActs",
@@ -187,6 +194,13 @@ void prepare(const Reading& reading)
             settings.state.push_back(
                 {.value = field == ShearStrain::info.name ? stateField(ShearStrain{}) : stateField(StressWork{}), .advancedByModel = true});
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
+    if (reading.geometry.withFriction())
+    {
+        for (const auto& field : {stateField(WallShear{}), stateField(ShearAtWall{})})
+            settings.state.push_back({.value = field, .advancedByModel = true});
+        settings.ruleReads[ActingStress::info.name].push_back(stateField(WallShear{}));
+        settings.ruleReads[Velocity::info.name] = {stateField(ShearAtWall{})};
+    }
     c.set(soil);
 }
 
@@ -203,25 +217,35 @@ void read(const Reading& reading)
     numbers.compactionSpeed = entry::compactionSpeed(d);
     numbers.compactFrom = 1.05 * c.restDensity[0];
     const CorrectedFrom corrected{entry::correctedFrom(d)};
+    const auto divergence = entry::stressDivergence(d);
     const auto shown = entry::shown(d);
     if (!isSoil(settings))
     {
         if (entry::soil.given(reading.schemes))
             entry::soil.error(reading.schemes,
                               "does nothing without soil: no phase of constant/phaseProperties has `stress constitutiveLaw`");
+        if (const auto* wall = reading.geometry.withFriction())
+            reading.schemes.diagnostics().error(
+                wall->where,
+                fmt::format("frictionAngle of {} is that of soil: no phase of constant/phaseProperties has `stress constitutiveLaw`",
+                            wall->name));
         return;
     }
     const auto& soil = c.of<Soil>();
     if (isTensionless(soil) && soil.integration.stressFree == StressFree::floor) numbers.floorPressure = soil.integration.floorPressure;
     c.set(numbers);
     c.set(corrected);
-    for (const auto* term : {"meanPressure", "actingStress", "soilStressDivergence"}) reading.select(term);
+    for (const auto* term : {"meanPressure", "actingStress"}) reading.select(term);
+    if (divergence == "symmetric") reading.select("soilStressDivergence");
+    else
+        for (const auto* term : {"soilStressDifference", "soilStressAtSurface"}) reading.select(term);
     if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
     if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
     settings.parts.push_back(partOf<StressUpdate>());
+    if (reading.geometry.withFriction()) settings.parts.push_back(partOf<WallFriction>());
     settings.energyAdvice = "a smaller `soundFactor` in `integration`";
 }
 }
@@ -250,8 +274,8 @@ const Model& soilModel()
         {{soilProperties, {{entry::initialStress, {{entry::type, entry::initialCases()}}}}},
          {"system/sphSchemes",
           {{entry::soil,
-            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressSmoothing, entry::smoothingActs, entry::compactionSpeed,
-             entry::shown}}}}}};
+            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,
+             entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}}};
     return model;
 }
 

@@ -24,11 +24,22 @@ struct SoilStressDivergence : DivergenceOf<ActingStress>
 {
     static constexpr auto name = "soilStressDivergence";
 };
+struct SoilStressDifference : DifferenceDivergenceOf<ActingStress>
+{
+    static constexpr auto name = "soilStressDifference";
+    using DifferenceDivergenceOf::DifferenceDivergenceOf;
+};
+struct SoilStressAtSurface : SurfaceDivergenceOf<ActingStress>
+{
+    static constexpr auto name = "soilStressAtSurface";
+    using SurfaceDivergenceOf::SurfaceDivergenceOf;
+};
 }
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilViscosity, StressOffLine, StrainRateOfGradient>();
+    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, SoilViscosity,
+                     StressOffLine, StrainRateOfGradient>();
 }
 
 template Catalogue<2> soilTerms<2>();

@@ -52,13 +52,24 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
     near = {i, x_i, std::max(0.0, d - closest)};
     if (d >= closest) return 0;
     fetch(v_i, [&](int c) { return v[c][i]; });
+    const auto before = v_i;
     const auto held = offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
     if (const auto& geometry = p.geometry(); ofSoil_)
-        if (const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region); !geometry.walls[std::size_t(wall)].slips)
-            v_i = in<dim>(geometry.wallVelocity(wall, in3D(held)));
+    {
+        const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region);
+        v_i = ofSoil(v_i, before, geometry.walls[std::size_t(wall)], in<dim>(geometry.wallVelocity(wall, in3D(held))));
+    }
     sph::store(held, [&](int c, double q) { x[c][i] = q; });
     sph::store(v_i, [&](int c, double q) { v[c][i] = q; });
     return mag(held - x_i);
+}
+
+template<int dim> Vector<dim> WallContact<dim>::ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties& wall, Vector<dim> v_w) const
+{
+    if (!wall.frictionAngle) return wall.slips || slips_ ? v : v_w;
+    const auto sliding = v - v_w;
+    const double most = wall.frictionCoefficient() * mag(v - before), speed = mag(sliding);
+    return speed > most ? v - most / speed * sliding : v_w;
 }
 
 template class WallContact<2>;

@@ -1,14 +1,15 @@
 /// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it, at the
 /// end of the step and where its forces are taken.
 ///
-///   d < d_0:   x += (d_0 - d) n,   v -= min(n.v, 0) n;    v = v_w of soil at a wall that holds it
+///   d < d_0:   x += (d_0 - d) n,   v -= min(n.v, 0) n;    of soil v = v_w at a wall that holds it,
+///              v_t -= min(1, mu |dv_n|/|v_t - v_w|) (v_t - v_w) at one of friction mu = tan(delta)
 ///
 /// n unit normal into the fluid of each foot of x, at distance d [m]; d_0 the distance at which the leak guard too holds particles off walls [m].
 /// Pressure alone cannot do it: a particle and its image push each other less the nearer they are, and one on the wall is one with its image. Particles
 /// come there in gaps below two thirds of a spacing, where more of them are than fit, and thrown against a wall. The contact is inelastic. Soil that is thrown
 /// ahead of a flow has no neighbours to rub at and no stress: without the last rule it slides on for good.
 ///
-/// v_w velocity of the wall [m/s].
+/// v_w velocity of the wall [m/s], t the part along it, dv_n what v has lost across it [m/s].
 #pragma once
 #include "Particles.hpp"
 #include <vector>
@@ -26,13 +27,14 @@ template<int dim> class WallContact final : public Part<dim>
         double clear;
     };
     std::vector<Near> near_;
-    bool ofSoil_;
+    bool ofSoil_, slips_;
 
     double holdOff(Particles<dim>&, Near&) const;
+    Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 
 public:
-    /// `ofSoil`: what touches a wall without slip stays there.
-    WallContact(Particles<dim>&, const Numbers&, bool ofSoil) : ofSoil_(ofSoil) {}
+    /// `ofSoil`: what touches a wall without slip stays there; `slips`: walls do that say nothing of it.
+    WallContact(Particles<dim>&, const Numbers&, bool ofSoil, bool slips) : ofSoil_(ofSoil), slips_(slips) {}
     std::vector<Stage<dim>> stages(Place) override;
     void sorted(Particles<dim>&) override;
 };

@@ -58,6 +58,11 @@ void prepare(const Reading& reading)
                     "take walls reflected",
                     fmt::join(names, ", ")));
     }
+    if (const auto* wall = geometry.withFriction(); wall && layers)
+        dict.error(
+            "walls",
+            fmt::format("{} of constant/geometry with a frictionAngle needs ghosts that carry its shear stress; take walls reflected",
+                        wall->name));
     if (!geometry.layers.empty())
         settings.reasons.push_back(
             fmt::format("walls of {} particles in layers, whose velocity continues the fluid's beyond the surface; nothing is mirrored",
@@ -95,7 +100,7 @@ void read(const Reading& reading)
         partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
     if (!geometry.patches.empty() && geometry.layers.empty())
         settings.parts.push_back(
-            partOf<WallContact>(settings.has(entry::stress.keyword(), byLaw) && !settings.has("wallVelocity", "freeSlip")));
+            partOf<WallContact>(settings.has(entry::stress.keyword(), byLaw), settings.has("wallVelocity", "freeSlip")));
 }
 }
 

@@ -160,7 +160,7 @@ TEST(TriangleMesh, RegionsAreWalls)
     EXPECT_EQ(c.errors(), "");
 }
 
-// A region slips as the mesh does, unless it says otherwise.
+// A region slips or rubs as the mesh does, unless it says otherwise.
 TEST(TriangleMesh, RegionsSlip)
 {
     for (const auto& [entries, whole, top] : {std::tuple{"slip yes; regions { top { contactAngle 90; } }", true, true},
@@ -172,6 +172,16 @@ TEST(TriangleMesh, RegionsSlip)
         ASSERT_EQ(c.errors(), "");
         EXPECT_EQ(g.walls[0].slips, whole) << entries;
         EXPECT_EQ(g.walls[1].slips, top) << entries;
+    }
+    for (const auto& [entries, angle] : {std::pair{"frictionAngle 20; regions { top { contactAngle 90; } }", 20},
+                                         {"frictionAngle 20; regions { top { frictionAngle 30; } }", 30},
+                                         {"frictionAngle 20; regions { top { slip no; } }", -1}})
+    {
+        MeshCase c;
+        const auto g = c.read(entries);
+        ASSERT_EQ(c.errors(), "");
+        EXPECT_EQ(g.walls[0].frictionAngle, 20) << entries;
+        EXPECT_EQ(g.walls[1].frictionAngle.value_or(-1), angle) << entries;
     }
 }
 

@@ -20,9 +20,10 @@ TEST(Walls, surviveWritingAndReading)
              " d { type ellipsoid; centre (0.8 0.8 0.8); semiAxes (0.1 0.07 0.03); fluid outside; }"
              " e { type box; min (0.1 0.7 0); max (0.2 0.9 1); fluid outside; }"
              " f { type box; min (0 0 0); max (1 1 1); fluid inside; } }",
-         std::string("dimension 3; domain { min (0 0 0); max (1 1 1); }\n"
-                     "walls { a { type cone; apex (0 0 0.1); axis (1 1 1); halfAngle 30; fluid inside; }"
-                     " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; slip yes; } }"),
+         std::string(
+             "dimension 3; domain { min (0 0 0); max (1 1 1); }\n"
+             "walls { a { type cone; apex (0 0 0.1); axis (1 1 1); halfAngle 30; fluid inside; }"
+             " b { type sphere; centre (0.3 0.3 0.3); radius 0.1; fluid outside; slip yes; } c { type plane; point (0 0 0); normal (1 0 0); frictionAngle 12.5; } }"),
          square + "walls { b { type ellipsoid; centre (0.8 0.8 0); semiAxes (0.1 0.07 0); fluid outside; } }", bcc("0.5")})
     {
         const auto [g, errors] = read(text);
@@ -38,6 +39,8 @@ TEST(Walls, surviveWritingAndReading)
         EXPECT_EQ(again.reach, g.reach);
         EXPECT_EQ(again.walls[0].wets, g.walls[0].wets);
         EXPECT_EQ(again.slips(), g.slips());
+        ASSERT_EQ(again.withFriction() != nullptr, g.withFriction() != nullptr);
+        if (g.withFriction()) EXPECT_EQ(again.withFriction()->frictionAngle, g.withFriction()->frictionAngle);
         EXPECT_EQ(toString(again.walls[0].anglesAt), toString(g.walls[0].anglesAt));
     }
 }

@@ -285,9 +285,9 @@ double stressError(const std::string& law, double dx, double jitter, const std::
 }
 
 /// What the acceleration by a smooth stress is off, over div(sigma)/rho, both in the mean of squares.
-double divergenceError(double dx, double jitter)
+double divergenceError(double dx, double jitter, const std::string& ofSoil = "")
 {
-    const SmoothBlock block("rho 1850; law elastic; elasticCoeffs { E 2e7; nu 0.3; }\n", dx, jitter, "");
+    const SmoothBlock block("rho 1850; law elastic; elasticCoeffs { E 2e7; nu 0.3; }\n", dx, jitter, ofSoil);
     auto& particles = *block.particles;
     auto& store = particles.store();
     const auto sigma = store.pointers(SoilStress{});
@@ -336,6 +336,16 @@ TEST(SoilBlock, DivergenceOfASmoothStressConvergesOnALatticeAlone)
 {
     EXPECT_GT(orderOf([](double dx) { return divergenceError(dx, 0); }), 1.5);
     EXPECT_NEAR(orderOf([](double dx) { return divergenceError(dx, 0.1); }), -1, 0.2);
+}
+// That of differences has one: measured 1.98, 1.87 and 1.68, errors of 0.4 to 0.6 % at 0.025.
+TEST(SoilBlock, CorrectedDivergenceOfASmoothStressConverges)
+{
+    for (const double jitter : {0.0, 0.1, 0.2})
+    {
+        SCOPED_TRACE(jitter);
+        EXPECT_GT(orderOf([&](double dx) { return divergenceError(dx, jitter, "stressDivergence corrected;"); }), 1.5);
+        EXPECT_LT(divergenceError(0.025, jitter, "stressDivergence corrected;"), 0.01);
+    }
 }
 
 // A lone block with random velocities and stresses, which artificial viscosity and stress divergence act on: pairs exchange what they lose.
@@ -460,6 +470,82 @@ TEST(SoilWall, StopsALoneGrain)
     }
 }
 
+// A grain that is thrown at a floor of friction mu loses mu times of its velocity along it what the floor gives it across, until it stops: mu (v_y + 1 m/s + g t).
+TEST(SoilWall, SlowsALoneGrainByCoulombsLaw)
+{
+    for (const int steps : {20, 2000})
+    {
+        auto geometry = emptySpace(2);
+        addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+        geometry.walls[0].frictionAngle = 20;
+        repeatPeriodically(geometry, 1.5 * spacing);
+        auto files = blockCase("type isotropic; pressure 10;", "artificialViscosity 0;");
+        files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);\n";
+        Cloud cloud;
+        cloud.x = {3};
+        cloud.y = {0.03 * spacing};
+        cloud.z = {0};
+        give(cloud, "U", FieldClass::vector, [](std::size_t) { return std::vector<double>{1, -1, 0}; });
+        const auto settings = settingsIn(files, geometry);
+        const auto simulation = makeSimulation(settings, geometry, cloud, {});
+        double time = 0;
+        for (int step = 0; step < steps; ++step)
+        {
+            const double deltaT = simulation->stepLimit().deltaT;
+            simulation->step(time, deltaT);
+            time += deltaT;
+        }
+        const double mu = std::tan(20 * std::numbers::pi / 180), mass = 1850 * sqr(spacing);
+        const auto p = simulation->summary().momentum;
+        EXPECT_NEAR(p.x / mass, std::max(0.0, 1 - mu * (p.y / mass + 1 + 9.81 * time)), 0.02) << time;
+    }
+}
+
+/// Mean acceleration along a floor of friction angle 20 degrees, inclined by `degrees`, of an endless layer of elastic soil.
+double sliding(double degrees)
+{
+    Geometry geometry = domain(2, {0.5, 1, 0});
+    geometry.periodic[0] = true;
+    addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+    geometry.walls[0].frictionAngle = 20;
+    repeatPeriodically(geometry, 5 * spacing);
+    auto files = blockCase();
+    files["constant/soilProperties"] = "rho 1850; law elastic; elasticCoeffs { E 2e6; nu 0.3; }\n";
+    const double slope = degrees * std::numbers::pi / 180;
+    files["constant/g"] = fmt::format("dimensions [0 1 -2 0 0 0 0]; value ({} {} 0);\n", 9.81 * std::sin(slope), -9.81 * std::cos(slope));
+    Cloud cloud;
+    for (int a = 0; a < 10; ++a)
+        for (int b = 0; b < 6; ++b)
+        {
+            cloud.x.push_back((a + 0.5) * spacing);
+            cloud.y.push_back((b + 0.5) * spacing);
+            cloud.z.push_back(0);
+        }
+    const auto settings = settingsIn(files, geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
+    double time = 0, from = 0, atFrom = 0;
+    while (time < 0.6)
+    {
+        const double deltaT = simulation->stepLimit().deltaT;
+        simulation->step(time, deltaT);
+        time += deltaT;
+        if (from == 0 && time > 0.3)
+        {
+            from = time;
+            atFrom = simulation->summary().momentum.x;
+        }
+    }
+    return (simulation->summary().momentum.x - atFrom) / (60 * 1850 * sqr(spacing)) / (time - from);
+}
+// g (sin - tan 20 cos) on a steep floor; on a gentle one the layer stands.
+TEST(SoilWall, SlidesByCoulombsLaw)
+{
+    const double slope = 30 * std::numbers::pi / 180, mu = std::tan(20 * std::numbers::pi / 180);
+    const double expected = 9.81 * (std::sin(slope) - mu * std::cos(slope));
+    EXPECT_NEAR(sliding(30) / expected, 1, 0.02);
+    EXPECT_NEAR(sliding(15), 0, 0.01 * expected);
+}
+
 // By hand: rho = 1000 kg/m^3, d = 0.1 m, g = 10 m/s^2 into a floor whose ghost lies 0.2 m deeper.
 TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
 {
@@ -485,6 +571,14 @@ TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
     EXPECT_EQ(beyond("mirrored", S).yy, -900);
     geometry.walls[0].slips = true;
     EXPECT_EQ(beyond("hydrostatic", S).xy, -70) << "no shear stress where soil slips";
+    geometry.walls[0].slips = false;
+    geometry.walls[0].frictionAngle = 30;
+    store.allocateState(WallShear{});
+    store.resize(1);
+    store.component("rho", 0)[0] = 1000;
+    store.component("wallShear", 1)[0] = 50;
+    EXPECT_EQ(beyond("hydrostatic", S).xy, 30) << "70 Pa here, 50 Pa on the wall";
+    EXPECT_EQ(beyond("hydrostatic", S).yy, -900 - 2000);
     r.normal = {0, -1}; // a lid: its weight would hang the soil up
     EXPECT_EQ(beyond("hydrostatic", S).yy, -900 + 2000);
     EXPECT_EQ(beyond("detaching", S).yy, 0);
@@ -517,9 +611,8 @@ EarthPressure earthPressure(const TestCase& c, const std::string& time, double t
     all.worst = worst.value();
     return all;
 }
-// Sand 0.5 m wide and 1 m high between smooth walls, from 5 % of gravity and an isotropic stress to all of it in 2 s: monotonic compression by 20 without lateral strain brings K from 1 to 0.5135.
-// The bounds are 1 % on the mean and 3 % on each particle; measured 0.5136 and 0.2 %.
-void expectEarthPressureOfItsHistory(const std::string& integration)
+/// Sand 0.5 m wide and 1 m high between smooth walls, from 5 % of gravity and an isotropic stress to all of it in 2 s.
+Files columnOfSand(const std::string& integration)
 {
     auto files = soilCase();
     files["constant/geometry"] =
@@ -535,7 +628,12 @@ void expectEarthPressureOfItsHistory(const std::string& integration)
     files["system/controlDict"] =
         "application sphFoamLike; startFrom startTime; startTime 0; stopAt endTime; endTime 2.3; adjustTimeStep yes; writeControl adjustableRunTime; "
         "writeInterval 2.3; writeFormat binary;\n";
-    const TestCase c(files);
+    return files;
+}
+// Monotonic compression by 20 without lateral strain brings K from 1 to 0.5135. The bounds are 1 % on the mean and 3 % on each particle; measured 0.5136 and 0.2 %.
+void expectEarthPressureOfItsHistory(const std::string& integration)
+{
+    const TestCase c(columnOfSand(integration));
     for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
     const auto log = c.runWell("sphFoamLike");
     const auto K = earthPressure(c, "2.3", 0.5135);
@@ -547,6 +645,34 @@ void expectEarthPressureOfItsHistory(const std::string& integration)
 TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory) { expectEarthPressureOfItsHistory(""); }
 // Measured
 TEST(SoilColumn, ReachesItByVerlet) { expectEarthPressureOfItsHistory("scheme verlet;"); }
+
+// Sides of friction angle 15 degrees carry a part of the weight (Janssen 1895): the mean vertical stress at depth z between sides B apart is rho g B/(2 mu K) (1 - exp(-2 mu K z/B)). Measured up to 2.1 % off;
+// tutorials/geomechanics/sandColumn has it at three spacings.
+TEST(SoilColumn, HangsOnSidesOfFriction)
+{
+    auto files = columnOfSand("");
+    auto& geometry = files["constant/geometry"];
+    for (const std::string side : {"normal (1 0 0); ", "normal (-1 0 0); "})
+        geometry.replace(geometry.find(side) + side.size(), 9, "frictionAngle 15;");
+    const TestCase c(files);
+    for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) c.runWell(program);
+    const Case theCase(c.folder());
+    const auto cloud = readCloud(c.folder(), "2.3", "sph", theCase.diagnostics());
+    const double top = *std::ranges::max_element(cloud.y) + 0.025, mu = std::tan(15 * std::numbers::pi / 180), B = 0.5, K = 0.5135;
+    for (double z = 0.25; z < 0.8; z += 0.05)
+    {
+        double stress = 0, rho = 0, n = 0;
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+        {
+            const double off = std::abs(top - cloud.y[i] - z) / 0.05, weight = std::max(0.0, 1 - off);
+            stress -= weight * cloud.fields.at("sigma").component[3][i];
+            rho += weight * cloud.fields.at("rho").component[0][i];
+            n += weight;
+        }
+        const double janssen = rho / n * 9.81 * B / (2 * mu * K) * (1 - std::exp(-2 * mu * K * z / B));
+        EXPECT_NEAR(stress / n / janssen, 1, 0.025) << z;
+    }
+}
 
 /// Settlement of the surface row of a layer 0.5 m high with smooth sides, under its own weight.
 double settlement(const std::string& properties)
@@ -578,9 +704,8 @@ TEST(SoilLayer, SettlesAsElasticityHasIt)
 }
 
 std::string mistake(
-    const Files& files, const std::function<void(Cloud&)>& change = [](Cloud&) {})
+    const Files& files, const std::function<void(Cloud&)>& change = [](Cloud&) {}, const Geometry& geometry = emptySpace(2))
 {
-    const auto geometry = emptySpace(2);
     try
     {
         const auto settings = settingsIn(files, geometry);
@@ -639,6 +764,14 @@ TEST(SoilMistakes, SayWhereAndWhat)
          "soil goes with one phase alone");
     auto fluid = changed(good, "constant/phaseProperties", "stress constitutiveLaw;", "soundSpeed 1;");
     says(mistake(fluid), "system/sphSchemes:2: does nothing without soil");
+    fluid["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\n";
+    auto rough = emptySpace(2);
+    addWall(rough, Plane({0, 0, 0}, {0, 1, 0}));
+    rough.walls[0].name = "floor";
+    rough.walls[0].frictionAngle = 20;
+    says(mistake(
+             fluid, [](Cloud&) {}, rough),
+         "frictionAngle of floor is that of soil");
 }
 
 // Layers need meshToGhost's file, which the run asks for after this.

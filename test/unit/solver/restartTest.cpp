@@ -130,6 +130,10 @@ TEST(Restart, OfVerlet)
 TEST(Restart, OfSoil)
 {
     restartEqualsTheWhole(soilCase());
+    auto withFriction = soilCase();
+    auto& geometry = withFriction["constant/geometry"];
+    for (int wall = 0; wall < 2; ++wall) geometry.replace(geometry.find("slip yes;"), 9, "frictionAngle 20;");
+    restartEqualsTheWhole(withFriction);
     auto byVerlet = soilCase();
     byVerlet["system/sphSchemes"] += "integration { scheme verlet; damping { rate 20; until 0.06; } }\n";
     restartEqualsTheWhole(byVerlet);
