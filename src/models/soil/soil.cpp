@@ -196,10 +196,8 @@ void prepare(const Reading& reading)
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     if (reading.geometry.withFriction())
     {
-        for (const auto& field : {stateField(WallShear{}), stateField(ShearAtWall{})})
-            settings.state.push_back({.value = field, .advancedByModel = true});
+        settings.state.push_back({.value = stateField(WallShear{}), .advancedByModel = true});
         settings.ruleReads[ActingStress::info.name].push_back(stateField(WallShear{}));
-        settings.ruleReads[Velocity::info.name] = {stateField(ShearAtWall{})};
     }
     c.set(soil);
 }

@@ -17,7 +17,7 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     else if (velocity == "freeSlip") rule = std::make_unique<SlippingVelocity<dim>>(geometry);
     else if (velocity == "morris") rule = std::make_unique<LimitedVelocity<dim>>(geometry);
     else rule = std::make_unique<ReflectedVelocity<dim>>(geometry);
-    if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, store, std::move(rule));
+    if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, std::move(rule));
     images.setRule(Velocity{}, std::move(rule));
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
     else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
