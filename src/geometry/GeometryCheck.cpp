@@ -20,7 +20,6 @@ std::string text(const Geometry& g, const Vector<3>& x)
     return g.dimension == 3 ? fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z) : fmt::format("({:.6g} {:.6g})", x.x, x.y);
 }
 
-
 class Check
 {
     const Geometry& g_;

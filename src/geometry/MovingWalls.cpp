@@ -8,7 +8,8 @@ bool movesAcross(const Geometry& g, const Patch& patch)
 {
     const auto& wall = g.walls[std::size_t(patch.wall)];
     const auto* plane = dynamic_cast<const Plane*>(patch.shape.get());
-    return plane && wall.omega == Vector<3>{} && std::abs(dot(wall.velocity, plane->foot({}).normal)) > slidingTolerance * mag(wall.velocity);
+    return plane && wall.omega == Vector<3>{} &&
+           std::abs(dot(wall.velocity, plane->foot({}).normal)) > slidingTolerance * mag(wall.velocity);
 }
 
 MovingWalls::MovingWalls(Geometry& g)

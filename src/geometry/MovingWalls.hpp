@@ -31,8 +31,8 @@ public:
     explicit MovingWalls(Geometry&);
 
     bool any() const { return !moving_.empty(); }
-    double fastest() const { return fastest_; }            ///< [m/s]
-    double time() const { return time_; }                  ///< t [s]
+    double fastest() const { return fastest_; }           ///< [m/s]
+    double time() const { return time_; }                 ///< t [s]
     double travelled() const { return time_ * fastest_; } ///< at most [m]
     /// n.v_w [m/s] of one of that normal; 0 where none has it.
     double speedAlong(const Vector<3>& normal) const;

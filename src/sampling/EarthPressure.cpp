@@ -30,8 +30,7 @@ Measurement SoilLayer::compare(const ParticleView& view, double reference, const
     const SampledField sigma(view, "sigma", where_), rho(view, "rho", where_);
     const auto up = -1 / mag(g_) * g_;
     const auto height = [&](std::size_t i) { return dot(up, position(view, i)); };
-    const double top = most(view.n, height) + 0.5 * view.spacing,
-                 base = least(view.n, height) - 0.5 * view.spacing;
+    const double top = most(view.n, height) + 0.5 * view.spacing, base = least(view.n, height) - 0.5 * view.spacing;
     const auto valueAt = [&](std::size_t i) -> std::optional<double>
     {
         if (const double y = (height(i) - base) / (top - base); y < leftOut || y > 1 - leftOut) return {};

@@ -98,7 +98,8 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     plan_.allocate(store_);
     allocateState();
     if (movingWalls_.any() && !geometry_.layers.empty())
-        throw CaseError({"constant/geometry", 0}, "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
+        throw CaseError({"constant/geometry", 0},
+                        "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();

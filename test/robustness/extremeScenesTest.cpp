@@ -230,7 +230,8 @@ TEST(ExtremeScenes, WallThatMovesIntoTheFluid)
     turning.replace("constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); omega (0 0 1);");
     turning.isRefused("meshToGhost", {"constant/geometry:5", "top"});
     Damaged sphere;
-    sphere.replace("constant/geometry", "type plane; point (0 1 0); normal (0 -1 0);", "type sphere; centre (0.5 1 0); radius 0.3; fluid outside; velocity (0 -2 0);");
+    sphere.replace("constant/geometry", "type plane; point (0 1 0); normal (0 -1 0);",
+                   "type sphere; centre (0.5 1 0); radius 0.3; fluid outside; velocity (0 -2 0);");
     sphere.isRefused("meshToGhost", {"constant/geometry:5", "top"});
 }
 

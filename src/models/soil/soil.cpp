@@ -28,8 +28,9 @@ const Choice viscosityActs{"viscosityActs",
                            "when the artificial viscosity does"};
 
 const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(sigma)/3"},
-    confiningPressure{confiningPressureKeyword, units::pressure, byScene("floorPressure with stressFree floor, of laws without tension; else 0"),
-                      positive, "on free surfaces, as by a membrane"},
+    confiningPressure{confiningPressureKeyword, units::pressure,
+                      byScene("floorPressure with stressFree floor, of laws without tension; else 0"), positive,
+                      "on free surfaces, as by a membrane"},
     surface{"surface", units::m, required, anyNumber, "height of the soil's surface, against gravity, from the origin"},
     K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
        "earth pressure at rest: lateral over vertical stress"};
@@ -57,8 +58,11 @@ const Scalar compactionSpeed{
 
 Cases initialCases()
 {
-    return {{{"isotropic", "the same pressure everywhere"}, {pressure}},
-            {{"geostatic", "at rest under gravity: vertical stress rho g depth, lateral K0 of it; confiningPressure on the surface, or floorPressure at least"}, {surface, K0}}};
+    return {
+        {{"isotropic", "the same pressure everywhere"}, {pressure}},
+        {{"geostatic",
+          "at rest under gravity: vertical stress rho g depth, lateral K0 of it; confiningPressure on the surface, or floorPressure at least"},
+         {surface, K0}}};
 }
 const Choice type{"type", wordsOf(initialCases()), required, "what it is"};
 const SubDictionary initialStress{initialStressKeyword, byScene("the field sigma of the time folder"),
@@ -92,7 +96,9 @@ double readSurfacePressure(const Dictionary& dict, const Soil& soil)
     if (confining && isTensionless(soil) && !floored)
         entry::confiningPressure.error(dict, "on soil whose stress is 0 for good nothing would answer: it goes with `stressFree floor;`");
     if (confining && *confining < floor)
-        entry::confiningPressure.error(dict, fmt::format("{:.6g} Pa is less than floorPressure, {:.6g} Pa: the surface would be free of stress", *confining, floor));
+        entry::confiningPressure.error(dict,
+                                       fmt::format("{:.6g} Pa is less than floorPressure, {:.6g} Pa: the surface would be free of stress",
+                                                   *confining, floor));
     return confining.value_or(floor);
 }
 
@@ -107,7 +113,9 @@ InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector
     {
         const double p = entry::pressure.needed(d);
         if (confining && p != *confining)
-            entry::pressure.error(d, fmt::format("{:.6g} Pa within is not confiningPressure, {:.6g} Pa: free surfaces would set off at once", p, *confining));
+            entry::pressure.error(d,
+                                  fmt::format("{:.6g} Pa within is not confiningPressure, {:.6g} Pa: free surfaces would set off at once",
+                                              p, *confining));
         return [=](Vector<3>) { return -p * I; };
     }
     const double surface = entry::surface.needed(d);

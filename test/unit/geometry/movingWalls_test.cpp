@@ -12,9 +12,11 @@ namespace
 // A platen that comes down and a belt: the one is where its velocity has brought it, and found there, the other stays.
 TEST(MovingWalls, GoOnByTheirVelocity)
 {
-    auto g = read("dimension 2; domain { min (0 0 0); max (1 1 0); } walls { belt { type plane; point (0 0 0); normal (0 1 0); velocity (3 0 0); } "
-                  "platen { type plane; point (0 1 0); normal (0 -1 0); velocity (0 -2 0); } }")
-                 .geometry;
+    auto g =
+        read(
+            "dimension 2; domain { min (0 0 0); max (1 1 0); } walls { belt { type plane; point (0 0 0); normal (0 1 0); velocity (3 0 0); } "
+            "platen { type plane; point (0 1 0); normal (0 -1 0); velocity (0 -2 0); } }")
+            .geometry;
     EXPECT_FALSE(movesAcross(g, g.patches[0]));
     EXPECT_TRUE(movesAcross(g, g.patches[1]));
     const auto before = g;

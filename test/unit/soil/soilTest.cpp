@@ -518,7 +518,8 @@ TEST(ConfiningPressure, BetweenPlatensIsABiaxialTest)
     const auto files = confinedCase("correctedFrom 0.3;");
     const TestCase folder(files);
     const auto soil = readSoil(Case(folder.folder()).dictionary(soilProperties));
-    ElementTest biaxial{.name = "biaxial", .type = "biaxial", .pathAxis = "", .stress = {-1e4, 0, 0, -1e4, 0, -1e4}, .legs = {}, .where = {}};
+    ElementTest biaxial{
+        .name = "biaxial", .type = "biaxial", .pathAxis = "", .stress = {-1e4, 0, 0, -1e4, 0, -1e4}, .legs = {}, .where = {}};
     biaxial.legs.push_back({{0, 0, 0, 0, std::log(0.98), 0, 0, 0, 0}, 0.02});
     biaxial.held[0] = true;
     const auto expected = runElementTest(soil, biaxial).back();
@@ -553,6 +554,31 @@ TEST(SoilWall, StopsALoneGrain)
         const auto p = simulation->summary().momentum;
         EXPECT_NEAR(p.x, slips ? 1850 * sqr(spacing) : 0, 1e-3);
     }
+}
+
+// A platen that comes up takes a lone grain along, at its own speed.
+TEST(SoilWall, ThatMovesLiftsALoneGrain)
+{
+    auto geometry = emptySpace(2);
+    addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+    geometry.walls[0].slips = true;
+    geometry.walls[0].velocity = {0, 1, 0};
+    repeatPeriodically(geometry, 1.5 * spacing);
+    Cloud cloud;
+    cloud.x = {3};
+    cloud.y = {0.1 * spacing};
+    cloud.z = {0};
+    const auto settings = settingsIn(blockCase("type isotropic; pressure 10;"), geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
+    double time = 0;
+    while (time < spacing)
+    {
+        const double deltaT = std::min(simulation->stepLimit().deltaT, 0.02 * spacing);
+        simulation->step(time, deltaT);
+        time += deltaT;
+    }
+    EXPECT_NEAR(simulation->summary().momentum.y / (1850 * sqr(spacing)), 1, 1e-9);
+    EXPECT_NEAR(simulation->positions().component[1][0], time + 0.02 * spacing, 0.01 * spacing);
 }
 
 // A grain that is thrown at a floor of friction mu loses mu times of its velocity along it what the floor gives it across, until it stops: mu (v_y + 1 m/s + g t).
