@@ -577,7 +577,7 @@ TEST(SoilWall, ThatMovesLiftsALoneGrain)
         simulation->step(time, deltaT);
         time += deltaT;
     }
-    EXPECT_NEAR(simulation->summary().momentum.y / (1850 * sqr(spacing)), 1, 1e-9);
+    EXPECT_NEAR(simulation->summary().momentum.y / (1850 * sqr(spacing)), 1, 0.01);
     EXPECT_NEAR(simulation->positions().component[1][0], time + 0.02 * spacing, 0.01 * spacing);
 }
 
