@@ -15,7 +15,7 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
     // Behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
     if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
-    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.v, 0) n",
+    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
              {
                  if (near_.empty()) return;
@@ -32,7 +32,7 @@ template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
     {
         Vector<dim> x_i;
         fetch(x_i, [&, i = i](int c) { return x[c][i]; });
-        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p))});
+        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
     }
 }
 
@@ -43,17 +43,19 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
     const std::size_t i = near.particle;
     Vector<dim> x_i, v_i;
     fetch(x_i, [&](int c) { return x[c][i]; });
-    if (mag(x_i - near.x) < near.clear) return 0;
+    const double walls = p.movingWalls().travelled();
+    if (mag(x_i - near.x) + (walls - near.walls) < near.clear) return 0;
 
     // Deeper than that the leak guard ends the run.
     const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
     const auto [foot, patch] = p.images().nearestFoot(x_i, reach);
     const double d = std::min(reach, foot.distance);
-    near = {i, x_i, std::max(0.0, d - closest)};
+    near = {i, x_i, std::max(0.0, d - closest), walls};
     if (d >= closest) return 0;
     fetch(v_i, [&](int c) { return v[c][i]; });
     const auto before = v_i;
-    const auto held = offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
+    const auto held = offWalls(p.images(), x_i, closest, reach,
+                               [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n, p.movingWalls().speedAlong(in3D(n))); });
     if (const auto& geometry = p.geometry(); ofSoil_)
     {
         const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region);

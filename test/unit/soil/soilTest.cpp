@@ -1,6 +1,7 @@
 /// Soil by SPH: beside one element of it, in rotation, at rest under gravity; what it conserves; mistakes.
 #include "CaseError.hpp"
 #include "ContinuedStress.hpp"
+#include "ElementTest.hpp"
 #include "Largest.hpp"
 #include "Particles.hpp"
 #include "Simulation.hpp"
@@ -446,6 +447,91 @@ TEST(SoilBlock, DenserThanAtRestPushesItselfApart)
         EXPECT_NEAR(S[0][i], -1e4 + 10 - (rho[i] > 1.05 * 1850 ? 900 * 0.05 * 1850 : 0), 1e-6);
 }
 
+/// The block's case under a confining pressure of 10 kPa.
+Files confinedCase(const std::string& ofSoil = "")
+{
+    auto files = blockCase("type isotropic; pressure 1e4;", ofSoil);
+    files["constant/soilProperties"] += "confiningPressure 1e4;\n";
+    return files;
+}
+
+// Under the pressure that its free surfaces carry a block is at rest, however its particles lie; without it, it flies apart.
+TEST(ConfiningPressure, HoldsAFreeBlock)
+{
+    const auto geometry = emptySpace(2);
+    for (const std::string ofSoil : {"", "stressDivergence corrected;"})
+    {
+        const auto energy = [&](const Files& files)
+        {
+            const auto settings = settingsIn(files, geometry);
+            const auto simulation = makeSimulation(settings, geometry, block<2>(12, 0.2), {});
+            for (int step = 0; step < 50; ++step) simulation->step(0, simulation->stepLimit().deltaT);
+            return simulation->summary().kineticEnergy;
+        };
+        EXPECT_LT(energy(confinedCase(ofSoil)), 1e-20);
+        EXPECT_GT(energy(blockCase("type isotropic; pressure 1e4;", ofSoil)), 1);
+    }
+}
+
+/// A specimen 0.5 m wide and high between smooth platens that have come together by 2 %.
+struct Pressed
+{
+    std::vector<SymmTensor<3>> stress;
+    double highest = 0, widening = 0, energy = 0, supplied = 0; ///< [m], -, [J]
+
+    Pressed(const Files& files, double speed)
+    {
+        auto geometry = emptySpace(2);
+        addWall(geometry, Plane({0, 2.75, 0}, {0, 1, 0}));
+        addWall(geometry, Plane({0, 3.25, 0}, {0, -1, 0}));
+        for (auto& wall : geometry.walls) wall.slips = true;
+        geometry.walls[1].velocity = {0, -speed, 0};
+        repeatPeriodically(geometry, 1.5 * 3 * spacing);
+        const auto settings = settingsIn(files, geometry);
+        const auto cloud = block<2>(10, 0);
+        const auto simulation = makeSimulation(settings, geometry, cloud, {});
+        for (double time = 0; time < 0.01 / speed - 1e-12;)
+        {
+            const double deltaT = std::min(simulation->stepLimit().deltaT, 0.01 / speed - time);
+            simulation->step(time, deltaT);
+            time += deltaT;
+        }
+        const auto sigma = simulation->field("sigma").component;
+        const auto x = simulation->positions().component;
+        for (std::size_t i = 0; i < simulation->size(); ++i)
+        {
+            SymmTensor<3> s;
+            fetch(s, [&](int c) { return sigma[std::size_t(c)] ? sigma[std::size_t(c)][i] : 0.0; });
+            stress.push_back(s);
+        }
+        const auto extent = std::ranges::minmax_element(x[0], x[0] + simulation->size());
+        highest = *std::ranges::max_element(x[1], x[1] + simulation->size());
+        widening = (*extent.max - *extent.min) / (9 * spacing) - 1;
+        energy = simulation->energy().held;
+        supplied = simulation->energy().supplied;
+    }
+};
+
+// Platens that come together slowly make each particle of a specimen under confining pressure a biaxial test.
+TEST(ConfiningPressure, BetweenPlatensIsABiaxialTest)
+{
+    const auto files = confinedCase("correctedFrom 0.3;");
+    const TestCase folder(files);
+    const auto soil = readSoil(Case(folder.folder()).dictionary(soilProperties));
+    ElementTest biaxial{
+        .name = "biaxial", .type = "biaxial", .pathAxis = "", .stress = {-1e4, 0, 0, -1e4, 0, -1e4}, .legs = {}, .where = {}};
+    biaxial.legs.push_back({{0, 0, 0, 0, std::log(0.98), 0, 0, 0, 0}, 0.02});
+    biaxial.held[0] = true;
+    const auto expected = runElementTest(soil, biaxial).back();
+    const Pressed pressed(files, 0.02);
+    Largest worst;
+    for (const auto& s : pressed.stress) worst(norm(s - expected.stress) / norm(expected.stress));
+    EXPECT_LT(worst.value(), 0.02);
+    EXPECT_NEAR(pressed.widening / std::expm1(expected.strain.xx), 1, 0.02);
+    EXPECT_NEAR(pressed.highest, 3.24 - 0.5 * spacing * 0.98, 0.02 * spacing);
+    EXPECT_LT(pressed.energy, pressed.supplied) << "what platens do is supplied";
+}
+
 // A lone grain on the floor has no neighbours to rub at: without slip it stays where it touches it, else it slides on.
 TEST(SoilWall, StopsALoneGrain)
 {
@@ -468,6 +554,31 @@ TEST(SoilWall, StopsALoneGrain)
         const auto p = simulation->summary().momentum;
         EXPECT_NEAR(p.x, slips ? 1850 * sqr(spacing) : 0, 1e-3);
     }
+}
+
+// A platen that comes up takes a lone grain along, at its own speed.
+TEST(SoilWall, ThatMovesLiftsALoneGrain)
+{
+    auto geometry = emptySpace(2);
+    addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+    geometry.walls[0].slips = true;
+    geometry.walls[0].velocity = {0, 1, 0};
+    repeatPeriodically(geometry, 1.5 * spacing);
+    Cloud cloud;
+    cloud.x = {3};
+    cloud.y = {0.1 * spacing};
+    cloud.z = {0};
+    const auto settings = settingsIn(blockCase("type isotropic; pressure 10;"), geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
+    double time = 0;
+    while (time < spacing)
+    {
+        const double deltaT = std::min(simulation->stepLimit().deltaT, 0.02 * spacing);
+        simulation->step(time, deltaT);
+        time += deltaT;
+    }
+    EXPECT_NEAR(simulation->summary().momentum.y / (1850 * sqr(spacing)), 1, 0.01);
+    EXPECT_NEAR(simulation->positions().component[1][0], time + 0.02 * spacing, 0.01 * spacing);
 }
 
 // A grain that is thrown at a floor of friction mu loses mu times of its velocity along it what the floor gives it across, until it stops: mu (v_y + 1 m/s + g t).
@@ -753,6 +864,15 @@ TEST(SoilMistakes, SayWhereAndWhat)
          "constant/soilProperties: has no `initialStress`");
     says(mistake(changed(good, "constant/soilProperties", "pressure 1e4;", "pressure 1e4; K0 1;")),
          "constant/soilProperties:4: entry \"K0\" is not used here");
+    const auto properties = [&](const std::string& more)
+    {
+        auto files = good;
+        files["constant/soilProperties"] += more + "\n";
+        return mistake(files);
+    };
+    says(properties("confiningPressure 2e4;"), "constant/soilProperties:4: 10000 Pa within is not confiningPressure, 20000 Pa");
+    says(properties("confiningPressure 5;"), "constant/soilProperties:5: 5 Pa is less than floorPressure, 10 Pa");
+    says(properties("confiningPressure 1e4; stressFree detached;"), "constant/soilProperties:5: on soil whose stress is 0 for good");
     says(mistake(good,
                  [](Cloud& cloud)
                  {
