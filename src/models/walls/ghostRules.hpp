@@ -27,6 +27,7 @@ public:
     using ReflectedVelocity<dim>::ReflectedVelocity;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
+inline constexpr double mostByMorris = 0.5; ///< beta - 1
 
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
@@ -95,13 +96,14 @@ public:
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
-/// v_g = v mirrored, relative to the wall: the fluid slides freely.
+/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers what v does along the wall is interpolated, or lost; q may be limited as above.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
+    double most_;
 
 public:
-    explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
+    explicit SlippingVelocity(const Geometry& g, double most = Box::infinity) : geometry_(g), most_(most) {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
@@ -137,8 +139,8 @@ template<int dim> class VelocityByWall final : public GhostVelocity<dim>
     }
 
 public:
-    VelocityByWall(const Geometry& g, FieldStore<dim>& store, std::unique_ptr<GhostVelocity<dim>> ofOthers)
-        : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
+    VelocityByWall(const Geometry& g, FieldStore<dim>& store, std::unique_ptr<GhostVelocity<dim>> ofOthers, double most = Box::infinity)
+        : geometry_(g), slipping_(g, most), ofOthers_(std::move(ofOthers))
     {
         if (g.withFriction()) rubbing_ = std::make_unique<RubbingVelocity<dim>>(g, store);
     }
