@@ -129,7 +129,7 @@ template<int dim> void WallLayers<dim>::checkDepth(double spacing) const
         for (int c = 0; c < dim; ++c)
             inDomain =
                 inDomain && next.*component(c) > geometry_.low.*component(c) - H && next.*component(c) < geometry_.high.*component(c) + H;
-        if (inDomain && layers.last + layers.first < (1 - 1e-6) * layers.deepest)
+        if (inDomain && layers.last + 2 * layers.first < (1 - 1e-6) * layers.deepest)
             throw CaseError(where,
                             fmt::format("the layers of particles behind {} are {:.4g} m thick, less than the kernel's support, {:.4g} m: "
                                         "run meshToGhost again",
