@@ -47,7 +47,7 @@ public:
         auto C = 1 / weight_ * square_ - outer(mean_) + 1e-12 * sqr(H) * identity(square_); // one particle alone has no C
         for (int k = 0; k < walls_; ++k) C += sqr(H) * outer(across_[std::size_t(k)]);
         const auto u = 1 / determinant(C) * (adjugate(C) * mean_);
-        slope_ = std::fmin(1, 1 / dot(mean_, u)) * u;
+        slope_ = std::fmin(1, 3 / dot(mean_, u)) * u; // 3 is at the end of an even spread
     }
     double operator()(Vector<dim> way) const { return 1 - dot(slope_, along(way) - mean_); }
 };

@@ -5,10 +5,10 @@
 ///   p_j = sum_i W_ij p_g(p_i, d_i, d_j)/sum_i W_ij            and any field whose tag says `extrapolated`
 ///   q_j = q_i, mirrored at the wall where q is a vector      volume, density, viscosity, phi, stress ...
 ///   q_j = sum_i w_ij q_g(q_i, d_i, d_j)                      of fields that a scene interpolates (Images::interpolateInLayers)
-///   w_ij = W_ij (1 - u.(t_i - t_m))/sum_i W_ij,   u = C^-1 t_m min(1, 1/(t_m.C^-1 t_m))
+///   w_ij = W_ij (1 - u.(t_i - t_m))/sum_i W_ij,   u = C^-1 t_m min(1, 3/(t_m.C^-1 t_m))
 ///
 /// t_i [m] way from j to i along the wall, t_m its mean with weights W, C that of (t_i - t_m)(t_i - t_m): the w take the value at t = 0 of what is fitted to the q_g along the wall, exact for
-/// values that are linear there. Where j lies farther from the fluid's than they are spread the fit is flattened.
+/// values that are linear there. Where j lies beyond those of the fluid, above its surface, the fit is flattened.
 ///
 /// d_i, d_j [m] distances from the wall, v_w [m/s] its velocity. The factor 1 + d_j/d_i is not limited to 1.5, as it is in print: limited (`wallVelocity
 /// morris`), the fluid slips, and steady plane Poiseuille flow by the first rule has an error of 6.8 and 3.2 % at 16 and 32 across, not 0.69 and 0.18 %

@@ -18,8 +18,7 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     else if (velocity == "freeSlip") rule = std::make_unique<SlippingVelocity<dim>>(geometry);
     else if (velocity == "morris") rule = std::make_unique<LimitedVelocity<dim>>(geometry);
     else rule = std::make_unique<ReflectedVelocity<dim>>(geometry);
-    if (geometry.slips() || geometry.withFriction())
-        rule = std::make_unique<VelocityByWall<dim>>(geometry, store, std::move(rule), velocity == "morris" ? mostByMorris : Box::infinity);
+    if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, store, std::move(rule));
     images.setRule(Velocity{}, std::move(rule));
     if (interpolates) images.interpolateInLayers(Velocity{});
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));

@@ -13,7 +13,8 @@ template<int dim> Vector<dim> ReflectedVelocity<dim>::change(Vector<dim> dv, con
 
 template<int dim> Vector<dim> LimitedVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return -std::fmin(r.ratio, mostByMorris) * dv;
+    constexpr double beta = 1.5;
+    return -std::fmin(r.ratio, beta - 1) * dv;
 }
 
 template<int dim>
@@ -66,7 +67,7 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, s
 
 template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return dv - (1 + std::fmin(r.ratio, most_)) * dot(r.normal, dv) * r.normal;
+    return dv - (1 + r.ratio) * dot(r.normal, dv) * r.normal;
 }
 
 template<int dim> Vector<dim> RubbingVelocity<dim>::operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const

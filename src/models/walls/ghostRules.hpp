@@ -27,7 +27,6 @@ public:
     using ReflectedVelocity<dim>::ReflectedVelocity;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
-inline constexpr double mostByMorris = 0.5; ///< beta - 1
 
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
@@ -96,14 +95,13 @@ public:
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
-/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers what v does along the wall is interpolated, or lost; q may be limited as above.
+/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers it goes with values interpolated along the wall.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
-    double most_;
 
 public:
-    explicit SlippingVelocity(const Geometry& g, double most = Box::infinity) : geometry_(g), most_(most) {}
+    explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
@@ -139,8 +137,8 @@ template<int dim> class VelocityByWall final : public GhostVelocity<dim>
     }
 
 public:
-    VelocityByWall(const Geometry& g, FieldStore<dim>& store, std::unique_ptr<GhostVelocity<dim>> ofOthers, double most = Box::infinity)
-        : geometry_(g), slipping_(g, most), ofOthers_(std::move(ofOthers))
+    VelocityByWall(const Geometry& g, FieldStore<dim>& store, std::unique_ptr<GhostVelocity<dim>> ofOthers)
+        : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
     {
         if (g.withFriction()) rubbing_ = std::make_unique<RubbingVelocity<dim>>(g, store);
     }

@@ -18,7 +18,8 @@ const Choice wallVelocity{
      {"reflected", "no slip, first order in the distance"},
      {"morris", "Morris et al. (1997) with their limit of 1.5, for walls layers"},
      "freeSlip"},
-    byScene("secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; else reflected"),
+    byScene(
+        "secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; morris with soil between layers; else reflected"),
     "of what lies behind a wall"},
     wallPressure{"wallPressure",
                  {{"hydrostatic", "continues that of a fluid at rest"},
@@ -50,7 +51,8 @@ void prepare(const Reading& reading)
     const bool layers = wallsAreLayers(dict);
     settings.chosen["walls"] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
-    if (layers) reading.choose(entry::layerValues, settings.has(entry::stress.keyword(), byLaw) ? "interpolated" : "byPair");
+    const bool ofSoil = settings.has(entry::stress.keyword(), byLaw);
+    if (layers) reading.choose(entry::layerValues, ofSoil ? "interpolated" : "byPair");
     else if (entry::layerValues.given(dict))
         entry::layerValues.error(dict, "goes with `walls layers;` alone: mirror images have no values of their own");
     const bool interpolates = settings.has("layerValues", "interpolated");
@@ -82,7 +84,8 @@ void prepare(const Reading& reading)
     const bool powder = settings.variableViscosity && !settings.multiphase();
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) && settings.has("pressureGradient", "huAdams") &&
                         !settings.surfaceTension && !powder;
-    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : "reflected");
+    // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
+    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && ofSoil ? "morris" : "reflected");
     if (rule != "secondOrder") return;
     settings.apart[Acceleration::info.name] = PressureAcceleration::info.name;
     settings.state.push_back({stateField(WallAcceleration{})});

@@ -90,7 +90,7 @@ TEST(Slip, NeedsGhosts)
     for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
     const auto ran = c.run("sphFoamLike");
     EXPECT_NE(ran.code, 0);
-    EXPECT_NE(ran.err.find("system/sphSchemes:4: top of constant/geometry with `slip yes;` needs ghosts"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("system/sphSchemes:4: top of constant/geometry with `slip yes;` needs what carries"), std::string::npos) << ran.err;
 }
 
 }
