@@ -38,6 +38,7 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
                                std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
                                                                       settings.has("wallVelocity", "freeSlip"),
                                                                       settings.chosen.at("wallPressure")));
+    if (settings.has("layerValues", "interpolated")) particles.images().interpolateInLayers(ActingStress{});
 }
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)

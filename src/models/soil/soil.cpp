@@ -299,9 +299,7 @@ const Model& soilModel()
               return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog" &&
                      !s.coefficients.has<TwoLevels>();
           },
-          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
-         {"walls", [](const Settings& s) { return isSoil(s) && s.has("walls", "layers"); },
-          "layers carry no stress yet: with soil take walls reflected"}},
+          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"}},
         {},
         {{soilProperties, {entry::confiningPressure, {entry::initialStress, {{entry::type, entry::initialCases()}}}}},
          {"system/sphSchemes",

@@ -28,12 +28,27 @@ template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
     near_.clear();
     const auto x = p.store().pointers(Position{});
     // A step that no sound limits may carry a particle a quarter of a spacing on after lists have become too old.
-    for (const auto& [i, d] : p.images().nearFaces(0.5 * p.coefficients().spacing + p.skin()))
+    const double within = 0.5 * p.coefficients().spacing + p.skin();
+    for (const auto& [i, d] : p.images().layers() ? nearFeet(p, within) : p.images().nearFaces(within))
     {
         Vector<dim> x_i;
         fetch(x_i, [&, i = i](int c) { return x[c][i]; });
         near_.push_back({i, x_i, std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
     }
+}
+
+/// As Images::nearFaces, where nothing is mirrored.
+template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::nearFeet(const Particles<dim>& p, double distance)
+{
+    std::vector<std::pair<std::size_t, double>> near;
+    const auto x = p.store().pointers(Position{});
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x[c][i]; });
+        if (const double d = p.images().nearestFoot(x_i, distance).foot.distance; d < distance) near.emplace_back(i, d);
+    }
+    return near;
 }
 
 /// By how much it has been put off [m].

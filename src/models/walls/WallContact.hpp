@@ -29,6 +29,7 @@ template<int dim> class WallContact final : public Part<dim>
     std::vector<Near> near_;
     bool ofSoil_, slips_;
 
+    static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
     double holdOff(Particles<dim>&, Near&) const;
     Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 

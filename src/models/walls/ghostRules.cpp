@@ -67,7 +67,7 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, s
 
 template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return mirrored(dv, r.normal);
+    return dv - (1 + r.ratio) * dot(r.normal, dv) * r.normal;
 }
 
 template<int dim>

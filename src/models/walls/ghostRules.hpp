@@ -95,7 +95,7 @@ public:
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
-/// v_g = v mirrored, relative to the wall: the fluid slides freely.
+/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers it goes with values interpolated along the wall.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;

@@ -6,10 +6,12 @@
 #include "Particles.hpp"
 #include "Simulation.hpp"
 #include "SoilFields.hpp"
+#include "VelocityGradient.hpp"
 #include "models.hpp"
 #include "periodicSquare.hpp"
 #include "scenes.hpp"
 #include "soilLaws.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -532,17 +534,20 @@ TEST(ConfiningPressure, BetweenPlatensIsABiaxialTest)
     EXPECT_LT(pressed.energy, pressed.supplied) << "what platens do is supplied";
 }
 
-// A lone grain on the floor has no neighbours to rub at: without slip it stays where it touches it, else it slides on.
+// A lone grain on the floor has no neighbours to rub at: without slip it stays where it touches it, else it slides on. On layers, too, which it feels as bumps where they slip.
 TEST(SoilWall, StopsALoneGrain)
 {
-    for (const bool slips : {false, true})
+    for (const auto& [slips, layered] : {std::pair{false, false}, {true, false}, {false, true}})
     {
         auto geometry = emptySpace(2);
         addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
         geometry.walls[0].slips = slips;
-        repeatPeriodically(geometry, 1.5 * spacing);
+        repeatPeriodically(geometry, 5 * spacing);
+        Diagnostics none;
+        if (layered) geometry.layers = makeWallLayers(geometry, 3 * spacing, spacing, none);
         auto files = blockCase("type isotropic; pressure 10;");
         files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);\n";
+        if (layered) files["system/sphSchemes"] += "walls layers;\n";
         Cloud cloud;
         cloud.x = {3};
         cloud.y = {0.1 * spacing};
@@ -696,6 +701,96 @@ TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
     EXPECT_EQ(beyond("detaching", S).yy, 0);
 }
 
+/// 12 x 12 particles in the corner of a floor and a wall on the left, both of layers, under their own weight: rho g depth below y = 0.6 m, and K_0 of it.
+struct LayeredCorner
+{
+    Geometry geometry = emptySpace(2);
+    std::unique_ptr<Particles<2>> particles;
+
+    LayeredCorner(bool slips, double jitter, const std::string& words)
+    {
+        addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+        addWall(geometry, Plane({0, 0, 0}, {1, 0, 0}));
+        for (auto& wall : geometry.walls) wall.slips = slips;
+        repeatPeriodically(geometry, 5 * spacing);
+        Diagnostics none;
+        geometry.layers = makeWallLayers(geometry, 3 * spacing, spacing, none);
+        auto files = blockCase("type geostatic; surface 0.6;");
+        files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);\n";
+        files["system/sphSchemes"] += "walls layers; " + words + "\n";
+        auto cloud = block<2>(12, jitter);
+        for (auto* x : {&cloud.x, &cloud.y})
+            for (double& q : *x) q -= 3 - 6 * spacing;
+        particles = std::make_unique<Particles<2>>(settingsIn(files, geometry), geometry, allTerms<2>(), cloud, Numbers{});
+    }
+    /// The largest error of the velocity gradient over |L|, of particles whose support does not reach the surface, in v = L x.
+    double gradientError(Tensor<2> L)
+    {
+        auto& store = particles->store();
+        const auto v = store.pointers(Velocity{});
+        for (std::size_t i = 0; i < particles->size(); ++i)
+            sph::store(L * positionOf(store, i), [&](int c, double q) { v[std::size_t(c)][i] = q; });
+        particles->evaluate(ofStrain);
+        Largest worst;
+        const auto found = std::as_const(store).pointers(VelocityGradient{});
+        forEachInside(
+            [&](std::size_t i, Vector<2>)
+            {
+                Tensor<2> G;
+                fetch(G, [&](int c) { return found[std::size_t(c)][i]; });
+                worst(std::sqrt(doubleDot(G - L, G - L) / doubleDot(L, L)));
+            });
+        return worst.value();
+    }
+    /// The largest acceleration over g.
+    double unrest()
+    {
+        Largest worst;
+        const auto a = std::as_const(particles->store()).pointers(Acceleration{});
+        forEachInside([&](std::size_t i, Vector<2>) { worst(std::hypot(a[0][i], a[1][i]) / 9.81); });
+        return worst.value();
+    }
+    void forEachInside(const std::function<void(std::size_t, Vector<2>)>& f) const
+    {
+        for (std::size_t i = 0; i < particles->size(); ++i)
+            if (const auto x = positionOf(particles->store(), i); std::max(x.x, x.y) < 8 * spacing) f(i, x);
+    }
+};
+// A linear flow that slips along both walls has its exact gradient at each particle beside them on a lattice. 0.2 spacings off it the deepest of a layer see one particle alone, of next to no weight: measured 2.5e-5.
+TEST(SoilLayers, ContinueALinearVelocity)
+{
+    const Tensor<2> L{0.7, 0, 0, -1.1};
+    EXPECT_LT(LayeredCorner(true, 0, "").gradientError(L), 1e-9);
+    EXPECT_LT(LayeredCorner(true, 0.2, "").gradientError(L), 1e-4);
+}
+// Vertical stresses in layers are those of soil at rest: under the floor with the weight between, behind the wall as high up. So are the lateral ones behind the wall.
+TEST(SoilLayers, HaveTheStressOfSoilAtRest)
+{
+    const LayeredCorner corner(true, 0.2, "");
+    auto& p = *corner.particles;
+    const auto& images = p.images();
+    const auto S = p.store().pointers(ActingStress{});
+    Largest worst;
+    int seen = 0;
+    const double K = S[0][0] / S[2][0];
+    for (std::size_t k = images.nullParticle() - images.layers()->count(); k < images.nullParticle(); ++k)
+    {
+        const auto x = positionOf(p.store(), k);
+        if (std::max(x.x, x.y) > 8 * spacing || std::min(x.x, x.y) < -2 * spacing) continue; // deeper ones see one particle or none
+        const double expected = -1850 * 9.81 * (0.6 - x.y);
+        worst((S[2][k] - expected) / (1850 * 9.81 * 0.6));
+        if (x.y > 0 && x.x < 0) worst((S[0][k] - K * expected) / (1850 * 9.81 * 0.6));
+        ++seen;
+    }
+    EXPECT_GT(seen, 30);
+    EXPECT_LT(worst.value(), 0.002); // floorPressure, and K of one particle
+}
+TEST(SoilLayers, HoldSoilAtRest)
+{
+    EXPECT_LT(LayeredCorner(true, 0, "").unrest(), 0.03);
+    EXPECT_GT(LayeredCorner(false, 0, "layerValues byPair;").unrest(), 0.2);
+}
+
 /// The mean of K = sigma_xx/sigma_yy and the largest part by which one is off `target`, over the middle 80 % of the height of a column.
 struct EarthPressure
 {
@@ -743,9 +838,11 @@ Files columnOfSand(const std::string& integration)
     return files;
 }
 // Monotonic compression by 20 without lateral strain brings K from 1 to 0.5135. The bounds are 1 % on the mean and 3 % on each particle; measured 0.5136 and 0.2 %.
-void expectEarthPressureOfItsHistory(const std::string& integration)
+void expectEarthPressureOfItsHistory(const std::string& integration, const std::string& words = "")
 {
-    const TestCase c(columnOfSand(integration));
+    auto files = columnOfSand(integration);
+    files["system/sphSchemes"] += words + "\n";
+    const TestCase c(files);
     for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
     const auto log = c.runWell("sphFoamLike");
     const auto K = earthPressure(c, "2.3", 0.5135);
@@ -755,6 +852,7 @@ void expectEarthPressureOfItsHistory(const std::string& integration)
     EXPECT_NE(log.find(" 0 particles stress-free, 0 with a stress that the law does not admit, 0 not resolved"), std::string::npos);
 }
 TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory) { expectEarthPressureOfItsHistory(""); }
+TEST(SoilColumn, ReachesItBetweenLayers) { expectEarthPressureOfItsHistory("", "walls layers;"); }
 // Measured
 TEST(SoilColumn, ReachesItByVerlet) { expectEarthPressureOfItsHistory("scheme verlet;"); }
 
@@ -895,18 +993,39 @@ TEST(SoilMistakes, SayWhereAndWhat)
          "frictionAngle of floor is that of soil");
 }
 
-// Layers need meshToGhost's file, which the run asks for after this.
-TEST(SoilMistakes, LayersCarryNoStress)
+// Layers that end within the support, or are as far apart as those of another resolution.
+TEST(SoilMistakes, LayersThinnerThanTheSupport)
+{
+    const auto good = changed(blockCase(), "system/sphSchemes", "\n", "\nwalls layers;\n");
+    const auto with = [&](double support, double apart)
+    {
+        auto geometry = emptySpace(2);
+        addWall(geometry, Plane({0, 0, 0}, {0, 1, 0}));
+        geometry.walls[0].name = "floor";
+        geometry.walls[0].where = {"constant/geometry", 4};
+        repeatPeriodically(geometry, 5 * spacing);
+        Diagnostics none;
+        geometry.layers = makeWallLayers(geometry, support, apart, none);
+        return mistake(
+            good, [](Cloud&) {}, geometry);
+    };
+    EXPECT_EQ(with(3 * spacing, spacing), "");
+    says(with(2 * spacing, spacing),
+         "constant/geometry:4: the layers of particles behind floor are 0.1 m thick, less than the kernel's support, 0.15 m");
+    says(with(4 * spacing, 2 * spacing),
+         "constant/geometry:4: the first layer of particles behind floor lies 0.05 m deep, and particles are 0.05 m apart");
+}
+// Pairs know nothing of what lies along a wall that slips.
+TEST(SoilMistakes, LayersByPairDoNotSlip)
 {
     auto files = soilCase();
-    files["system/sphSchemes"] += "walls layers;\n";
-    files["constant/geometry"].replace(files["constant/geometry"].find("slip yes;"), 9, "");
-    files["constant/geometry"].replace(files["constant/geometry"].find("slip yes;"), 9, "");
+    files["system/sphSchemes"] += "walls layers; layerValues byPair;\n";
     const TestCase c(files);
     for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
-    const auto ran = c.run("sphFoamLike");
-    EXPECT_NE(ran.code, 0);
-    says(ran.err, "system/sphSchemes:2: layers carry no stress yet");
+    says(c.run("sphFoamLike").err, "left, right of constant/geometry with `slip yes;` needs what carries the velocity along the wall");
+    c.write("system/sphSchemes", soilCase()["system/sphSchemes"] + "layerValues byPair;\n");
+    c.runWell("meshToGhost");
+    says(c.run("sphFoamLike").err, "system/sphSchemes:2: goes with `walls layers;` alone");
 }
 
 }
