@@ -125,6 +125,13 @@ private:
         Vector<dim> normal;
         double distance, weight;
     };
+    /// The tangent plane that an image was mirrored in.
+    struct Face
+    {
+        Vector<3> normal, foot;
+        double depthOf(const Vector<3>& y) const { return dot(normal, foot - y); }
+    };
+    using Faces = std::array<Face, mostReflections>;
     /// One image while images are made.
     struct Ghost
     {
@@ -132,6 +139,7 @@ private:
         Mirrors mirrors;
         Vector<dim> x;
         double speed; ///< over that of its source
+        Faces faces = {};
     };
 
     const Geometry* geometry_;
@@ -156,10 +164,14 @@ private:
     Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
     Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
     double speedOf(const Foot&) const;
-    bool fillsCorner(int patch, int before, const Vector<3>& x, const Vector<3>& source) const;
+    bool fillsCorner(int patch, int before, const Vector<3>& x) const;
+    bool isPlane(int patch) const;
+    bool isOfWedge(const Ghost&) const;
+    bool mayGoOn(const Ghost&, int patch) const;
+    double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     void reflect(const std::array<double*, dim>& x);
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
-    void reflectInMesh(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
+    void reflectInMesh(const Ghost& from, int patch, std::vector<Ghost>& ghosts) const;
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;
