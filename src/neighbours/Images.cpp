@@ -15,6 +15,8 @@ constexpr double alignedNormals = 0.26, mostAlignedNormals = 0.5;
 constexpr double rightAngle = 1e-6;
 /// Half of the width over which the images of two surfaces fade into one another at the bisector behind the tip of their wedge [spacings].
 constexpr double halfFade = 0.35;
+/// Images in several bodies with less than this share are left out.
+constexpr double leastShare = 0.01;
 
 /// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m].
 /// Behind both half of it each on the bisecting plane, and all of it where it is in front of the other.
@@ -129,6 +131,15 @@ template<int dim> double Images<dim>::shareAmong(const Mirror* mirrors, const Fa
     return share;
 }
 
+/// The greatest share that the last reflection may get until lists are built anew.
+template<int dim> double Images<dim>::shareSoon(const Ghost& ghost, Foot f) const
+{
+    const double way = 0.5 * skin_;
+    f.exposure = 1;
+    f.margin += way;
+    return faceShare(f, spacing_) * shareAmong(ghost.mirrors.data(), ghost.faces.data(), ghost.entry.reflections - 1, in3D(ghost.x), way);
+}
+
 template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch) const
 {
     if (patch != twice[0].patch) return false;
@@ -171,7 +182,7 @@ template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x)
             }
             for (std::size_t g = 1; g < ghosts.size(); ++g)
             {
-                const auto& [entry, mirrors, place, speed, faces] = ghosts[g];
+                const auto& [entry, mirrors, place, speed, faces, share] = ghosts[g];
                 made[chunk].entries.push_back(entry);
                 made[chunk].mirrors.insert(made[chunk].mirrors.end(), mirrors.begin(), mirrors.begin() + entry.reflections);
                 fastest = std::max(fastest, speed);
@@ -202,7 +213,8 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
     next.faces[std::size_t(before)] = {f.normal, in3D(from.x) - f.distance * f.normal};
     ++next.entry.reflections;
     if (before < dim) next.speed *= speedOf(f);
-    if (before > 0 && !(shareAmong(next.mirrors.data(), next.faces.data(), before, in3D(next.x), skin_) > 0)) return;
+    next.share *= shareSoon(next, f);
+    if (next.share < leastShare && next.isOfSeveral()) return;
     if (before > 0 && geometry_->mayBeCovered(p) && !fillsCorner(p, from.mirrors[std::size_t(before) - 1].patch, in3D(next.x))) return;
     const bool twin =
         again ? std::any_of(ghosts.begin() + 1, ghosts.end(),
@@ -264,7 +276,8 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std:
                                    ++next.entry.reflections;
                                    // In small hollows an image is faster still; lists would be built anew at every step for it.
                                    if (before < dim) next.speed *= std::min(speedOf(f), 2.0);
-                                   if (!(shareAmong(next.mirrors.data(), next.faces.data(), before, in3D(next.x), skin_) > 0)) return;
+                                   next.share *= shareSoon(next, f);
+                                   if (next.share < leastShare && next.isOfSeveral()) return;
                                    if (before > 0 && !goesOn && geometry_->mayBeCovered(p) &&
                                        !fillsCorner(p, (last - 1)->patch, in3D(next.x)))
                                        return;

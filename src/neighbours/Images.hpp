@@ -140,6 +140,12 @@ private:
         Vector<dim> x;
         double speed; ///< over that of its source
         Faces faces = {};
+        double share = 1; ///< at most, until lists are built anew
+        bool isOfSeveral() const
+        {
+            return std::any_of(mirrors.begin(), mirrors.begin() + entry.reflections,
+                               [&](const Mirror& m) { return m.patch != mirrors[0].patch; });
+        }
     };
 
     const Geometry* geometry_;
@@ -168,6 +174,7 @@ private:
     bool isPlane(int patch) const;
     bool isOfWedge(const Ghost&) const;
     bool mayGoOn(const Ghost&, int patch) const;
+    double shareSoon(const Ghost&, Foot) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     void reflect(const std::array<double*, dim>& x);
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
