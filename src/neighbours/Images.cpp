@@ -18,14 +18,12 @@ constexpr double halfFade = 0.35;
 /// Images in several bodies with less than this share are left out.
 constexpr double leastShare = 0.01;
 
-/// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m].
-/// Behind both half of it each on the bisecting plane, and all of it where it is in front of the other.
+/// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m],
+/// in a solid behind both: half of it each on the bisecting plane.
 double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, double spacing, double slack)
 {
-    const double aligned = dot(n, m);
-    if (std::abs(aligned) < rightAngle) return 1;
-    const double ofAngle = smoothStep((mostAlignedNormals - aligned) / (mostAlignedNormals - alignedNormals));
-    if (k <= 0 || ofAngle == 0) return ofAngle;
+    const double ofAngle = smoothStep((mostAlignedNormals - dot(n, m)) / (mostAlignedNormals - alignedNormals));
+    if (ofAngle == 0) return 0;
     const double turn = mag(n - m), width = std::min(halfFade * spacing, (h + k) / turn);
     return ofAngle * smoothStep(0.5 + 0.5 * ((h - k) / turn + slack) / width);
 }
@@ -117,16 +115,27 @@ template<int dim> bool Images<dim>::mayGoOn(const Ghost& from, int patch) const
 }
 
 /// Share of an image y, last mirrored in `faces[last]`, beside those that end with the other bodies of its chain; of one that has moved by `slack` at most.
+/// What is in one solid alone is its own.
 template<int dim> double Images<dim>::shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack) const
 {
+    const int p = mirrors[last].patch;
+    if (last == 0 || !geometry_->mayBeCovered(p)) return 1;
+    const auto& coverers = geometry_->coverers[std::size_t(p)];
+    const auto within = [&](int patch)
+    { return smoothStep(0.5 - 0.5 * geometry_->patches[std::size_t(patch)].shape->foot(y).distance / (halfFade * spacing_)); };
     double share = 1;
     for (int r = last - 1; r >= 0; --r)
     {
-        const auto isOfThis = [&](const Mirror& m) { return m.patch == mirrors[r].patch; };
-        if (isOfThis(mirrors[last]) || std::any_of(mirrors + r + 1, mirrors + last, isOfThis) ||
-            (isPlane(mirrors[r].patch) && isPlane(mirrors[last].patch)))
-            continue;
-        share *= shareBeside(faces[last].normal, faces[last].depthOf(y), faces[r].normal, faces[r].depthOf(y), spacing_, slack);
+        const int q = mirrors[r].patch;
+        const auto isOfThis = [&](const Mirror& m) { return m.patch == q; };
+        if (q == p || std::any_of(mirrors + r + 1, mirrors + last, isOfThis) || !std::ranges::binary_search(coverers, q)) continue;
+        const auto &face = faces[last], &other = faces[r];
+        const double k = other.depthOf(y);
+        if (std::abs(dot(face.normal, other.normal)) < rightAngle || k <= 0) continue;
+        const double beside = shareBeside(face.normal, face.depthOf(y), other.normal, k, spacing_, slack), inThis = within(p),
+                     inOther = within(q);
+        if (inThis == 0 && inOther == 0) continue;
+        share *= inThis * (1 - inOther * (1 - beside)) / (inThis + inOther - inThis * inOther);
     }
     return share;
 }
