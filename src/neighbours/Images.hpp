@@ -2,7 +2,8 @@
 ///
 ///   x' = mirror_n(... mirror_1(x)) + shift
 ///
-/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first, in
+/// Mirrored in up to `dim` walls (corners), in an acute wedge of planes once more in the first, in two bodies in turn as often as their wedge or the gap between
+/// them needs, each image with its share of what lies in both, in
 /// the faces of one mesh as often as its edges need (FacetBody.hpp), then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
