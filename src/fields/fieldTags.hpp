@@ -61,7 +61,6 @@ struct Acceleration        { static constexpr FieldInfo info{"dUdt", "m/s^2", Im
 struct SlowAcceleration    { static constexpr FieldInfo info{"dUdtSlow", "m/s^2", Image::mirrored};     template<int dim> struct At { Vector<dim> a_s; }; };
 struct PressureAcceleration{ static constexpr FieldInfo info{"dUdtByPressure", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_p; }; };
 struct WallAcceleration    { static constexpr FieldInfo info{"dUdtAtWall", "m/s^2", Image::mirrored};   template<int dim> struct At { Vector<dim> a_w; }; };
-struct ShearAtWall         { static constexpr FieldInfo info{"shearAtWall", "1/s", Image::mirrored};    template<int dim> struct At { Tensor<dim> L_w; }; };
 struct DensityRate         { static constexpr FieldInfo info{"drhodt", "kg/(m^3 s)"};                   template<int dim> struct At { double drhodt; }; };
 struct ShiftDirection      { static constexpr FieldInfo info{"shift", "1/m", Image::mirrored};          template<int dim> struct At { Vector<dim> shift; }; };
 struct TransportVelocity   { static constexpr FieldInfo info{"dUTransport", "m/s", Image::mirrored};     template<int dim> struct At { Vector<dim> w; }; };

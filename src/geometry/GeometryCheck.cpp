@@ -1,4 +1,5 @@
 #include "GeometryCheck.hpp"
+#include "MovingWalls.hpp"
 #include "TriangleMesh.hpp"
 #include "closestApproach.hpp"
 #include "components.hpp"
@@ -18,9 +19,6 @@ std::string text(const Geometry& g, const Vector<3>& x)
 {
     return g.dimension == 3 ? fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z) : fmt::format("({:.6g} {:.6g})", x.x, x.y);
 }
-
-/// Of a wall's speed, what its direction in the dictionary may be off the wall by rounding.
-constexpr double slidingTolerance = 1e-6;
 
 class Check
 {
@@ -187,7 +185,7 @@ class Check
         }
     }
 
-    /// Walls stay where they are while the fluid moves: their velocity may only be along themselves.
+    /// Walls but planes (MovingWalls.hpp) stay where they are while the fluid moves: their velocity may only be along themselves.
     void motion()
     {
         for (int p = 0; p < int(g_.patches.size()); ++p)
@@ -199,6 +197,7 @@ class Check
                 continue;
             }
             if (g_.walls[w].velocity == Vector<3>{} && g_.walls[w].omega == Vector<3>{}) continue;
+            if (movesAcross(g_, g_.patches[p]) && !g_.mayBeCovered(p)) continue;
             Vector<3> worst;
             double fastest = 0, into = 0;
             for (const auto& x : samples(p).points)
@@ -218,8 +217,8 @@ class Check
     {
         diagnostics_.error(
             g_.walls[w].where,
-            fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls stay where they are, and a velocity "
-                        "only along them, as of a belt or a shaft, is possible",
+            fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls but planes that touch no other solid "
+                        "stay where they are, and a velocity only along them, as of a belt or a shaft, is possible",
                         g_.walls[w].name, into, text(g_, at)));
     }
 

@@ -1,4 +1,5 @@
 #include "PatchGrid.hpp"
+#include "MovingWalls.hpp"
 #include "components.hpp"
 #include <algorithm>
 #include <numeric>
@@ -55,11 +56,12 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
     for (int p = 0; p < int(geometry.patches.size()); ++p)
     {
         const auto& shape = *geometry.patches[p].shape;
+        const bool moves = movesAcross(geometry, geometry.patches[p]);
         const auto x = range(shape, 0), y = range(shape, 1), z = range(shape, 2);
         for (int l = z[0]; l <= z[1]; ++l)
             for (int k = y[0]; k <= y[1]; ++k)
                 for (int i = x[0]; i <= x[1]; ++i)
-                    if (shape.foot(centre(i, k, l)).distance - halfDiagonal <= reach)
+                    if (moves || shape.foot(centre(i, k, l)).distance - halfDiagonal <= reach)
                         found.emplace_back((l * cells_[1] + k) * cells_[0] + i, p);
     }
     start_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);

@@ -34,6 +34,7 @@ template<int dim> void drift(Particles<dim>& p, double deltaT)
 {
     const std::string x = Position::info.name;
     for (const auto& carrier : p.settings().carriers) advance(p, stateField(Position{}), x, x, carrier, deltaT);
+    p.driftWalls(deltaT);
 }
 
 template<int dim> void driftByAcceleration(Particles<dim>& p, double square)

@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// x += dt v by all that carries particles
+/// x += dt v by all that carries particles, and of walls that move
 template<int dim> void drift(Particles<dim>&, double deltaT);
 /// x += square dv/dt, square [s^2]
 template<int dim> void driftByAcceleration(Particles<dim>&, double square);

@@ -22,6 +22,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -40,9 +41,16 @@ public:
     /// Null where images have their sources' values.
     template<class Value> const GhostRule<Value, dim>* rule(const char* field) const
     {
-        const auto found = field ? rules_.find(field) : rules_.end();
-        return found == rules_.end() ? nullptr : dynamic_cast<const GhostRule<Value, dim>*>(found->second.get());
+        return dynamic_cast<const GhostRule<Value, dim>*>(anyRule(field));
     }
+    const AnyGhostRule* anyRule(const char* field) const
+    {
+        const auto found = field ? rules_.find(field) : rules_.end();
+        return found == rules_.end() ? nullptr : found->second.get();
+    }
+    /// From now on particles of layers have one value of this field each, a fit to the fluid's, and not what each pair makes of it.
+    template<class F> void interpolateInLayers(F) { interpolated_.insert(F::info.name); }
+    bool interpolates(const FieldInfo& info) const { return info.inLayers == InLayers::extrapolated || interpolated_.contains(info.name); }
     /// At the end of a step, for rules that keep a state.
     void filterRules() const
     {
@@ -153,6 +161,7 @@ private:
     PatchGrid grid_;
     double reach_, spacing_, skin_, fastest_ = 1;
     std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_; ///< by field
+    std::set<std::string, std::less<>> interpolated_; ///< fields of which particles of layers have values of their own
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0;
@@ -234,8 +243,9 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         sph::store(q, [&](int c, double a) { p[c][owned + k] = a; });
     }
     // All else of wall particles is seen pair by pair.
-    if constexpr (F::info.inLayers == InLayers::extrapolated)
-        if (images.layers_) images.layers_->extrapolate(store, name, rule);
+    if (images.layers_ && images.interpolates(F::info))
+        images.layers_->extrapolate(store, name, rule,
+                                    F::info.inLayers == InLayers::extrapolated ? Extrapolation::mean : Extrapolation::fit);
     // The null particle has W = 0 but its values are computed with: they must be finite.
     for (double* a : p) a[images.nullParticle()] = owned > 0 ? a[0] : 1.0;
 }

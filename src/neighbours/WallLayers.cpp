@@ -3,10 +3,54 @@
 #include "components.hpp"
 #include "forEachFoot.hpp"
 #include "periodicShifts.hpp"
+#include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <tuple>
 
 namespace sph
 {
+
+/// Sums over the pairs of one particle j of a layer.
+template<int dim> class WallLayers<dim>::Fit
+{
+    std::array<Vector<dim>, dim> across_{}; ///< unit vectors that span the normals of the walls that j lies behind
+    int walls_ = 0;
+    double weight_ = 0;
+    Vector<dim> sum_{}, mean_{}, slope_{};
+    SymmTensor<dim> square_{};
+
+    Vector<dim> along(Vector<dim> t) const
+    {
+        for (int k = 0; k < walls_; ++k) t -= dot(t, across_[std::size_t(k)]) * across_[std::size_t(k)];
+        return t;
+    }
+
+public:
+    explicit Fit(std::span<const Behind> walls)
+    {
+        for (const auto& wall : walls)
+            if (const auto n = along(in<dim>(wall.foot.normal)); mag(n) > 1e-6) across_[std::size_t(walls_++)] = 1 / mag(n) * n;
+    }
+    void add(double W, Vector<dim> way)
+    {
+        const auto t = along(way);
+        weight_ += W;
+        sum_ += W * t;
+        square_ += W * outer(t);
+    }
+    /// `H` [m] the support.
+    void solve(double H)
+    {
+        if (!(weight_ > 0)) return;
+        mean_ = 1 / weight_ * sum_;
+        auto C = 1 / weight_ * square_ - outer(mean_) + 1e-12 * sqr(H) * identity(square_); // one particle alone has no C
+        for (int k = 0; k < walls_; ++k) C += sqr(H) * outer(across_[std::size_t(k)]);
+        const auto u = 1 / determinant(C) * (adjugate(C) * mean_);
+        slope_ = std::fmin(1, 3 / dot(mean_, u)) * u; // 3 is at the end of an even spread
+    }
+    double operator()(Vector<dim> way) const { return 1 - dot(slope_, along(way) - mean_); }
+};
 
 template<int dim>
 WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel, double reach, double spacing)
@@ -39,6 +83,7 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
         particles_.push_back(p);
     };
     for (const auto& particle : geometry.layers) add(particle, particle.x, int(particles_.size()));
+    checkDepth(spacing);
     const auto originals = particles_.size();
     for (std::size_t k = 0; k < originals; ++k)
         forEachPeriodicShift(geometry,
@@ -47,6 +92,49 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
                                  if (const auto x = geometry.layers[k].x + by; within(x)) add(geometry.layers[k], x, int(k));
                              });
     firstPair_.assign(originals + 1, 0);
+}
+
+/// Of each wall that has layers, the first and the last: the one lies half a layer deep, and behind the other there is place for no more, in the support, in the solid or in the domain.
+template<int dim> void WallLayers<dim>::checkDepth(double spacing) const
+{
+    const double H = std::visit([](const auto& kernel) { return kernel.H; }, kernel_.choice());
+    struct Layers
+    {
+        double first = Box::infinity, last = 0, deepest = 0;
+        Vector<3> x, n;
+    };
+    std::map<int, Layers> all;
+    for (const auto& particle : particles_)
+        for (const auto& behind : wallsOf(particle))
+        {
+            auto& layers = all[behind.wall];
+            const double depth = -behind.foot.distance;
+            if (geometry_.layers[std::size_t(particle.original)].wall == behind.wall) layers.first = std::min(layers.first, depth);
+            if (depth <= layers.last) continue;
+            layers.last = depth;
+            layers.x = in3D(particle.x);
+            layers.n = behind.foot.normal;
+            layers.deepest = std::min(H, geometry_.patches[std::size_t(behind.patch)].shape->smallestRadius());
+        }
+    for (const auto& [wall, layers] : all)
+    {
+        const auto& [name, where] = std::tie(geometry_.walls[std::size_t(wall)].name, geometry_.walls[std::size_t(wall)].where);
+        if (std::isfinite(layers.first) && layers.first > 0.8 * spacing)
+            throw CaseError(where,
+                            fmt::format("the first layer of particles behind {} lies {:.4g} m deep, and particles are {:.4g} m apart: run "
+                                        "meshToGhost again",
+                                        name, layers.first, spacing));
+        const auto next = layers.x - 2 * layers.first * layers.n;
+        bool inDomain = true;
+        for (int c = 0; c < dim; ++c)
+            inDomain =
+                inDomain && next.*component(c) > geometry_.low.*component(c) - H && next.*component(c) < geometry_.high.*component(c) + H;
+        if (inDomain && layers.last + 2 * layers.first < (1 - 1e-6) * layers.deepest)
+            throw CaseError(where,
+                            fmt::format("the layers of particles behind {} are {:.4g} m thick, less than the kernel's support, {:.4g} m: "
+                                        "run meshToGhost again",
+                                        name, layers.last + layers.first, layers.deepest));
+    }
 }
 
 template<int dim> void WallLayers<dim>::place(FieldStore<dim>& store, std::size_t first)
@@ -80,17 +168,19 @@ template<int dim> void WallLayers<dim>::list(const NeighbourLists<dim>& lists, s
     each([&](int i, int j) { pairs_[next[std::size_t(particles_[std::size_t(j)].original)]++] = {i, j}; });
 }
 
-template<int dim> void WallLayers<dim>::extrapolate(FieldStore<dim>& store, const std::string& field, const AnyGhostRule* rule) const
+template<int dim>
+void WallLayers<dim>::extrapolate(FieldStore<dim>& store, const std::string& field, const AnyGhostRule* rule, Extrapolation how) const
 {
     const auto& type = store.fields().at(field).type;
-    const auto as = [&]<class Value>(Value) { extrapolateAs<Value>(store, field, dynamic_cast<const GhostRule<Value, dim>*>(rule)); };
+    const auto as = [&]<class Value>(Value) { extrapolateAs<Value>(store, field, dynamic_cast<const GhostRule<Value, dim>*>(rule), how); };
     if (type == valueType<double>) as(0.0);
     else withDirectedValue<dim>(type, as);
 }
 
 template<int dim>
 template<class Value>
-void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& field, const GhostRule<Value, dim>* rule) const
+void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& field, const GhostRule<Value, dim>* rule,
+                                    Extrapolation how) const
 {
     const auto x = store.pointers(Position{});
     std::array<double*, std::size_t(components<Value>)> q;
@@ -102,26 +192,38 @@ void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& f
 #pragma omp parallel for schedule(static)
             for (std::size_t k = 0; k < originals; ++k)
             {
+                const auto forEachSeen = [&](const auto& f)
+                {
+                    for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
+                    {
+                        const auto [i, j] = pairs_[pair];
+                        const Particle& particle = particles_[std::size_t(j)];
+                        Vector<dim> x_i;
+                        fetch(x_i, [&, i = i](int c) { return x[c][i]; });
+                        if (const double r = mag(x_i - particle.x); r < kernel.H) f(std::size_t(i), x_i, particle, kernel.W(r));
+                    }
+                };
+                std::optional<Fit> fit;
+                if (how == Extrapolation::fit)
+                {
+                    fit.emplace(wallsOf(particles_[k]));
+                    forEachSeen([&](std::size_t, Vector<dim> x_i, const Particle& particle, double W) { fit->add(W, x_i - particle.x); });
+                    fit->solve(kernel.H);
+                }
                 Value sum{};
                 double weight = 0;
-                for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
-                {
-                    const auto [i, j] = pairs_[pair];
-                    const Particle& particle = particles_[std::size_t(j)];
-                    Vector<dim> x_i;
-                    fetch(x_i, [&](int c) { return x[c][i]; });
-                    const double r = mag(x_i - particle.x);
-                    if (r >= kernel.H) continue;
-                    Value q_j;
-                    fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
-                    if (rule)
-                        for (const Behind& behind : wallsOf(particle))
-                            q_j =
-                                (*rule)(q_j, std::size_t(i), reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
-                    const double W = kernel.W(r);
-                    sum += W * q_j;
-                    weight += W;
-                }
+                forEachSeen(
+                    [&](std::size_t i, Vector<dim> x_i, const Particle& particle, double W)
+                    {
+                        Value q_j;
+                        fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
+                        if (rule)
+                            for (const Behind& behind : wallsOf(particle))
+                                q_j = (*rule)(q_j, i, reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
+                        if (fit) W *= (*fit)(x_i - particle.x);
+                        sum += W * q_j;
+                        weight += W;
+                    });
                 sph::store(sum, [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a / weight : 0; });
             }
         },

@@ -20,7 +20,10 @@ template<int dim, class F> Vector<dim> offWalls(const Images<dim>& images, Vecto
     return x;
 }
 
-/// Without what of it points against n.
-template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<dim>& n) { return v - std::fmin(0.0, dot(v, n)) * n; }
+/// Without what of it points against n; where a wall moves at `speed` [m/s] along n, beside it.
+template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<dim>& n, double speed = 0)
+{
+    return v - std::fmin(0.0, dot(v, n) - speed) * n;
+}
 
 }

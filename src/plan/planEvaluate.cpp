@@ -100,8 +100,8 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const long null = long(images.nullParticle());
     const long n = long(images.owned());
     const auto* const layers = images.layers();
-    std::vector<const GhostVelocity<dim>*> rules; // of the columns, for particles of layers
-    for (const auto& f : pass.columns) rules.push_back(images.template rule<Vector<dim>>(f.info.ofRule));
+    std::vector<InLayersOf> inLayers; // of the columns
+    for (const auto& f : pass.columns) inLayers.push_back({images.anyRule(f.info.ofRule), images.interpolates(f.info)});
 
     std::visit(
         [&](const auto& k)
@@ -114,7 +114,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
                 {
                     stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize,
                                  pass.sources, k, pass.readsKernel, null);
-                    if (layers) layers->continueInto(stencil, rules, pass.columns, pass.sources, pass.factors.scale);
+                    if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
                     stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
                     if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                     for (const auto& o : pass.operations) o->gather(stencil);

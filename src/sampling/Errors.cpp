@@ -35,9 +35,9 @@ namespace
 std::optional<ErrorRow> compareMeasure(const std::string& name, const Measurement& m, bool relative)
 {
     if (std::isnan(m.reference)) return {};
-    const double difference = std::abs(m.value - m.reference),
-                 error = relative ? relativeTo(std::abs(m.reference), difference) : difference;
-    return ErrorRow{name, {error, error, error}, m.particles, m.value, m.reference, m.note};
+    const double difference = std::abs(m.value - m.reference), scale = std::abs(m.reference);
+    const auto errors = m.errors.value_or(Norms{difference, difference, difference});
+    return ErrorRow{name, relative ? relativeTo(Norms{scale, scale, scale}, errors) : errors, m.particles, m.value, m.reference, m.note};
 }
 
 }

@@ -4,6 +4,7 @@
 #include "ContactAngle.hpp"
 #include "DragFactor.hpp"
 #include "DropOscillation.hpp"
+#include "EarthPressure.hpp"
 #include "FrontPosition.hpp"
 #include "InterfaceGrowth.hpp"
 #include "LaplaceJump.hpp"
@@ -62,6 +63,8 @@ const std::vector<Entry>& catalogue()
         {"lensAngle", measure<LensAngle>, LensAngle::entries},
         {"lensRadius", measure<LensRadius>, LensRadius::entries},
         {"migrationBalance", measure<MigrationBalance>, MigrationBalance::entries},
+        {"earthPressure", measure<EarthPressure>, EarthPressure::entries},
+        {"overburden", measure<Overburden>, Overburden::entries},
         {"wallDropTime", measure<WallDropTime>, WallDropTime::entries},
     };
     return all;

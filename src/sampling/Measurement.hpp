@@ -1,9 +1,11 @@
 /// Measures: single numbers taken from a whole view that have a reference value of their own.
 #pragma once
 #include "EntryList.hpp"
+#include "Norms.hpp"
 #include "ParticleView.hpp"
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 namespace sph
 {
@@ -14,6 +16,7 @@ struct Measurement
     double reference = 0;      ///< NaN where there is none at this time
     std::size_t particles = 0; ///< that the value rests on
     std::string note;
+    std::optional<Norms> errors = {}; ///< of what each particle has, not over the reference; without, of the value alone
 };
 
 /// A measure of a rate keeps what it has seen, and is asked in the order of time. `lists` are those of a restart, in their order.

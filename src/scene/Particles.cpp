@@ -84,19 +84,24 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
                           const Numbers& restored)
     : settings_(settings),
       geometry_(geometry),
+      movingWalls_(geometry_),
       catalogue_(catalogue),
       coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      images_(geometry, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
+      images_(geometry_, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
               skinInSpacings * settings.resolution.spacing),
-      leakGuard_(geometry, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
+      leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
       owned_(cloud.size()),
       skin_(skinInSpacings * settings.resolution.spacing)
 {
     plan_.allocate(store_);
     allocateState();
-    if (!geometry.layers.empty()) images_.setLayers({geometry, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
+    if (movingWalls_.any() && !geometry_.layers.empty())
+        throw CaseError({"constant/geometry", 0},
+                        "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
+    if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
+    if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
     for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
@@ -192,6 +197,13 @@ template<int dim> void Particles<dim>::bind()
     images_.bindRules();
     plan_.bind(store_, coefficients_);
     for (const auto& part : parts_) part->bind(*this);
+}
+
+template<int dim> void Particles<dim>::driftWalls(double deltaT)
+{
+    if (!movingWalls_.any()) return;
+    movingWalls_.advance(geometry_, deltaT);
+    moved(2 * movingWalls_.fastest() * deltaT); // images go twice as far
 }
 
 /// Nothing parts two particles at one place: every sum takes x_ij = 0.

@@ -2,6 +2,7 @@
 #pragma once
 #include "Images.hpp"
 #include "LeakGuard.hpp"
+#include "MovingWalls.hpp"
 #include "Plan.hpp"
 #include "Settings.hpp"
 #include <functional>
@@ -13,10 +14,13 @@
 namespace sph
 {
 
+/// Of MovingWalls, in the numbers of a restart.
+inline constexpr const char* wallTime = "wallTime";
+
 template<int dim> class Particles
 {
 public:
-    /// Settings, geometry and catalogue must outlive the particles. Throws CaseError where particles do not fit the scene.
+    /// Settings and catalogue must outlive the particles. Throws CaseError where particles do not fit the scene.
     Particles(const Settings&, const Geometry&, const Catalogue<dim>&, const Cloud&, const Numbers& restored);
 
     /// Rates and derived fields at the present state. A pure function of the state.
@@ -34,6 +38,10 @@ public:
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
     void moved(double distance) { travelled_ += distance * images_.closingSpeed(); }
+
+    /// Walls that move across themselves go on, as particles do in a drift.
+    void driftWalls(double deltaT);
+    const MovingWalls& movingWalls() const { return movingWalls_; }
 
     std::size_t size() const { return owned_; }
     const Settings& settings() const { return settings_; }
@@ -81,7 +89,8 @@ public:
 
 private:
     const Settings& settings_;
-    const Geometry& geometry_;
+    Geometry geometry_; ///< as it is now: some walls move
+    MovingWalls movingWalls_;
     const Catalogue<dim>& catalogue_;
     Coefficients coefficients_;
     Plan<dim> plan_;

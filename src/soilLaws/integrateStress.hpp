@@ -19,7 +19,7 @@ namespace sph
 /// What becomes of a particle of a tensionless law whose mean pressure falls below floorPressure. Nothing brings a stress of 0 back: it is a fixed point of the law.
 enum class StressFree
 {
-    floor,   ///< the stress is scaled to floorPressure; what acts on its neighbours is sigma + floorPressure I (`acting`)
+    floor,   ///< the stress is scaled to floorPressure; what acts on its neighbours is sigma + floorPressure I
     detached ///< the stress is 0 and stays 0, until the caller sets it anew
 };
 
@@ -81,12 +81,6 @@ template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegratio
         stress = back;
         return changed;
     }
-}
-
-/// The stress that a particle exerts on others [Pa].
-inline SymmTensor<3> acting(SymmTensor<3> stress, bool tensionless, const StressIntegration& how)
-{
-    return tensionless && how.stressFree == StressFree::floor ? stress + how.floorPressure * identity(stress) : stress;
 }
 
 /// An error over `tolerance` of the larger of two stresses.

@@ -29,7 +29,7 @@ struct Soil
 
 inline const std::string soilProperties = "constant/soilProperties";
 /// What models that move soil read from there.
-inline constexpr const char* initialStressKeyword = "initialStress";
+inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure";
 
 /// Mistakes are recorded with file and line. `turning`: what is taken where the file does not say.
 Soil readSoil(const Dictionary&, const std::string& turning = "halves");

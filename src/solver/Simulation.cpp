@@ -92,7 +92,7 @@ public:
           particles_(settings, geometry, terms_, cloud, restored),
           schedule_(particles_, [this](double deltaT) { measure(deltaT); }),
           summary_(firstSummary(restored)),
-          energy_(particles_, settings_, geometry, summary_)
+          energy_(particles_, settings_, particles_.geometry(), summary_)
     {
         if (goesOn_) energy_.restore(restored);
         integratorOf(settings.integration.scheme).stages(schedule_);
@@ -158,6 +158,7 @@ public:
     {
         StateNumbers numbers;
         if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
+        if (particles_.movingWalls().any()) numbers[wallTime] = particles_.movingWalls().time();
         numbers[lastName("maxAcceleration")] = summary_.maxAcceleration;
         numbers[lastName("observedAcceleration")] = particles_.observedAcceleration();
         if (summary_.maxSlowAcceleration > 0) numbers[lastName("maxSlowAcceleration")] = summary_.maxSlowAcceleration;

@@ -220,12 +220,19 @@ TEST(ExtremeScenes, WallMovedThroughTheFluid)
     far.isRefused("sphFoamLike", {"particle ", "beyond a wall"});
 }
 
-// Walls stay where they are: they may slide along themselves, and one that is told to go elsewhere is refused.
+// Walls but planes stay where they are: they may slide along themselves, and one that is told to go elsewhere is refused. So is a plane that turns.
 TEST(ExtremeScenes, WallThatMovesIntoTheFluid)
 {
-    Damaged c;
-    c.replace("constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); velocity (1 -2 0);");
-    c.isRefused("meshToGhost", {"constant/geometry:5", "top"});
+    Damaged plane;
+    plane.replace("constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); velocity (1 -2 0);");
+    plane.runWell("meshToGhost");
+    Damaged turning;
+    turning.replace("constant/geometry", "normal (0 -1 0);", "normal (0 -1 0); omega (0 0 1);");
+    turning.isRefused("meshToGhost", {"constant/geometry:5", "top"});
+    Damaged sphere;
+    sphere.replace("constant/geometry", "type plane; point (0 1 0); normal (0 -1 0);",
+                   "type sphere; centre (0.5 1 0); radius 0.3; fluid outside; velocity (0 -2 0);");
+    sphere.isRefused("meshToGhost", {"constant/geometry:5", "top"});
 }
 
 // A cluster smaller than a cell in an empty box: it flies apart evenly, and its centre stays.

@@ -1,8 +1,9 @@
 /// What the stress of a particle shows of itself: the acting stress, which its neighbours feel, and the pressure.
 ///
-///   S = sigma + (p_f - p_c) I (in the plane of the flow),    p_c = c_c^2 max(0, rho - rho_c),    p = -tr(sigma)/3
+///   S = sigma + (p_s - p_c) I (in the plane of the flow),    p_c = c_c^2 max(0, rho - rho_c),    p = -tr(sigma)/3
 ///
-/// sigma [Pa] tension positive; p_f [Pa] floorPressure with `stressFree floor`, by which stress-free soil exerts nothing; else 0. p_c [Pa] keeps particles of a flow apart: the law knows no
+/// sigma [Pa] tension positive; p_s [Pa] pressure on free surfaces, where nothing answers S: `confiningPressure`, or else the floorPressure of `stressFree floor`, by which stress-free soil exerts
+/// nothing, or 0. The divergence of p_s I is 0, and what walls take of the soil is sigma. p_c [Pa] keeps particles of a flow apart: the law knows no
 /// void ratio, and by its stress alone they clump. c_c [m/s] `compactionSpeed`, rho_c [kg/m^3] 1.05 of the density at rest. tr is that of three dimensions, zz of plane strain included. Verified by test/unit/soil.
 #pragma once
 #include "Coefficients.hpp"
@@ -22,7 +23,7 @@ struct StressOnNeighbours
     auto operator()(const auto& i) const
     {
         const auto S = inPlane(i.sigma);
-        return S + (soil.floorPressure - soil.compactionPressure(i.rho)) * identity(S);
+        return S + (soil.surfacePressure - soil.compactionPressure(i.rho)) * identity(S);
     }
 };
 

@@ -23,7 +23,8 @@ struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; te
 /// What terms of soil are made from.
 struct SoilNumbers
 {
-    double floorPressure = 0;     ///< that acts on no neighbour [Pa]; 0 where there is none
+    double floorPressure = 0;     ///< of stress-free soil [Pa]; 0 where there is none
+    double surfacePressure = 0;   ///< p_s, on free surfaces [Pa]: that of the floor where nothing else is said
     double alpha = 0;             ///< of the artificial viscosity [1]
     bool actsOnRecession = false; ///< and not on approach alone
     double smoothing = 0;         ///< delta of the stress's noise [1]; 0: it is left

@@ -38,6 +38,7 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
                                std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
                                                                       settings.has("wallVelocity", "freeSlip"),
                                                                       settings.chosen.at("wallPressure")));
+    if (settings.has("layerValues", "interpolated")) particles.images().interpolateInLayers(ActingStress{});
 }
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
@@ -123,13 +124,38 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
             const auto mean = levels_ ? before : 0.5 * (start + step.stress);
             if (strain) strain[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
             if (work) work[i] += deltaT * doubleDot(mean, D);
-            const auto onNeighbours =
-                acting(mean, Law::tensionless, soil.integration) - numbers.compactionPressure(rho[i]) * identity(mean);
+            const auto onNeighbours = mean + (numbers.surfacePressure - numbers.compactionPressure(rho[i])) * identity(mean);
             return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
                           step.state == StressState::unresolved, c[i], -V[i] * doubleDot(onNeighbours, D)};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
+    if (particles.movingWalls().any()) summary_.power += powerOfWalls(particles);
+}
+
+template<int dim> double StressUpdate<dim>::powerOfWalls(const Particles<dim>& particles) const
+{
+    const auto& c = particles.coefficients();
+    const auto& geometry = particles.geometry();
+    const auto x = particles.store().pointers(Position{});
+    const auto S = particles.store().pointers(ActingStress{});
+    const double* const V = particles.store().component(Volume::info.name, 0);
+    return sum(particles.size(),
+               [&](std::size_t i)
+               {
+                   double power = 0;
+                   const auto x_i = valueAt<Vector<dim>>(x, i);
+                   particles.images().forEachWallNear(x_i,
+                                                      [&](const Foot& foot, const Patch& patch)
+                                                      {
+                                                          if (!(foot.distance < c.spacing)) return;
+                                                          const auto v_w = geometry.wallVelocity(patch.wallAt(foot.region),
+                                                                                                 in3D(x_i) - foot.distance * foot.normal);
+                                                          power -= V[i] / c.spacing *
+                                                                   dot(valueAt<SymmTensor<dim>>(S, i) * in<dim>(foot.normal), in<dim>(v_w));
+                                                      });
+                   return power;
+               });
 }
 
 template<int dim> std::vector<StepLimit> StressUpdate<dim>::limits() const

@@ -39,7 +39,7 @@ public:
     std::string report(const Particles<dim>&) const override;
     std::string note() const override;
     void save(Numbers&) const override;
-    /// Minus that of the stress: what deforms soil is taken from its motion.
+    /// Minus that of the stress, for what deforms soil is taken from its motion, and that of walls which move across themselves.
     double power() const override { return summary_.power; }
 
 private:
@@ -58,6 +58,8 @@ private:
 
     void advance(Particles<dim>&, double deltaT);
     void measure(Particles<dim>&); ///< the speeds of sound
+    /// -sum V/dx (S n).v_w of the row at the walls [W]
+    double powerOfWalls(const Particles<dim>&) const;
 };
 
 }

@@ -1,7 +1,6 @@
 #include "WallFriction.hpp"
 #include "SoilFields.hpp"
 #include "TwoLevels.hpp"
-#include "VelocityGradient.hpp"
 
 namespace sph
 {
@@ -17,7 +16,6 @@ WallFriction<dim>::WallFriction(Particles<dim>& particles, const Numbers&) : atE
 
 template<int dim> std::vector<Stage<dim>> WallFriction<dim>::stages(Place place)
 {
-    // Behind the stress, which leaves the velocity gradient.
     if (place != (atEnds_ ? Place::beforeDrift : Place::afterKick)) return {};
     return {{"wall friction", "tau += dt k v_s, |tau| <= tan(delta) max(0, -n.sigma n - p_f)",
              [this](Particles<dim>& p, const Substep& s)
@@ -51,12 +49,11 @@ template<int dim> void WallFriction<dim>::slide(Particles<dim>& p, std::size_t i
         return q;
     };
     const auto ofJoint = store.pointers(WallShear{});
-    const auto ofGradient = store.pointers(ShearAtWall{});
     const auto x = value(store.pointers(Position{}), Vector<dim>{}), v = value(store.pointers(Velocity{}), Vector<dim>{});
-    const auto L = value(store.pointers(VelocityGradient{}), Tensor<dim>{});
     const auto sigma = inPlane(value(store.pointers(SoilStress{}), StressTensor<dim>{}));
     auto T = value(ofJoint, SymmTensor<dim>{});
-    const double rho = store.component(Density::info.name, 0)[i], floor = c.template of<SoilNumbers>().floorPressure;
+    const auto& numbers = c.template of<SoilNumbers>();
+    const double rho = store.component(Density::info.name, 0)[i], besides = numbers.compactionPressure(rho) - numbers.floorPressure;
     const double stiffness = rho * sqr(store.component(SoilSound::info.name, 0)[i]) / c.spacing;
     p.images().forEachWallNear(x,
                                [&](const Foot& foot, const Patch& patch)
@@ -66,16 +63,14 @@ template<int dim> void WallFriction<dim>::slide(Particles<dim>& p, std::size_t i
                                    if (!wall.frictionAngle || foot.distance > c.support) return;
                                    const auto n = in<dim>(foot.normal);
                                    const auto v_w = in<dim>(geometry.wallVelocity(index, in3D(x) - foot.distance * foot.normal));
-                                   const auto joint = along(T * n, n),
-                                              tau = joint + deltaT * stiffness * along(v - v_w - foot.distance * (L * n), n);
+                                   const auto joint = along(T * n, n), tau = joint + deltaT * stiffness * along(v - v_w, n);
                                    const double normal =
-                                       -dot(n, sigma * n) - floor - foot.distance * dot(n, rho * in<dim>(c.g) + in<dim>(c.bodyForce));
+                                       -dot(n, sigma * n) + besides - foot.distance * dot(n, rho * in<dim>(c.g) + in<dim>(c.bodyForce));
                                    const double strength = wall.frictionCoefficient() * std::fmax(0.0, normal);
                                    const double size = mag(tau);
                                    T = T + 2.0 * symm(outer(n, (size > strength ? strength / size : 1.0) * tau - joint));
                                });
     sph::store(T, [&](int k, double q) { ofJoint[std::size_t(k)][i] = q; });
-    sph::store(L, [&](int k, double q) { ofGradient[std::size_t(k)][i] = q; });
 }
 
 template class WallFriction<2>;

@@ -28,6 +28,9 @@ const Choice viscosityActs{"viscosityActs",
                            "when the artificial viscosity does"};
 
 const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(sigma)/3"},
+    confiningPressure{confiningPressureKeyword, units::pressure,
+                      byScene("floorPressure with stressFree floor, of laws without tension; else 0"), positive,
+                      "on free surfaces, as by a membrane"},
     surface{"surface", units::m, required, anyNumber, "height of the soil's surface, against gravity, from the origin"},
     K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
        "earth pressure at rest: lateral over vertical stress"};
@@ -55,8 +58,11 @@ const Scalar compactionSpeed{
 
 Cases initialCases()
 {
-    return {{{"isotropic", "the same pressure everywhere"}, {pressure}},
-            {{"geostatic", "at rest under gravity: vertical stress rho g depth, lateral K0 of it; floorPressure at least"}, {surface, K0}}};
+    return {
+        {{"isotropic", "the same pressure everywhere"}, {pressure}},
+        {{"geostatic",
+          "at rest under gravity: vertical stress rho g depth, lateral K0 of it; confiningPressure on the surface, or floorPressure at least"},
+         {surface, K0}}};
 }
 const Choice type{"type", wordsOf(initialCases()), required, "what it is"};
 const SubDictionary initialStress{initialStressKeyword, byScene("the field sigma of the time folder"),
@@ -81,13 +87,37 @@ std::optional<double> earthPressureOf(const Soil& soil)
     return law ? law->K0() : std::nullopt;
 }
 
+/// p_s of ActingStress.hpp.
+double readSurfacePressure(const Dictionary& dict, const Soil& soil)
+{
+    const bool floored = isTensionless(soil) && soil.integration.stressFree == StressFree::floor;
+    const double floor = floored ? soil.integration.floorPressure : 0;
+    const auto confining = entry::confiningPressure.ifGiven(dict);
+    if (confining && isTensionless(soil) && !floored)
+        entry::confiningPressure.error(dict, "on soil whose stress is 0 for good nothing would answer: it goes with `stressFree floor;`");
+    if (confining && *confining < floor)
+        entry::confiningPressure.error(dict,
+                                       fmt::format("{:.6g} Pa is less than floorPressure, {:.6g} Pa: the surface would be free of stress",
+                                                   *confining, floor));
+    return confining.value_or(floor);
+}
+
 InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector<3> g)
 {
     const auto d = entry::initialStress.needed(dict);
     const SymmTensor<3> I{1, 0, 0, 1, 0, 1};
     const auto type = entry::type.known(d);
     if (!type) return nullptr;
-    if (*type == "isotropic") return [p = entry::pressure.needed(d), I](Vector<3>) { return -p * I; };
+    const auto confining = entry::confiningPressure.ifGiven(dict);
+    if (*type == "isotropic")
+    {
+        const double p = entry::pressure.needed(d);
+        if (confining && p != *confining)
+            entry::pressure.error(d,
+                                  fmt::format("{:.6g} Pa within is not confiningPressure, {:.6g} Pa: free surfaces would set off at once",
+                                              p, *confining));
+        return [=](Vector<3>) { return -p * I; };
+    }
     const double surface = entry::surface.needed(d);
     if (!(mag(g) > 0))
     {
@@ -99,7 +129,7 @@ InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector
     return [=, rho = soil.rho, floor = soil.integration.floorPressure](Vector<3> x)
     {
         const auto down = 1 / mag(g) * g;
-        const double depth = surface + dot(down, x), vertical = std::fmax(rho * mag(g) * depth, floor);
+        const double depth = surface + dot(down, x), vertical = std::fmax(rho * mag(g) * depth + confining.value_or(0), floor);
         return -vertical * (outer(down) + K * (I - outer(down)));
     };
 }
@@ -185,6 +215,9 @@ void prepare(const Reading& reading)
         entry::rho.error(dict, fmt::format("{:.6g} kg/m^3 is not the density of {} in constant/phaseProperties, {:.6g} kg/m^3", soil.rho,
                                            c.phases[0], c.restDensity[0]));
     const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c.g) : nullptr;
+    SoilNumbers numbers;
+    numbers.surfacePressure = readSurfacePressure(dict, soil);
+    c.set(numbers);
     dict.reportUnused();
     settings.state.push_back(stressOf(soil, initial, c.dimension));
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
@@ -196,10 +229,8 @@ void prepare(const Reading& reading)
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     if (reading.geometry.withFriction())
     {
-        for (const auto& field : {stateField(WallShear{}), stateField(ShearAtWall{})})
-            settings.state.push_back({.value = field, .advancedByModel = true});
+        settings.state.push_back({.value = stateField(WallShear{}), .advancedByModel = true});
         settings.ruleReads[ActingStress::info.name].push_back(stateField(WallShear{}));
-        settings.ruleReads[Velocity::info.name] = {stateField(ShearAtWall{})};
     }
     c.set(soil);
 }
@@ -210,6 +241,7 @@ void read(const Reading& reading)
     auto& c = settings.coefficients;
     const auto d = entry::soil(reading.schemes);
     SoilNumbers numbers;
+    if (isSoil(settings)) numbers = c.of<SoilNumbers>();
     numbers.alpha = entry::alpha(d);
     numbers.actsOnRecession = entry::viscosityActs(d) == "always";
     numbers.smoothing = entry::stressSmoothing(d);
@@ -267,11 +299,9 @@ const Model& soilModel()
               return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog" &&
                      !s.coefficients.has<TwoLevels>();
           },
-          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
-         {"walls", [](const Settings& s) { return isSoil(s) && s.has("walls", "layers"); },
-          "layers carry no stress yet: with soil take walls reflected"}},
+          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"}},
         {},
-        {{soilProperties, {{entry::initialStress, {{entry::type, entry::initialCases()}}}}},
+        {{soilProperties, {entry::confiningPressure, {entry::initialStress, {{entry::type, entry::initialCases()}}}}},
          {"system/sphSchemes",
           {{entry::soil,
             {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,

@@ -15,7 +15,7 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
     // Behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
     if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
-    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.v, 0) n",
+    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
              {
                  if (near_.empty()) return;
@@ -28,12 +28,27 @@ template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
     near_.clear();
     const auto x = p.store().pointers(Position{});
     // A step that no sound limits may carry a particle a quarter of a spacing on after lists have become too old.
-    for (const auto& [i, d] : p.images().nearFaces(0.5 * p.coefficients().spacing + p.skin()))
+    const double within = 0.5 * p.coefficients().spacing + p.skin();
+    for (const auto& [i, d] : p.images().layers() ? nearFeet(p, within) : p.images().nearFaces(within))
     {
         Vector<dim> x_i;
         fetch(x_i, [&, i = i](int c) { return x[c][i]; });
-        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p))});
+        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
     }
+}
+
+/// As Images::nearFaces, where nothing is mirrored.
+template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::nearFeet(const Particles<dim>& p, double distance)
+{
+    std::vector<std::pair<std::size_t, double>> near;
+    const auto x = p.store().pointers(Position{});
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x[c][i]; });
+        if (const double d = p.images().nearestFoot(x_i, distance).foot.distance; d < distance) near.emplace_back(i, d);
+    }
+    return near;
 }
 
 /// By how much it has been put off [m].
@@ -43,17 +58,19 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
     const std::size_t i = near.particle;
     Vector<dim> x_i, v_i;
     fetch(x_i, [&](int c) { return x[c][i]; });
-    if (mag(x_i - near.x) < near.clear) return 0;
+    const double walls = p.movingWalls().travelled();
+    if (mag(x_i - near.x) + (walls - near.walls) < near.clear) return 0;
 
     // Deeper than that the leak guard ends the run.
     const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
     const auto [foot, patch] = p.images().nearestFoot(x_i, reach);
     const double d = std::min(reach, foot.distance);
-    near = {i, x_i, std::max(0.0, d - closest)};
+    near = {i, x_i, std::max(0.0, d - closest), walls};
     if (d >= closest) return 0;
     fetch(v_i, [&](int c) { return v[c][i]; });
     const auto before = v_i;
-    const auto held = offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n); });
+    const auto held = offWalls(p.images(), x_i, closest, reach,
+                               [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n, p.movingWalls().speedAlong(in3D(n))); });
     if (const auto& geometry = p.geometry(); ofSoil_)
     {
         const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region);

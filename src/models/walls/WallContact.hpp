@@ -1,7 +1,7 @@
 /// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it, at the
 /// end of the step and where its forces are taken.
 ///
-///   d < d_0:   x += (d_0 - d) n,   v -= min(n.v, 0) n;    of soil v = v_w at a wall that holds it,
+///   d < d_0:   x += (d_0 - d) n,   v -= min(n.(v - v_w), 0) n;    of soil v = v_w at a wall that holds it,
 ///              v_t -= min(1, mu |dv_n|/|v_t - v_w|) (v_t - v_w) at one of friction mu = tan(delta)
 ///
 /// n unit normal into the fluid of each foot of x, at distance d [m]; d_0 the distance at which the leak guard too holds particles off walls [m].
@@ -19,16 +19,17 @@ namespace sph
 
 template<int dim> class WallContact final : public Part<dim>
 {
-    /// A particle that may come to a wall before lists are built anew. Until it has moved by `clear` [m] from x it cannot be nearer than d_0.
+    /// A particle that may come to a wall before lists are built anew. Until it has moved by `clear` [m] from x, or walls beyond `walls` [m], it cannot be nearer than d_0.
     struct Near
     {
         std::size_t particle;
         Vector<dim> x;
-        double clear;
+        double clear, walls;
     };
     std::vector<Near> near_;
     bool ofSoil_, slips_;
 
+    static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
     double holdOff(Particles<dim>&, Near&) const;
     Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 

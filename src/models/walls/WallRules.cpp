@@ -5,7 +5,8 @@ namespace sph
 {
 
 template<int dim>
-WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::string& velocity, const std::string& pressure, bool varies)
+WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::string& velocity, const std::string& pressure, bool varies,
+                          bool interpolates)
     : filters_(velocity == "secondOrder")
 {
     auto& images = particles.images();
@@ -17,8 +18,9 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     else if (velocity == "freeSlip") rule = std::make_unique<SlippingVelocity<dim>>(geometry);
     else if (velocity == "morris") rule = std::make_unique<LimitedVelocity<dim>>(geometry);
     else rule = std::make_unique<ReflectedVelocity<dim>>(geometry);
-    if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, store, std::move(rule));
+    if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, std::move(rule));
     images.setRule(Velocity{}, std::move(rule));
+    if (interpolates) images.interpolateInLayers(Velocity{});
     if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
     else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
 }

@@ -11,8 +11,8 @@ template<int dim> class WallRules final : public Part<dim>
     bool filters_;
 
 public:
-    /// Words of wallVelocity and wallPressure; whether viscosity varies.
-    WallRules(Particles<dim>&, const Numbers&, const std::string& velocity, const std::string& pressure, bool varies);
+    /// Words of wallVelocity and wallPressure; whether viscosity varies, and whether velocities are interpolated in layers.
+    WallRules(Particles<dim>&, const Numbers&, const std::string& velocity, const std::string& pressure, bool varies, bool interpolates);
     std::vector<Stage<dim>> stages(Place) override;
 };
 

@@ -67,15 +67,7 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, s
 
 template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
 {
-    return mirrored(dv, r.normal);
-}
-
-template<int dim> Vector<dim> RubbingVelocity<dim>::operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const
-{
-    Tensor<dim> L;
-    fetch(L, [&](int c) { return shear_[std::size_t(c)][source]; });
-    const auto rise = L * r.normal;
-    return SlippingVelocity<dim>::operator()(v, source, r, once) - (1 + r.ratio) * r.distance * (rise - dot(r.normal, rise) * r.normal);
+    return dv - (1 + r.ratio) * dot(r.normal, dv) * r.normal;
 }
 
 template<int dim>
@@ -98,8 +90,6 @@ template class LimitedVelocity<2>;
 template class LimitedVelocity<3>;
 template class ReflectedVelocity<2>;
 template class ReflectedVelocity<3>;
-template class RubbingVelocity<2>;
-template class RubbingVelocity<3>;
 template class SecondOrderVelocity<2>;
 template class SecondOrderVelocity<3>;
 template class SlippingVelocity<2>;

@@ -95,7 +95,7 @@ public:
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
-/// v_g = v mirrored, relative to the wall: the fluid slides freely.
+/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers it goes with values interpolated along the wall.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -106,52 +106,30 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
-/// Of soil that rubs at a wall (models/soil/WallFriction.hpp): mirrored across, and straight on along the wall,
-///
-///   v_g = v_w + R (v - v_w) - (1 + q) d (L_w n)_t
-///
-/// L_w [1/s] velocity gradient of the source at the last step, t the part along the wall, d [m] distance of the source. What soil does along the wall its shear stress there decides, not the wall's velocity.
-template<int dim> class RubbingVelocity final : public SlippingVelocity<dim>
-{
-    FieldStore<dim>& store_;
-    std::array<double*, fieldComponents<ShearAtWall, dim>> shear_{};
-
-public:
-    RubbingVelocity(const Geometry& g, FieldStore<dim>& store) : SlippingVelocity<dim>(g), store_(store) {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
-    void bind() override { shear_ = store_.pointers(ShearAtWall{}); }
-};
-
-/// Walls that slip or rub beside others: each ghost by the rule of the wall that it was mirrored in.
+/// Walls that slip beside others: each ghost by the rule of the wall that it was mirrored in. A wall of friction slips, too: what it does along itself its shear stress says (models/soil/WallFriction.hpp).
 template<int dim> class VelocityByWall final : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
     SlippingVelocity<dim> slipping_;
-    std::unique_ptr<GhostVelocity<dim>> rubbing_, ofOthers_;
+    std::unique_ptr<GhostVelocity<dim>> ofOthers_;
 
     const GhostVelocity<dim>& of(const Reflection<dim>& r) const
     {
         const auto& wall = geometry_.walls[std::size_t(r.wall)];
-        if (wall.slips) return slipping_;
-        return wall.frictionAngle ? *rubbing_ : *ofOthers_;
+        if (wall.slips || wall.frictionAngle) return slipping_;
+        return *ofOthers_;
     }
 
 public:
-    VelocityByWall(const Geometry& g, FieldStore<dim>& store, std::unique_ptr<GhostVelocity<dim>> ofOthers)
+    VelocityByWall(const Geometry& g, std::unique_ptr<GhostVelocity<dim>> ofOthers)
         : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
-    {
-        if (g.withFriction()) rubbing_ = std::make_unique<RubbingVelocity<dim>>(g, store);
-    }
+    {}
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const override
     {
         return of(r)(v, source, r, once);
     }
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>& r) const override { return of(r).change(dv, r); }
-    void bind() override
-    {
-        if (rubbing_) rubbing_->bind();
-        ofOthers_->bind();
-    }
+    void bind() override { ofOthers_->bind(); }
     void filter() override { ofOthers_->filter(); }
 };
 

@@ -18,14 +18,21 @@ const Choice wallVelocity{
      {"reflected", "no slip, first order in the distance"},
      {"morris", "Morris et al. (1997) with their limit of 1.5, for walls layers"},
      "freeSlip"},
-    byScene("secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; else reflected"),
+    byScene(
+        "secondOrder with huAdams, where all phases have mu and neither surface tension nor powder is there; morris with soil between layers; else reflected"),
     "of what lies behind a wall"},
     wallPressure{"wallPressure",
                  {{"hydrostatic", "continues that of a fluid at rest"},
                   {"detaching", "the same without suction"},
                   {"mirrored", "that of the source"}},
                  byScene("hydrostatic; mirrored with scheme paper"),
-                 "of what lies behind a wall"};
+                 "of what lies behind a wall"},
+    layerValues{"layerValues",
+                {{"byPair", "what a particle sees in one of a layer follows from that particle alone"},
+                 {"interpolated",
+                  "one value for each particle of a layer, fitted along the wall to what the rules make of all within reach"}},
+                byScene("interpolated with soil, else byPair"),
+                "of velocities and stresses in walls layers; pressures are means"};
 }
 
 namespace
@@ -44,19 +51,23 @@ void prepare(const Reading& reading)
     const bool layers = wallsAreLayers(dict);
     settings.chosen["walls"] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
+    const bool ofSoil = settings.has(entry::stress.keyword(), byLaw);
+    if (layers) reading.choose(entry::layerValues, ofSoil ? "interpolated" : "byPair");
+    else if (entry::layerValues.given(dict))
+        entry::layerValues.error(dict, "goes with `walls layers;` alone: mirror images have no values of their own");
+    const bool interpolates = settings.has("layerValues", "interpolated");
     if (geometry.slips())
     {
         std::vector<std::string> names;
         for (const auto& wall : geometry.walls)
             if (wall.slips) names.push_back(wall.name);
         settings.reasons.push_back(fmt::format("the fluid slides along {} freely", fmt::join(names, ", ")));
-        if (layers)
+        if (layers && !interpolates)
             dict.error(
                 "walls",
-                fmt::format(
-                    "{} of constant/geometry with `slip yes;` needs ghosts that carry the velocity along the wall from place to place; "
-                    "take walls reflected",
-                    fmt::join(names, ", ")));
+                fmt::format("{} of constant/geometry with `slip yes;` needs what carries the velocity along the wall from place to place; "
+                            "take walls reflected, or layerValues interpolated",
+                            fmt::join(names, ", ")));
     }
     if (const auto* wall = geometry.withFriction(); wall && layers)
         dict.error(
@@ -73,7 +84,8 @@ void prepare(const Reading& reading)
     const bool powder = settings.variableViscosity && !settings.multiphase();
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) && settings.has("pressureGradient", "huAdams") &&
                         !settings.surfaceTension && !powder;
-    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : "reflected");
+    // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
+    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && ofSoil ? "morris" : "reflected");
     if (rule != "secondOrder") return;
     settings.apart[Acceleration::info.name] = PressureAcceleration::info.name;
     settings.state.push_back({stateField(WallAcceleration{})});
@@ -96,9 +108,9 @@ void read(const Reading& reading)
     settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(),
                                     [](const Patch& p)
                                     { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
-    settings.parts.push_back(
-        partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"), settings.variableViscosity));
-    if (!geometry.patches.empty() && geometry.layers.empty())
+    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"),
+                                               settings.variableViscosity, settings.has("layerValues", "interpolated")));
+    if (!geometry.patches.empty())
         settings.parts.push_back(
             partOf<WallContact>(settings.has(entry::stress.keyword(), byLaw), settings.has("wallVelocity", "freeSlip")));
 }
@@ -113,8 +125,10 @@ const Model& wallsModel()
         {},
         {},
         prepare,
-        {{"wallVelocity", [](const Settings& s) { return s.has("walls", "layers") && s.has("wallVelocity", "freeSlip"); },
-          "freeSlip needs ghosts that carry the velocity along the wall from place to place; take walls reflected"},
+        {{"wallVelocity", [](const Settings& s) { return s.has("layerValues", "byPair") && s.has("wallVelocity", "freeSlip"); },
+          "freeSlip needs what carries the velocity along the wall from place to place; take walls reflected, or layerValues interpolated"},
+         {"layerValues", [](const Settings& s) { return s.has("layerValues", "interpolated") && s.integration.solves; },
+          "interpolated velocities of walls depend on all particles within reach, which implicit solves do not know of: take byPair, or an explicit scheme"},
          {"wallVelocity", [](const Settings& s) { return s.has("wallVelocity", "morris") && !s.has("walls", "layers"); },
           "morris limits the velocity of a particle of the wall that lies deeper than that of the fluid before it; mirror images lie as deep: take reflected, "
           "or walls layers"},
@@ -127,7 +141,7 @@ const Model& wallsModel()
          {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
           "layers have no interface to continue: with surface tension take walls reflected"}},
         {},
-        {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure}},
+        {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure, entry::layerValues}},
          {"system/sphSchemes", wallLayersEntries()},
          {"system/sphSchemes", leakGuardEntries()}}};
     return model;

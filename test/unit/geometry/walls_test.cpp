@@ -40,7 +40,7 @@ TEST(Walls, surviveWritingAndReading)
         EXPECT_EQ(again.walls[0].wets, g.walls[0].wets);
         EXPECT_EQ(again.slips(), g.slips());
         ASSERT_EQ(again.withFriction() != nullptr, g.withFriction() != nullptr);
-        if (g.withFriction()) EXPECT_EQ(again.withFriction()->frictionAngle, g.withFriction()->frictionAngle);
+        if (g.withFriction()) { EXPECT_EQ(again.withFriction()->frictionAngle, g.withFriction()->frictionAngle); }
         EXPECT_EQ(toString(again.walls[0].anglesAt), toString(g.walls[0].anglesAt));
     }
 }

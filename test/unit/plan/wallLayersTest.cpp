@@ -206,6 +206,20 @@ TEST(WallLayers, FillTheKernel)
     kernelIsFilled<3>();
 }
 
+// Rings at depths of 0.5 and 1.5 spacings behind a pipe are all that a support of 2.3 spacings has place for; in one of 2.6 a third is missing.
+TEST(WallLayers, AreAsManyAsTheSupportHasPlaceFor)
+{
+    Geometry g = domain(2, {1, 1, 0});
+    addWall(g, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.4, FluidSide::inside));
+    Diagnostics none;
+    repeatPeriodically(g, support * spacing);
+    g.layers = makeWallLayers(g, 2.3 * spacing, spacing, none);
+    none.throwIfAny();
+    const auto within = [&](double H) { WallLayers<2>(g, Kernel<2>("wendlandC2", H), H, spacing); };
+    EXPECT_NO_THROW(within(2.3 * spacing));
+    EXPECT_THROW(within(2.6 * spacing), CaseError);
+}
+
 // A scene of layers has no mirror images, and its periodic copies are those of the fluid and of the wall.
 TEST(WallLayers, MirrorNothing)
 {

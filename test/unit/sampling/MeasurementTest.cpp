@@ -557,6 +557,43 @@ TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
     EXPECT_EQ(last.reference, 0.7);
 }
 
+// A column of 10 rows under 500 Pa a row, K = 0.5 but for a particle in the middle of 0.6; the rows at base and surface, which are left out, have other stresses.
+TEST(EarthPressure, isThatOfTheMiddleOfALayer)
+{
+    Particles particles(2, {0, 0, 0}, {0.4, 1, 0}, 0.1);
+    std::vector<double> xx, yy, zz, none(particles.size(), 0), rho(particles.size(), 1000);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        const double depth = 1 - particles.y[i];
+        yy.push_back(-1000 * 5 * depth * (std::abs(particles.y[i] - 0.5) > 0.4 ? 3 : 1.1));
+        xx.push_back((i == 20 ? 0.6 : 0.5) * yy.back());
+        zz.push_back(7);
+    }
+    const auto measured = [&](const std::string& name, const std::string& parameters)
+    {
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
+        const auto m = readMeasure(name, d, particles.geometry, particles.phases, ".");
+        d.reportUnused();
+        EXPECT_EQ(errorsOf(*diagnostics), "");
+        auto view = particles.view();
+        view.fields.push_back({"sigma", FieldClass::symmTensor, {xx.data(), none.data(), none.data(), yy.data(), none.data(), zz.data()}});
+        view.fields.push_back({"rho", FieldClass::scalar, {rho.data()}});
+        return m(view);
+    };
+    const auto K = measured("earthPressure", "K 0.5; g (0 -5 0);"), stress = measured("overburden", "g (0 -5 0);");
+    EXPECT_EQ(K.particles, 32u);
+    EXPECT_NEAR(K.value, 0.5 + 0.1 / 32, 1e-12);
+    EXPECT_EQ(K.reference, 0.5);
+    EXPECT_NEAR(K.errors->Linf, 0.1, 1e-12);
+    EXPECT_NEAR(K.errors->L2, 0.1 / std::sqrt(32.0), 1e-12);
+    EXPECT_NEAR(stress.value, 1.1, 1e-12);
+    EXPECT_NEAR(stress.errors->Linf, 0.1, 1e-12);
+    std::swap(xx, yy); // gravity along x
+    for (std::size_t i = 0; i < particles.size(); ++i) std::swap(particles.x[i], particles.y[i]);
+    EXPECT_NEAR(measured("earthPressure", "K 0.5; g (-5 0 0);").value, K.value, 1e-12);
+}
+
 // phi gammaDot mu^2 = 6 where the particles are sheared but for one, which is 3 % off: its distance from the mean is ln(1.03) (1 - 1/4). The fifth
 // has a tenth of the largest stress and does not count, unless it is asked for.
 TEST(MigrationBalance, isTheLargestDepartureFromTheMean)

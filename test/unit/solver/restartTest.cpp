@@ -134,6 +134,10 @@ TEST(Restart, OfSoil)
     auto& geometry = withFriction["constant/geometry"];
     for (int wall = 0; wall < 2; ++wall) geometry.replace(geometry.find("slip yes;"), 9, "frictionAngle 20;");
     restartEqualsTheWhole(withFriction);
+    auto pressed = soilCase();
+    auto& press = pressed["constant/geometry"];
+    press.replace(press.find("normal (-1 0 0); slip yes;"), 26, "normal (-1 0 0); velocity (-0.2 0 0); slip yes;");
+    restartEqualsTheWhole(pressed);
     auto byVerlet = soilCase();
     byVerlet["system/sphSchemes"] += "integration { scheme verlet; damping { rate 20; until 0.06; } }\n";
     restartEqualsTheWhole(byVerlet);

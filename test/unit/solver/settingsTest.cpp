@@ -113,7 +113,7 @@ TEST(Settings, WallsByLayersHaveNoInterfaceAndStick)
     expectError(with(channelCase(), "walls layer;"), "system/sphSchemes:3: walls \"layer\" is unknown. Did you mean \"layers\"?");
     expectError(with(dropCase(), "walls layers;"), "system/sphSchemes:2: layers have no interface to continue");
     expectError(edited(with(channelCase(), "walls layers;"), schemes, "secondOrder", "freeSlip"),
-                "system/sphSchemes:2: freeSlip needs ghosts");
+                "system/sphSchemes:2: freeSlip needs what carries");
 }
 
 // A word about what the case has not is a mistake; where it is there and 0, as in variants that switch it off, it is meant.

@@ -81,8 +81,8 @@ TEST(Slip, HalfAChannelOfDisorderedParticlesFlowsAlike)
     EXPECT_NEAR(half.mean() / whole.mean(), 1, 0.02);
 }
 
-// Layers have no ghosts, and say so.
-TEST(Slip, NeedsGhosts)
+// Layers by pairs know nothing of what lies along the wall, and say so.
+TEST(Slip, NeedsMoreThanPairs)
 {
     auto files = channelTo("0.5", "slip yes;", "0");
     files["system/sphSchemes"] += "walls layers;\n";
@@ -90,7 +90,8 @@ TEST(Slip, NeedsGhosts)
     for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
     const auto ran = c.run("sphFoamLike");
     EXPECT_NE(ran.code, 0);
-    EXPECT_NE(ran.err.find("system/sphSchemes:4: top of constant/geometry with `slip yes;` needs ghosts"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("system/sphSchemes:4: top of constant/geometry with `slip yes;` needs what carries"), std::string::npos)
+        << ran.err;
 }
 
 }

@@ -1,0 +1,42 @@
+/// Walls that move across themselves, as the platens of a press: planes alone, which have no other side.
+///
+///   x_w = x_0 + v_w t
+///
+/// x_0 [m] where constant/geometry has them, v_w [m/s], t [s] since the start of the first run.
+#pragma once
+#include "Geometry.hpp"
+
+namespace sph
+{
+
+/// Of a wall's speed, what its direction in the dictionary may be off the wall by rounding.
+inline constexpr double slidingTolerance = 1e-6;
+
+/// Whether a velocity of the wall has a part across the patch.
+bool movesAcross(const Geometry&, const Patch&);
+
+class MovingWalls
+{
+    struct Moving
+    {
+        std::size_t patch;
+        std::shared_ptr<const Shape> atStart;
+        Vector<3> normal, velocity;
+    };
+    std::vector<Moving> moving_;
+    double time_ = 0, fastest_ = 0;
+
+public:
+    /// Searches over all patches of a geometry with such walls: what is nearest no longer stays.
+    explicit MovingWalls(Geometry&);
+
+    bool any() const { return !moving_.empty(); }
+    double fastest() const { return fastest_; }           ///< [m/s]
+    double time() const { return time_; }                 ///< t [s]
+    double travelled() const { return time_ * fastest_; } ///< at most [m]
+    /// n.v_w [m/s] of one of that normal; 0 where none has it.
+    double speedAlong(const Vector<3>& normal) const;
+    void advance(Geometry&, double deltaT);
+};
+
+}
