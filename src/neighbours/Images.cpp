@@ -18,6 +18,17 @@ constexpr double halfFade = 0.35;
 /// Images in several bodies with less than this share are left out.
 constexpr double leastShare = 0.01;
 
+/// Products of the normals of two walls, 8 and 20 degrees between them: what is narrower is a gap, which no spacing resolves, and is filled by one image of an image.
+constexpr double ofGap = -0.99, ofWedge = -0.94;
+/// By how much their product may change until lists are built anew.
+constexpr double mostTurn = 0.03;
+
+/// Share of what is mirrored again in a wall of normal n after one of normal m: all of it in a wedge, nothing in a gap.
+double shareOfWedge(const Vector<3>& n, const Vector<3>& m, double slack = 0)
+{
+    return smoothStep((dot(n, m) + slack - ofGap) / (ofWedge - ofGap));
+}
+
 /// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m],
 /// in a solid behind both: half of it each on the bisecting plane.
 double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, double spacing, double slack)
@@ -93,6 +104,7 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
         faces[std::size_t(r)] = {f.normal, in3D(x) - f.distance * f.normal};
         x = in<dim>(mirrorImage(in3D(x), f));
         if (share && r > 0) *share *= shareAmong(mirrors, faces.data(), r, in3D(x));
+        if (share && goesOnInWedge(mirrors, r)) *share *= shareOfWedge(faces[std::size_t(r)].normal, faces[std::size_t(r) - 1].normal);
     }
     return x + period(e);
 }
@@ -146,7 +158,20 @@ template<int dim> double Images<dim>::shareSoon(const Ghost& ghost, Foot f) cons
     const double way = 0.5 * skin_;
     f.exposure = 1;
     f.margin += way;
-    return faceShare(f, spacing_) * shareAmong(ghost.mirrors.data(), ghost.faces.data(), ghost.entry.reflections - 1, in3D(ghost.x), way);
+    const int last = ghost.entry.reflections - 1;
+    const auto& faces = ghost.faces;
+    const double ofWedge = goesOnInWedge(ghost.mirrors.data(), last)
+                               ? shareOfWedge(faces[std::size_t(last)].normal, faces[std::size_t(last) - 1].normal, mostTurn)
+                               : 1;
+    return faceShare(f, spacing_) * ofWedge * shareAmong(ghost.mirrors.data(), faces.data(), last, in3D(ghost.x), way);
+}
+
+/// Whether the last reflection is one more than walls that do not meet in a wedge would have.
+template<int dim> bool Images<dim>::goesOnInWedge(const Mirror* mirrors, int last) const
+{
+    if (last < dim) return false;
+    const int p = mirrors[last].patch, q = mirrors[last - 1].patch;
+    return p != q && !(isPlane(p) && isPlane(q));
 }
 
 template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch) const

@@ -185,6 +185,7 @@ private:
     bool isOfWedge(const Ghost&) const;
     bool mayGoOn(const Ghost&, int patch) const;
     double shareSoon(const Ghost&, Foot) const;
+    bool goesOnInWedge(const Mirror* mirrors, int last) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     void reflect(const std::array<double*, dim>& x);
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;

