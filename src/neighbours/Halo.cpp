@@ -1,5 +1,6 @@
 #include "Halo.hpp"
 #include "CaseError.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -31,6 +32,25 @@ template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t 
     for (std::size_t i = 0; i < owned; ++i)
         for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
     boxes_ = all_.cut(dim, places, std::vector<float>(owned, float(cost)));
+}
+
+template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::size_t owned, double maxImbalance)
+{
+    // Shorter times than these say nothing of particles.
+    constexpr long fewestRebuilds = 5;
+    constexpr double shortest = 0.05; // [s]
+    if (boxes_.empty()) cut(store, owned, 1);
+    else
+    {
+        if (++sinceCut_ < fewestRebuilds) return;
+        const double busy = busyTime() - busyAtCut_, mean = sum(1, [&](std::size_t) { return busy; }) / all_.count(),
+                     largest = most(1, [&](std::size_t) { return busy; });
+        if (mean < shortest || largest < maxImbalance * mean) return;
+        cut(store, owned, owned > 0 ? busy / double(owned) : 1);
+    }
+    busyAtCut_ = busyTime();
+    sinceCut_ = 0;
+    ++cuts_;
 }
 
 template<int dim> bool Halo<dim>::isNear(const Vector<dim>& x, const RankBox& box) const

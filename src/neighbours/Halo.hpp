@@ -23,9 +23,9 @@ public:
     Halo(const Ranks& all, double reach) : all_(all), reach_(reach) {}
 
     const Ranks& all() const { return all_; }
-    /// Boxes in which the particles cost the same, each of this rank's `cost` (any unit).
-    void cut(const FieldStore<dim>&, std::size_t owned, double cost);
-    bool isCut() const { return !boxes_.empty(); }
+    /// Boxes in which the particles cost the same, by the processor time that each rank's have taken: at first, and once the busiest rank has had
+    /// `maxImbalance` times the mean since the last cut.
+    void balance(const FieldStore<dim>&, std::size_t owned, double maxImbalance);
     /// Brings the state of each particle to the rank in whose box it lies; returns how many this one has then.
     std::size_t migrate(FieldStore<dim>&, std::size_t owned);
 
@@ -40,6 +40,7 @@ public:
 
     std::size_t count() const { return count_; }
     std::size_t bytesSent() const { return bytesSent_; }
+    long cuts() const { return cuts_; }
     std::size_t bytes() const;
 
 private:
@@ -56,6 +57,10 @@ private:
     std::size_t owned_ = 0, count_ = 0;
     mutable std::vector<std::vector<double>> sent_, received_; ///< room for messages
     mutable std::size_t bytesSent_ = 0;
+    double busyAtCut_ = 0;
+    long cuts_ = 0, sinceCut_ = 0; ///< rebuilds since the last one
+
+    void cut(const FieldStore<dim>&, std::size_t owned, double cost);
 
     bool isNear(const Vector<dim>&, const RankBox&) const;
     int ownerOf(const Vector<dim>&) const;

@@ -1,4 +1,5 @@
 #include "Ranks.hpp"
+#include <ctime>
 #include <dlfcn.h>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +15,12 @@ const Ranks* present = nullptr;
 
 const Ranks* ranks() { return present; }
 bool isFirstRank() { return !present || present->rank() == 0; }
+double busyTime()
+{
+    timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec) - (present ? present->waited().processor : 0);
+}
 void waitForFirst()
 {
     if (!isFirstRank()) present->barrier();

@@ -38,11 +38,18 @@ public:
     /// Cuts space so that each rank has about the same sum of weights. `x` three numbers a place, of this rank's particles.
     virtual std::vector<RankBox> cut(int dimension, std::span<const double> x, std::span<const float> weights) const = 0;
     virtual void barrier() const = 0;
+    /// In all that has been exchanged, gathered and waited for so far [s]: wall time, and processor time of this process.
+    struct Waited
+    {
+        double wall = 0, processor = 0;
+    };
+    const Waited& waited() const { return waited_; }
     /// Ends all ranks, with exit code 1.
     virtual void abort() const = 0;
 
 protected:
     int rank_ = 0, count_ = 1;
+    mutable Waited waited_;
 };
 
 /// Null where one process is alone, and within the scope of an Alone.
@@ -52,6 +59,8 @@ const Ranks* ranks();
 void startRanks();
 /// Whether this process reads, writes and speaks for all; also where it is alone.
 bool isFirstRank();
+/// Processor time of this process, all threads together, without what it spent in waiting for others [s].
+double busyTime();
 /// Reading the case in turns: the first rank finds its mistakes, and brings about what it needs, before the others look.
 void waitForFirst();
 void firstIsThrough();

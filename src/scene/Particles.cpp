@@ -190,7 +190,7 @@ template<int dim> void Particles<dim>::rebuild()
 
 template<int dim> void Particles<dim>::migrate()
 {
-    if (!halo_->isCut()) halo_->cut(store_, owned_, 1);
+    halo_->balance(store_, owned_, settings_.maxImbalance);
     owned_ = halo_->migrate(store_, owned_);
 }
 

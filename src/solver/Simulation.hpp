@@ -77,6 +77,8 @@ public:
     virtual long pairPassesRun() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
+    /// What each rank has had to do, a line each, and how evenly; "" of one process alone.
+    virtual std::string reportRanks() const = 0;
     virtual long rebuilds() const = 0;
     /// What was put back out of the solid, or removed, since the start of the run, by all ranks.
     virtual Leaks leaks() const = 0;

@@ -426,7 +426,7 @@ void Run::solve()
         limit = simulation_->stepLimit();
     }
     reportLeaks();
-    log_ << "End\n";
+    log_ << simulation_->reportRanks() << "End\n";
 }
 
 }

@@ -1,5 +1,6 @@
 /// Ranks by Open MPI, cut by Zoltan's recursive coordinate bisection: a library of its own, loaded where a run is parallel.
 #include "Ranks.hpp"
+#include <ctime>
 #include <limits>
 #include <mpi.h>
 #include <stdexcept>
@@ -18,6 +19,27 @@ struct Places
     std::span<const float> weights;
 };
 
+class Stopwatch
+{
+    Ranks::Waited& total_;
+    double wall_ = MPI_Wtime(), processor_ = processorTime();
+
+public:
+    explicit Stopwatch(Ranks::Waited& total) : total_(total) {}
+    Stopwatch(const Stopwatch&) = delete;
+    ~Stopwatch()
+    {
+        total_.wall += MPI_Wtime() - wall_;
+        total_.processor += processorTime() - processor_;
+    }
+    static double processorTime()
+    {
+        timespec now;
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+    }
+};
+
 class MpiRanks final : public Ranks
 {
 public:
@@ -32,11 +54,13 @@ public:
 
     void gatherAll(std::span<const std::byte> part, std::span<std::byte> all) const override
     {
+        const Stopwatch stopwatch(waited_);
         MPI_Allgather(part.data(), int(part.size()), MPI_BYTE, all.data(), int(part.size()), MPI_BYTE, MPI_COMM_WORLD);
     }
 
     void exchange(std::span<const Message> send, std::span<const Message> receive) const override
     {
+        const Stopwatch stopwatch(waited_);
         // An int counts bytes of a message: long ones go in pieces.
         constexpr std::size_t most = std::size_t(1) << 30;
         std::vector<MPI_Request> requests;
@@ -113,7 +137,11 @@ public:
         return boxes;
     }
 
-    void barrier() const override { MPI_Barrier(MPI_COMM_WORLD); }
+    void barrier() const override
+    {
+        const Stopwatch stopwatch(waited_);
+        MPI_Barrier(MPI_COMM_WORLD);
+    }
     void abort() const override { MPI_Abort(MPI_COMM_WORLD, 1); }
 };
 }
