@@ -9,9 +9,36 @@ namespace sph
 
 namespace
 {
-/// Two surfaces that meet at a fluid angle above about 105 degrees fill the solid behind them with one reflection each. n_p . n_q =
+/// Two surfaces that meet at a fluid angle from 105 to 120 degrees on fill the solid behind them with one reflection each. n_p . n_q =
 /// -cos(angle).
-constexpr double mostAlignedNormals = 0.26;
+constexpr double alignedNormals = 0.26, mostAlignedNormals = 0.5;
+/// Normals whose product is less are at right angles: images in either order are one.
+constexpr double rightAngle = 1e-6;
+/// Half of the width over which the images of two surfaces fade into one another at the bisector behind the tip of their wedge [spacings].
+constexpr double halfFade = 0.35;
+/// Images in several bodies with less than this share are left out.
+constexpr double leastShare = 0.01;
+
+/// Products of the normals of two walls, 8 and 20 degrees between them: what is narrower is a gap, which no spacing resolves, and is filled by one image of an image.
+constexpr double ofGap = -0.99, ofWedge = -0.94;
+/// By how much their product may change until lists are built anew.
+constexpr double mostTurn = 0.03;
+
+/// Share of what is mirrored again in a wall of normal n after one of normal m: all of it in a wedge, nothing in a gap.
+double shareOfWedge(const Vector<3>& n, const Vector<3>& m, double slack = 0)
+{
+    return smoothStep((dot(n, m) + slack - ofGap) / (ofWedge - ofGap));
+}
+
+/// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m],
+/// in a solid behind both: half of it each on the bisecting plane.
+double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, double spacing, double slack)
+{
+    const double ofAngle = smoothStep((mostAlignedNormals - dot(n, m)) / (mostAlignedNormals - alignedNormals));
+    if (ofAngle == 0) return 0;
+    const double turn = mag(n - m), width = std::min(halfFade * spacing, (h + k) / turn);
+    return ofAngle * smoothStep(0.5 + 0.5 * ((h - k) / turn + slack) / width);
+}
 }
 
 template<int dim>
@@ -67,6 +94,7 @@ template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
 template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share) const
 {
     const auto source = in3D(x);
+    Faces faces;
     for (int r = 0; r < e.reflections; ++r)
     {
         const Foot f = footOf(mirrors[r], r, in3D(x), source);
@@ -74,20 +102,83 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
         const bool exists = factor > 0 && std::isfinite(factor); // it may have moved beyond a centre of curvature since images were made
         feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1};
         if (share) *share *= exists ? faceShare(f, spacing_) : 0;
+        faces[std::size_t(r)] = {f.normal, in3D(x) - f.distance * f.normal};
         x = in<dim>(mirrorImage(in3D(x), f));
+        if (share && r > 0) *share *= shareAmong(mirrors, faces.data(), r, in3D(x));
+        if (share && goesOnInWedge(mirrors, r)) *share *= shareOfWedge(faces[std::size_t(r)].normal, faces[std::size_t(r) - 1].normal);
     }
     return x + period(e);
+}
+
+template<int dim> bool Images<dim>::isPlane(int p) const
+{
+    const auto& shape = *geometry_->patches[std::size_t(p)].shape;
+    return !meshOf(p) && std::isinf(shape.smallestRadius()) && !shape.hasEdges();
+}
+
+/// Whether an image may be mirrored in `patch`: in each wall once, as often as there are dimensions, and in two walls in turn as often as their wedge needs.
+template<int dim> bool Images<dim>::mayGoOn(const Ghost& from, int patch) const
+{
+    const auto first = from.mirrors.begin(), last = first + from.entry.reflections;
+    const auto isOf = [](int p) { return [p](const Mirror& m) { return m.patch == p; }; };
+    if (std::none_of(first, last, isOf(patch))) return from.entry.reflections < dim;
+    const int before = (last - 1)->patch;
+    if (before == patch || from.entry.reflections == mostReflections || (isPlane(patch) && isPlane(before))) return false;
+    return std::all_of(first, last, [&](const Mirror& m) { return m.patch == patch || m.patch == before; });
+}
+
+/// Share of an image y, last mirrored in `faces[last]`, beside those that end with the other bodies of its chain; of one that has moved by `slack` at most.
+/// What is in one solid alone is its own.
+template<int dim> double Images<dim>::shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack) const
+{
+    const int p = mirrors[last].patch;
+    if (last == 0 || !geometry_->mayBeCovered(p)) return 1;
+    const auto& coverers = geometry_->coverers[std::size_t(p)];
+    const auto within = [&](int patch)
+    { return smoothStep(0.5 - 0.5 * geometry_->patches[std::size_t(patch)].shape->foot(y).distance / (halfFade * spacing_)); };
+    double share = 1;
+    for (int r = last - 1; r >= 0; --r)
+    {
+        const int q = mirrors[r].patch;
+        const auto isOfThis = [&](const Mirror& m) { return m.patch == q; };
+        if (q == p || std::any_of(mirrors + r + 1, mirrors + last, isOfThis) || !std::ranges::binary_search(coverers, q)) continue;
+        const auto &face = faces[last], &other = faces[r];
+        const double k = other.depthOf(y);
+        if (std::abs(dot(face.normal, other.normal)) < rightAngle || k <= 0) continue;
+        const double beside = shareBeside(face.normal, face.depthOf(y), other.normal, k, spacing_, slack), inThis = within(p),
+                     inOther = within(q);
+        if (inThis == 0 && inOther == 0) continue;
+        share *= inThis * (1 - inOther * (1 - beside)) / (inThis + inOther - inThis * inOther);
+    }
+    return share;
+}
+
+/// The greatest share that the last reflection may get until lists are built anew.
+template<int dim> double Images<dim>::shareSoon(const Ghost& ghost, Foot f) const
+{
+    const double way = 0.5 * skin_;
+    f.exposure = 1;
+    f.margin += way;
+    const int last = ghost.entry.reflections - 1;
+    const auto& faces = ghost.faces;
+    const double ofWedge = goesOnInWedge(ghost.mirrors.data(), last)
+                               ? shareOfWedge(faces[std::size_t(last)].normal, faces[std::size_t(last) - 1].normal, mostTurn)
+                               : 1;
+    return faceShare(f, spacing_) * ofWedge * shareAmong(ghost.mirrors.data(), faces.data(), last, in3D(ghost.x), way);
+}
+
+/// Whether the last reflection is one more than walls that do not meet in a wedge would have.
+template<int dim> bool Images<dim>::goesOnInWedge(const Mirror* mirrors, int last) const
+{
+    if (last < dim) return false;
+    const int p = mirrors[last].patch, q = mirrors[last - 1].patch;
+    return p != q && !(isPlane(p) && isPlane(q));
 }
 
 template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch) const
 {
     if (patch != twice[0].patch) return false;
     const auto normal = [&](int p) { return geometry_->patches[std::size_t(p)].shape->foot({}).normal; };
-    const auto isPlane = [&](int p)
-    {
-        const auto& shape = *geometry_->patches[std::size_t(p)].shape;
-        return std::isinf(shape.smallestRadius()) && !shape.hasEdges();
-    };
     if (!isPlane(twice[0].patch) || !isPlane(twice[1].patch)) return false;
     // From about 75 degrees on two reflections fill the corner. Planes that all but face one another are a slit, whose third image is far.
     const double cosine = -dot(normal(twice[0].patch), normal(twice[1].patch));
@@ -127,12 +218,12 @@ template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x, s
             {
                 const Ghost from = ghosts[g];
                 for (int p : grid_.near(in3D(from.x)))
-                    if (meshOf(p)) reflectInMesh(from, p, in3D(x_i), ghosts);
+                    if (meshOf(p)) reflectInMesh(from, p, ghosts);
                     else reflectInShape(from, p, in3D(x_i), ghosts);
             }
             for (std::size_t g = 1; g < ghosts.size(); ++g)
             {
-                const auto& [entry, mirrors, _, speed] = ghosts[g];
+                const auto& [entry, mirrors, place, speed, faces, share] = ghosts[g];
                 made[chunk].entries.push_back(entry);
                 made[chunk].mirrors.insert(made[chunk].mirrors.end(), mirrors.begin(), mirrors.begin() + entry.reflections);
                 fastest = std::max(fastest, speed);
@@ -152,8 +243,7 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
 {
     const int before = from.entry.reflections;
     const bool again = before == 2 && mirrorsAgain(from.mirrors, p);
-    const bool used = std::any_of(from.mirrors.begin(), from.mirrors.begin() + before, [&](const Mirror& m) { return m.patch == p; });
-    if (!again && (used || before >= dim)) return;
+    if (!again && !mayGoOn(from, p)) return;
     Ghost next = from;
     next.mirrors[std::size_t(before)] = {p};
     const Foot f = footOf(next.mirrors[std::size_t(before)], before, in3D(from.x), source);
@@ -161,10 +251,12 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
     const bool exists = f.smooth || (std::isfinite(f.margin) && f.margin > -spacing_); // or fades in or out
     if (!exists || !onFluidSide || f.distance > reach_ || !(volumeFactor(f) > 0)) return;
     next.x = in<dim>(mirrorImage(in3D(from.x), f));
+    next.faces[std::size_t(before)] = {f.normal, in3D(from.x) - f.distance * f.normal};
     ++next.entry.reflections;
-    next.speed *= speedOf(f);
-    if (before > 0 && geometry_->mayBeCovered(p) && !fillsCorner(p, from.mirrors[std::size_t(before) - 1].patch, in3D(next.x), source))
-        return;
+    if (before < dim) next.speed *= speedOf(f);
+    next.share *= shareSoon(next, f);
+    if (next.share < leastShare && next.isOfSeveral()) return;
+    if (before > 0 && geometry_->mayBeCovered(p) && !fillsCorner(p, from.mirrors[std::size_t(before) - 1].patch, in3D(next.x))) return;
     const bool twin =
         again ? std::any_of(ghosts.begin() + 1, ghosts.end(),
                             [&](const Ghost& other) { return other.entry.reflections == 3 && mag(other.x - next.x) < 0.25 * spacing_; })
@@ -172,10 +264,28 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
     if (!twin) ghosts.push_back(next);
 }
 
+/// Of two surfaces alone, not both planes, that do not meet at right angles: there images have shares of what is behind both, in either order.
+template<int dim> bool Images<dim>::isOfWedge(const Ghost& ghost) const
+{
+    const std::size_t last = std::size_t(ghost.entry.reflections) - 1;
+    const int p = ghost.mirrors[last].patch;
+    int q = -1;
+    bool square = true;
+    for (std::size_t r = 0; r < last; ++r)
+        if (const int other = ghost.mirrors[r].patch; other != p)
+        {
+            if (q >= 0 && other != q) return false;
+            q = other;
+            square = std::abs(dot(ghost.faces[r].normal, ghost.faces[last].normal)) < rightAngle;
+        }
+    return q >= 0 && !square && !(isPlane(p) && isPlane(q));
+}
+
 /// Walls at right angles give the same corner image in either order; at 60 degrees a third reflection does.
 template<int dim> bool Images<dim>::isTwin(const Ghost& next, const std::vector<Ghost>& ghosts) const
 {
     const auto count = next.entry.reflections;
+    if (isOfWedge(next)) return false;
     return std::any_of(ghosts.begin() + 1, ghosts.end(),
                        [&](const Ghost& other)
                        {
@@ -186,15 +296,13 @@ template<int dim> bool Images<dim>::isTwin(const Ghost& next, const std::vector<
 }
 
 /// In every face that owns the place where the image comes to lie, or soon will: in one body as often as it takes to fill its edges and corners.
-template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, const Vector<3>& source, std::vector<Ghost>& ghosts) const
+template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std::vector<Ghost>& ghosts) const
 {
     const int before = from.entry.reflections;
     if (before == mostReflections) return;
-    // The pinch between two bodies is filled by as many images as that of two spheres.
     const auto last = from.mirrors.begin() + before;
     const bool goesOn = before > 0 && (last - 1)->patch == p;
-    const bool used = std::any_of(from.mirrors.begin(), last, [&](const Mirror& m) { return m.patch == p; });
-    if (!goesOn && (used || before >= dim)) return;
+    if (!goesOn && !mayGoOn(from, p)) return;
     const auto* mesh = meshOf(p);
     const auto x = mesh->local(in3D(from.x));
     mesh->body().forEachMirror(x, reach_, before == 0 ? 0.5 * spacing_ : 0, spacing_, mesh->hidden(),
@@ -205,11 +313,14 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, cons
                                    Ghost next = from;
                                    next.mirrors[std::size_t(before)] = {p, facet};
                                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
+                                   next.faces[std::size_t(before)] = {f.normal, in3D(from.x) - f.distance * f.normal};
                                    ++next.entry.reflections;
                                    // In small hollows an image is faster still; lists would be built anew at every step for it.
-                                   next.speed *= std::min(speedOf(f), 2.0);
+                                   if (before < dim) next.speed *= std::min(speedOf(f), 2.0);
+                                   next.share *= shareSoon(next, f);
+                                   if (next.share < leastShare && next.isOfSeveral()) return;
                                    if (before > 0 && !goesOn && geometry_->mayBeCovered(p) &&
-                                       !fillsCorner(p, (last - 1)->patch, in3D(next.x), source))
+                                       !fillsCorner(p, (last - 1)->patch, in3D(next.x)))
                                        return;
                                    if (!goesOn && isTwin(next, ghosts)) return;
                                    ghosts.push_back(next);
@@ -217,11 +328,10 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, cons
 }
 
 /// Whether an image mirrored once more, in `p` after `q`, fills what the two solids leave: it lies in one of them, and they meet sharply enough.
-template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x, const Vector<3>& source) const
+template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x) const
 {
     const auto& near = geometry_->coverers[std::size_t(p)];
     if (std::find(near.begin(), near.end(), q) == near.end()) return true;
-    if (dot(geometry_->foot(p, source).normal, geometry_->foot(q, source).normal) > mostAlignedNormals) return false;
     return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 

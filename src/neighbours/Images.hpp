@@ -2,7 +2,8 @@
 ///
 ///   x' = mirror_n(... mirror_1(x)) + shift
 ///
-/// Mirrored in up to `dim` walls (corners, and the pinch between two grains that nearly touch), in an acute wedge of planes once more in the first, in
+/// Mirrored in up to `dim` walls (corners), in an acute wedge of planes once more in the first, in two bodies in turn as often as their wedge or the gap between
+/// them needs, each image with its share of what lies in both, in
 /// the faces of one mesh as often as its edges need (FacetBody.hpp), then shifted by periods. Terms see one
 /// contiguous array and never ask what a neighbour is:
 ///
@@ -137,6 +138,13 @@ private:
         Vector<dim> normal;
         double distance, weight;
     };
+    /// The tangent plane that an image was mirrored in.
+    struct Face
+    {
+        Vector<3> normal, foot;
+        double depthOf(const Vector<3>& y) const { return dot(normal, foot - y); }
+    };
+    using Faces = std::array<Face, mostReflections>;
     /// One image while images are made.
     struct Ghost
     {
@@ -144,6 +152,13 @@ private:
         Mirrors mirrors;
         Vector<dim> x;
         double speed; ///< over that of its source
+        Faces faces = {};
+        double share = 1; ///< at most, until lists are built anew
+        bool isOfSeveral() const
+        {
+            return std::any_of(mirrors.begin(), mirrors.begin() + entry.reflections,
+                               [&](const Mirror& m) { return m.patch != mirrors[0].patch; });
+        }
     };
 
     const Geometry* geometry_;
@@ -170,12 +185,18 @@ private:
     Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
     Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
     double speedOf(const Foot&) const;
-    bool fillsCorner(int patch, int before, const Vector<3>& x, const Vector<3>& source) const;
+    bool fillsCorner(int patch, int before, const Vector<3>& x) const;
+    bool isPlane(int patch) const;
+    bool isOfWedge(const Ghost&) const;
+    bool mayGoOn(const Ghost&, int patch) const;
+    double shareSoon(const Ghost&, Foot) const;
+    bool goesOnInWedge(const Mirror* mirrors, int last) const;
+    double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     /// Images of these sources, appended.
     void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
     void reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
-    void reflectInMesh(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
+    void reflectInMesh(const Ghost& from, int patch, std::vector<Ghost>& ghosts) const;
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;

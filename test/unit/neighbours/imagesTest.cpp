@@ -327,23 +327,29 @@ TEST(Images, OfGrainsAcrossAPeriodicFaceEqualThoseOfThreePeriods)
     }
 }
 
-// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere once more.
-// The chain ends after `dim` reflections. Places from the formula x' = c + (2R - r)(x - c)/r.
-TEST(Images, OfAPinchHoldTheSecondReflection)
+// A particle in the pinch between two spheres: mirrored in each, and each ghost in the other sphere, in turn until the next sphere is beyond the reach.
+// Places from the formula x' = c + (2R - r)(x - c)/r.
+TEST(Images, OfAPinchGoOnAsFarAsTheReach)
 {
-    const Vector<3> a{-1.05, 0, 0}, b{1.05, 0, 0};
+    const std::array<Vector<3>, 2> centre{Vector<3>{-1.05, 0, 0}, {1.05, 0, 0}};
     Geometry g = domain(3, {2, 2, 2});
     g.low = {-2, -2, -2};
-    addWall(g, Sphere(a, 1, FluidSide::outside));
-    addWall(g, Sphere(b, 1, FluidSide::outside));
+    for (const auto& c : centre) addWall(g, Sphere(c, 1, FluidSide::outside));
     const Vector<3> x{0.01, 0.02, 0};
-    Imaged<3> scene(g, 0.4, {x});
-    const auto mirror = [](Vector<3> p, Vector<3> c) { return c + (2 - mag(p - c)) / mag(p - c) * (p - c); };
-    EXPECT_EQ(scene.countAt(mirror(x, a)), 1);
-    EXPECT_EQ(scene.countAt(mirror(x, b)), 1);
-    EXPECT_EQ(scene.countAt(mirror(mirror(x, a), b)), 1);
-    EXPECT_EQ(scene.countAt(mirror(mirror(x, b), a)), 1);
-    EXPECT_EQ(scene.images.count(), 4u);
+    const double reach = 0.4;
+    Imaged<3> scene(g, reach, {x});
+    std::size_t images = 0;
+    for (const std::size_t first : {0u, 1u})
+    {
+        auto y = x;
+        for (std::size_t in = first; mag(y - centre[in]) - 1 < reach; in = 1 - in, ++images)
+        {
+            y = centre[in] + (2 - mag(y - centre[in])) / mag(y - centre[in]) * (y - centre[in]);
+            EXPECT_EQ(scene.countAt(y), 1) << images;
+        }
+    }
+    EXPECT_EQ(images, 8u);
+    EXPECT_EQ(scene.images.count(), images);
 }
 
 // Weight of an image = product of the volume factors of its reflections: ((2R - r)/r)^2 of a sphere, (2R - r)/r of a circle; 1
