@@ -26,4 +26,26 @@ template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<d
     return v - std::fmin(0.0, dot(v, n) - speed) * n;
 }
 
+/// A velocity that walls in turn take what points into them of. Between two walls at an acute angle each would turn it into the other, whatever the turns: there it
+/// keeps what it has along their edge, nothing in 2-D.
+template<int dim> class HeldVelocity
+{
+    Vector<dim> v_, last_{};
+    bool touched_ = false;
+
+public:
+    explicit HeldVelocity(const Vector<dim>& v) : v_(v) {}
+    operator const Vector<dim>&() const { return v_; }
+    /// `speed` of the wall along n, as of withoutInward.
+    void touch(const Vector<dim>& n, double speed)
+    {
+        v_ = withoutInward(v_, n, speed);
+        const auto edge = cross(in3D(n), in3D(last_));
+        if (touched_ && speed == 0 && dot(v_, last_) < 0)
+            v_ = in<dim>(dim == 2 ? Vector<3>{} : dot(in3D(v_), edge) / dot(edge, edge) * edge);
+        last_ = n;
+        touched_ = true;
+    }
+};
+
 }

@@ -69,8 +69,10 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
     if (d >= closest) return 0;
     fetch(v_i, [&](int c) { return v[c][i]; });
     const auto before = v_i;
-    const auto held = offWalls(p.images(), x_i, closest, reach,
-                               [&](const Vector<dim>& n) { v_i = withoutInward(v_i, n, p.movingWalls().speedAlong(in3D(n))); });
+    HeldVelocity<dim> velocity(v_i);
+    const auto held =
+        offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
+    v_i = velocity;
     if (const auto& geometry = p.geometry(); ofSoil_)
     {
         const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region);

@@ -4,6 +4,8 @@
 ///   d < d_0:   x += (d_0 - d) n,   v -= min(n.(v - v_w), 0) n;    of soil v = v_w at a wall that holds it,
 ///              v_t -= min(1, mu |dv_n|/|v_t - v_w|) (v_t - v_w) at one of friction mu = tan(delta)
 ///
+/// Between two walls at an acute angle either would turn v into the other: there v keeps what it has along their edge.
+///
 /// n unit normal into the fluid of each foot of x, at distance d [m]; d_0 the distance at which the leak guard too holds particles off walls [m].
 /// Pressure alone cannot do it: a particle and its image push each other less the nearer they are, and one on the wall is one with its image. Particles
 /// come there in gaps below two thirds of a spacing, where more of them are than fit, and thrown against a wall. The contact is inelastic. Soil that is thrown

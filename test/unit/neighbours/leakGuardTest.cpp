@@ -6,6 +6,7 @@
 #include "scenes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace sph
 {
@@ -104,6 +105,28 @@ TEST(OffWalls, HoldsOffAllWallsInTurn)
     const auto between = offWalls(withSlit, Vector<2>{0.2, 0.003}, 0.003, 0.025, [](const Vector<2>&) {});
     EXPECT_GE(between.y, 0);
     EXPECT_LE(between.y, 0.004);
+}
+
+// Towards the tip of a wedge of 30 degrees: held between its sides, whatever the turns; along its edge nothing holds. In a corner of 120 degrees the
+// one leaves the other nothing to take.
+TEST(OffWalls, TakeAllThatPointsIntoAWedge)
+{
+    const Vector<2> floor{0, 1}, overhang{std::sin(std::numbers::pi / 6), -std::cos(std::numbers::pi / 6)};
+    HeldVelocity<2> inPlane({-1, -0.2});
+    HeldVelocity<3> inSpace({-1, -0.2, 0.7});
+    for (int turn = 0; turn < 2; ++turn)
+    {
+        inPlane.touch(floor, 0);
+        inPlane.touch(overhang, 0);
+        inSpace.touch(in3D(floor), 0);
+        inSpace.touch(in3D(overhang), 0);
+    }
+    EXPECT_EQ(Vector<2>(inPlane), (Vector<2>{}));
+    EXPECT_NEAR(mag(Vector<3>(inSpace) - Vector<3>{0, 0, 0.7}), 0, 1e-15);
+    HeldVelocity<2> outOfCorner({1, -1});
+    outOfCorner.touch(floor, 0);
+    outOfCorner.touch({std::sin(2 * std::numbers::pi / 3), -std::cos(2 * std::numbers::pi / 3)}, 0);
+    EXPECT_EQ(Vector<2>(outOfCorner), (Vector<2>{1, 0}));
 }
 
 // Of the three within 0.06 m of the floor or of the block one is also near both, and is told once.
