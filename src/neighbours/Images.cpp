@@ -336,7 +336,8 @@ template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x
 }
 
 template<int dim>
-void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, std::size_t firstMirror)
+void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry,
+                        std::size_t firstMirror)
 {
     for (int c = 0; c < dim; ++c)
     {

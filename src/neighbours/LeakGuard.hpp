@@ -37,8 +37,9 @@ struct Leaks
     /// Those of another rank.
     Leaks& operator+=(const Leaks& other)
     {
-        const auto &deeper = other.deepest > deepest ? other : *this;
-        *this = {putBack + other.putBack, removed + other.removed, removedMass + other.removedMass, deeper.deepest, deeper.at, deeper.patch};
+        const auto& deeper = other.deepest > deepest ? other : *this;
+        *this = {
+            putBack + other.putBack, removed + other.removed, removedMass + other.removedMass, deeper.deepest, deeper.at, deeper.patch};
         return *this;
     }
 };

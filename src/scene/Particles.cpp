@@ -88,7 +88,8 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
       catalogue_(catalogue),
       coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.resolution.H() + skinInSpacings * settings.resolution.spacing) : nullptr),
+      halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.resolution.H() + skinInSpacings * settings.resolution.spacing)
+                    : nullptr),
       images_(geometry_, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
               skinInSpacings * settings.resolution.spacing, halo_.get()),
       leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
@@ -103,7 +104,8 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
     if (halo_ && !geometry_.layers.empty())
-        throw CaseError({"system/sphSchemes", 0}, "walls layers: particles of layers are not shared between ranks yet; take walls reflected");
+        throw CaseError({"system/sphSchemes", 0},
+                        "walls layers: particles of layers are not shared between ranks yet; take walls reflected");
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
@@ -194,10 +196,7 @@ template<int dim> void Particles<dim>::migrate()
     owned_ = halo_->migrate(store_, owned_);
 }
 
-template<int dim> std::size_t Particles<dim>::total() const
-{
-    return ofAllRanks(owned_, std::size_t(0), Add{});
-}
+template<int dim> std::size_t Particles<dim>::total() const { return ofAllRanks(owned_, std::size_t(0), Add{}); }
 
 template<int dim> void Particles<dim>::makeLists()
 {

@@ -215,15 +215,15 @@ public:
             double busy, waited;
         };
         const auto& all = halo->all();
-        const auto shares = OfRanks<Share>::gather(
-            all, {particles_.size(), particles_.images().count(), halo->bytesSent(), busyTime(), all.waited().wall});
+        const auto shares =
+            OfRanks<Share>::gather(all, {particles_.size(), particles_.images().count(), halo->bytesSent(), busyTime(), all.waited().wall});
         std::string lines;
         double total = 0, largest = 0;
         for (std::size_t r = 0; r < shares.size(); ++r)
         {
             const auto& [particles, images, sent, busy, waited] = shares[r];
-            lines += fmt::format("Rank {:<4}: {} particles, {} images, busy for {:.4g} s, waited for {:.4g} s, {:.4g} MB sent\n", r, particles,
-                                 images, busy, waited, 1e-6 * double(sent));
+            lines += fmt::format("Rank {:<4}: {} particles, {} images, busy for {:.4g} s, waited for {:.4g} s, {:.4g} MB sent\n", r,
+                                 particles, images, busy, waited, 1e-6 * double(sent));
             total += busy;
             largest = std::max(largest, busy);
         }

@@ -9,7 +9,10 @@ namespace sph
 namespace entry
 {
 const Count numberOfSubdomains{"numberOfSubdomains", byScene("as many as mpirun has started"), atLeast(1), "ranks"};
-const Choice method{"method", {{"rcb", "boxes: the longest side is cut in two, and so are both parts, until there is one for each"}}, "rcb", "how space is cut"};
+const Choice method{"method",
+                    {{"rcb", "boxes: the longest side is cut in two, and so are both parts, until there is one for each"}},
+                    "rcb",
+                    "how space is cut"};
 const Scalar maxImbalance{"maxImbalance", units::none, Settings{}.maxImbalance, atLeast(1),
                           "processor time of the busiest rank over their mean from which on space is cut anew"};
 }

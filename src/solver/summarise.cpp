@@ -12,7 +12,8 @@ template<> struct OfRanks<Summary>
 {
     static void forEachNumber(auto& s, const auto& f)
     {
-        for (auto* q : {&s.maxAcceleration, &s.maxSlowAcceleration, &s.kineticEnergy, &s.power, &s.momentum.x, &s.momentum.y, &s.momentum.z})
+        for (auto* q :
+             {&s.maxAcceleration, &s.maxSlowAcceleration, &s.kineticEnergy, &s.power, &s.momentum.x, &s.momentum.y, &s.momentum.z})
             f(*q);
         for (auto* of : {&s.mass, &s.minDensity, &s.maxDensity, &s.maxSpeedOf})
             for (auto& q : *of) f(q);

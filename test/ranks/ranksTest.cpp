@@ -192,9 +192,9 @@ TEST(RanksThatDie, TakeTheOthersWithThem)
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,
-                         testing::Values(Scene{"channel", channelCase, 1e-9}, Scene{"drop", dropCase, 1e-9}, Scene{"grain", grainCase, 1e-9},
-                                         Scene{"column", columnCase, 1e-9}, Scene{"bed", bedCase, 1e-9}, Scene{"soil", soilCase, 1e-9},
-                                         Scene{"suspension", suspensionCase, 1e-9}),
+                         testing::Values(Scene{"channel", channelCase, 1e-9}, Scene{"drop", dropCase, 1e-9},
+                                         Scene{"grain", grainCase, 1e-9}, Scene{"column", columnCase, 1e-9}, Scene{"bed", bedCase, 1e-9},
+                                         Scene{"soil", soilCase, 1e-9}, Scene{"suspension", suspensionCase, 1e-9}),
                          [](const auto& scene) { return scene.param.name; });
 
 }

@@ -52,14 +52,12 @@ std::string banner(const std::filesystem::path& folder)
     return fmt::format(
         "sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
         "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : {}\nThreads: {}\n\n",
-        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), ranks() ? ranks()->count() : 1, omp_get_max_threads());
+        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), ranks() ? ranks()->count() : 1,
+        omp_get_max_threads());
 }
 
 /// What the first rank has, on all.
-double ofFirst(double mine)
-{
-    return ofAllRanks(isFirstRank() ? mine : 0.0, 0.0, Add{});
-}
+double ofFirst(double mine) { return ofAllRanks(isFirstRank() ? mine : 0.0, 0.0, Add{}); }
 
 /// An even part of a cloud that all ranks have read.
 Cloud partOf(Cloud cloud)
@@ -67,8 +65,7 @@ Cloud partOf(Cloud cloud)
     if (!ranks()) return cloud;
     const std::size_t n = cloud.size(), all = std::size_t(ranks()->count()), rank = std::size_t(ranks()->rank());
     if (n < all) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
-    const auto cut = [&](std::vector<double>& a)
-    { a = {a.begin() + long(rank * n / all), a.begin() + long((rank + 1) * n / all)}; };
+    const auto cut = [&](std::vector<double>& a) { a = {a.begin() + long(rank * n / all), a.begin() + long((rank + 1) * n / all)}; };
     for (auto* a : {&cloud.x, &cloud.y, &cloud.z}) cut(*a);
     for (auto& [_, field] : cloud.fields)
         for (auto& a : field.component) cut(a);
@@ -104,7 +101,11 @@ Geometry Run::loadGeometry(const Case& theCase)
 }
 
 Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
-    : case_((waitForFirst(), caseFolder)), log_(log), time_(case_), geometry_(loadGeometry(case_)), settings_(readSettings(case_, geometry_))
+    : case_((waitForFirst(), caseFolder)),
+      log_(log),
+      time_(case_),
+      geometry_(loadGeometry(case_)),
+      settings_(readSettings(case_, geometry_))
 {
     const auto& control = time_.controlDict();
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
@@ -116,7 +117,8 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     if (ranks())
     {
         time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
-        if (case_.has("constant/openings")) throw CaseError({"constant/openings", 0}, "what comes in and goes out is not shared between ranks yet");
+        if (case_.has("constant/openings"))
+            throw CaseError({"constant/openings", 0}, "what comes in and goes out is not shared between ranks yet");
     }
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
@@ -346,7 +348,8 @@ void Run::write()
     for (const auto& field : simulation_->fields()) fields.push_back(cloud.whole(field));
     const auto state = simulation_->state();
     if (!isFirstRank()) return time_.writtenElsewhere();
-    time_.write([&](const std::filesystem::path& folder) { writeCloud(folder, "sph", cloud.size(), positions, fields, time_.writeOptions()); },
+    time_.write([&](const std::filesystem::path& folder)
+                { writeCloud(folder, "sph", cloud.size(), positions, fields, time_.writeOptions()); },
                 state, functions_->histories());
 }
 
@@ -402,7 +405,9 @@ void Run::solve()
         warnOfCompression();
         noteLeaks();
         traceEnergy(deltaT);
-        if (reduce(1, 0.0, [](std::size_t) { return double(stopRequested); }, Larger{}) > 0) time_.stopNow();
+        if (reduce(
+                1, 0.0, [](std::size_t) { return double(stopRequested); }, Larger{}) > 0)
+            time_.stopNow();
         if (ofFirst(time_.controlDictModified()) > 0)
             if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 

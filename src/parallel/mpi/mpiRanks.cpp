@@ -81,12 +81,19 @@ public:
         float version;
         if (Zoltan_Initialize(0, nullptr, &version) != ZOLTAN_OK) throw std::runtime_error("Zoltan cannot be initialised");
         Zoltan_Struct* zoltan = Zoltan_Create(MPI_COMM_WORLD);
-        for (const auto& [name, value] : {std::pair{"LB_METHOD", "RCB"}, {"KEEP_CUTS", "1"}, {"OBJ_WEIGHT_DIM", "1"}, {"DEBUG_LEVEL", "0"},
-                                          {"NUM_GID_ENTRIES", "1"}, {"NUM_LID_ENTRIES", "1"}, {"RETURN_LISTS", "NONE"},
-                                          {"RCB_RECTILINEAR_BLOCKS", "1"}, {"IMBALANCE_TOL", "1.005"}})
+        for (const auto& [name, value] : {std::pair{"LB_METHOD", "RCB"},
+                                          {"KEEP_CUTS", "1"},
+                                          {"OBJ_WEIGHT_DIM", "1"},
+                                          {"DEBUG_LEVEL", "0"},
+                                          {"NUM_GID_ENTRIES", "1"},
+                                          {"NUM_LID_ENTRIES", "1"},
+                                          {"RETURN_LISTS", "NONE"},
+                                          {"RCB_RECTILINEAR_BLOCKS", "1"},
+                                          {"IMBALANCE_TOL", "1.005"}})
             Zoltan_Set_Param(zoltan, name, value);
         Places places{dimension, x, weights};
-        Zoltan_Set_Num_Obj_Fn(zoltan, [](void* data, int*) { return int(static_cast<Places*>(data)->weights.size()); }, &places);
+        Zoltan_Set_Num_Obj_Fn(
+            zoltan, [](void* data, int*) { return int(static_cast<Places*>(data)->weights.size()); }, &places);
         Zoltan_Set_Obj_List_Fn(
             zoltan,
             [](void* data, int, int, ZOLTAN_ID_PTR global, ZOLTAN_ID_PTR local, int, float* weight, int*)
@@ -99,7 +106,8 @@ public:
                 }
             },
             &places);
-        Zoltan_Set_Num_Geom_Fn(zoltan, [](void* data, int*) { return static_cast<Places*>(data)->dimension; }, &places);
+        Zoltan_Set_Num_Geom_Fn(
+            zoltan, [](void* data, int*) { return static_cast<Places*>(data)->dimension; }, &places);
         Zoltan_Set_Geom_Multi_Fn(
             zoltan,
             [](void* data, int, int, int n, ZOLTAN_ID_PTR, ZOLTAN_ID_PTR local, int components, double* to, int*)
@@ -112,8 +120,9 @@ public:
         int changes, globalSize, localSize, imported, exported;
         ZOLTAN_ID_PTR importGlobal, importLocal, exportGlobal, exportLocal;
         int *importRanks, *importParts, *exportRanks, *exportParts;
-        const int code = Zoltan_LB_Partition(zoltan, &changes, &globalSize, &localSize, &imported, &importGlobal, &importLocal, &importRanks,
-                                             &importParts, &exported, &exportGlobal, &exportLocal, &exportRanks, &exportParts);
+        const int code =
+            Zoltan_LB_Partition(zoltan, &changes, &globalSize, &localSize, &imported, &importGlobal, &importLocal, &importRanks,
+                                &importParts, &exported, &exportGlobal, &exportLocal, &exportRanks, &exportParts);
         std::vector<RankBox> boxes;
         const double infinity = std::numeric_limits<double>::infinity();
         for (int part = 0; code == ZOLTAN_OK && part < count_; ++part)
