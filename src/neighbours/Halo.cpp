@@ -43,8 +43,8 @@ template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::siz
     else
     {
         if (++sinceCut_ < fewestRebuilds) return;
-        const double busy = busyTime() - busyAtCut_, mean = sum(1, [&](std::size_t) { return busy; }) / all_.count(),
-                     largest = most(1, [&](std::size_t) { return busy; });
+        const double busy = busyTime() - busyAtCut_, mean = ofAllRanks(busy, 0.0, Add{}) / all_.count(),
+                     largest = ofAllRanks(busy, 0.0, Larger{});
         if (mean < shortest || largest < maxImbalance * mean) return;
         cut(store, owned, owned > 0 ? busy / double(owned) : 1);
     }

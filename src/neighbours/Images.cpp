@@ -449,7 +449,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         const auto x = store.pointers(Position{});
         make(x, owned, sources_);
         keepNear(x);
-        fastest_ = most(1, [&](std::size_t) { return fastest_; });
+        fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
     // Vectors that grow by themselves double: of many images that is more than a field.
     if (entries_.capacity() > entries_.size() + entries_.size() / 10) entries_.shrink_to_fit();

@@ -405,9 +405,7 @@ void Run::solve()
         warnOfCompression();
         noteLeaks();
         traceEnergy(deltaT);
-        if (reduce(
-                1, 0.0, [](std::size_t) { return double(stopRequested); }, Larger{}) > 0)
-            time_.stopNow();
+        if (ofAllRanks(double(stopRequested), 0.0, Larger{}) > 0) time_.stopNow();
         if (ofFirst(time_.controlDictModified()) > 0)
             if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
