@@ -1,4 +1,5 @@
 #include "Images.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,8 +42,8 @@ double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, d
 }
 
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin)
-    : geometry_(&geometry), grid_(geometry, reach), reach_(reach), spacing_(spacing), skin_(skin)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin, Halo<dim>* halo)
+    : geometry_(&geometry), halo_(halo), grid_(geometry, reach), reach_(reach), spacing_(spacing), skin_(skin)
 {}
 
 /// The foot of what is mirrored: of the source itself, or of its image so far.
@@ -184,9 +185,15 @@ template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch
     return cosine > 0.26 && cosine < 0.97;
 }
 
-template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x)
+template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
 {
-    fastest_ = 1;
+    const std::size_t firstEntry = entries_.size(), firstMirror = mirrors_.size();
+    reflect(x, begin, end);
+    shift(x, begin, end, firstEntry, firstMirror);
+}
+
+template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
+{
     if (geometry_->patches.empty() || layers_) return;
 
     const std::size_t chunkSize = 1024;
@@ -195,13 +202,13 @@ template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x)
         std::vector<Entry> entries;
         std::vector<Mirror> mirrors;
     };
-    std::vector<Made> made((owned_ + chunkSize - 1) / chunkSize);
-    double fastest = 1;
+    std::vector<Made> made((end - begin + chunkSize - 1) / chunkSize);
+    double fastest = fastest_;
 #pragma omp parallel for schedule(dynamic) reduction(max : fastest)
     for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
     {
         std::vector<Ghost> ghosts;
-        for (std::size_t i = chunk * chunkSize; i < std::min(owned_, (chunk + 1) * chunkSize); ++i)
+        for (std::size_t i = begin + chunk * chunkSize; i < std::min(end, begin + (chunk + 1) * chunkSize); ++i)
         {
             Vector<dim> x_i;
             fetch(x_i, [&](int c) { return x[c][i]; });
@@ -328,7 +335,9 @@ template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x
     return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 
-template<int dim> void Images<dim>::shift(const std::array<double*, dim>& x)
+template<int dim>
+void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry,
+                        std::size_t firstMirror)
 {
     for (int c = 0; c < dim; ++c)
     {
@@ -345,11 +354,11 @@ template<int dim> void Images<dim>::shift(const std::array<double*, dim>& x)
                   if (d == c) high = q;
               });
         const std::size_t before = entries_.size();
-        const auto consider = [&](Entry e, std::size_t firstMirror)
+        const auto consider = [&](Entry e, std::size_t mirror)
         {
             Feet feet[mostReflections];
             Mirrors mirrors{};
-            std::copy_n(mirrors_.begin() + long(firstMirror), e.reflections, mirrors.begin());
+            std::copy_n(mirrors_.begin() + long(mirror), e.reflections, mirrors.begin());
             Vector<dim> x_i;
             fetch(x_i, [&](int d) { return x[d][e.source]; });
             const auto add = [&](const Entry& shifted)
@@ -374,10 +383,10 @@ template<int dim> void Images<dim>::shift(const std::array<double*, dim>& x)
                 add(e);
             }
         };
-        for (std::size_t i = 0; i < owned_; ++i)
+        for (std::size_t i = begin; i < end; ++i)
             if (x[c][i] < low + reach_ || x[c][i] > high - reach_) consider({int(i), {}}, 0);
-        std::size_t mirror = 0;
-        for (std::size_t k = 0; k < before; ++k)
+        std::size_t mirror = firstMirror;
+        for (std::size_t k = firstEntry; k < before; ++k)
         {
             const Entry e = entries_[k];
             consider(e, mirror);
@@ -386,14 +395,62 @@ template<int dim> void Images<dim>::shift(const std::array<double*, dim>& x)
     }
 }
 
+template<int dim> template<class F> void Images<dim>::forEachPlace(const std::array<double*, dim>& x, const F& f) const
+{
+    Feet feet[mostReflections];
+    Mirrors mirrors{};
+    std::size_t mirror = 0;
+    for (const auto& e : entries_)
+    {
+        Vector<dim> x_i;
+        fetch(x_i, [&](int c) { return x[c][e.source]; });
+        std::copy_n(mirrors_.begin() + long(mirror), e.reflections, mirrors.begin());
+        f(e, place(e, mirrors.data(), x_i, feet), mirror);
+        mirror += e.reflections;
+    }
+}
+
+template<int dim> void Images<dim>::keepNear(const std::array<double*, dim>& x)
+{
+    std::vector<Entry> entries;
+    std::vector<Mirror> mirrors;
+    forEachPlace(x,
+                 [&](const Entry& e, const Vector<dim>& y, std::size_t mirror)
+                 {
+                     if (!halo_->isNear(y)) return;
+                     entries.push_back(e);
+                     mirrors.insert(mirrors.end(), mirrors_.begin() + long(mirror), mirrors_.begin() + long(mirror + e.reflections));
+                 });
+    entries_.swap(entries);
+    mirrors_.swap(mirrors);
+}
+
 template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)
 {
-    owned_ = owned;
+    owned_ = sources_ = owned;
     entries_.clear();
     mirrors_.clear();
-    const auto x = store.pointers(Position{});
-    reflect(x);
-    shift(x);
+    fastest_ = 1;
+    make(store.pointers(Position{}), 0, owned);
+    if (halo_)
+    {
+        sources_ += halo_->build(store, owned,
+                                 [&](const auto& seen)
+                                 {
+                                     const auto x = store.pointers(Position{});
+                                     for (std::size_t i = 0; i < owned; ++i)
+                                     {
+                                         Vector<dim> x_i;
+                                         fetch(x_i, [&](int c) { return x[c][i]; });
+                                         seen(x_i, int(i));
+                                     }
+                                     forEachPlace(x, [&](const Entry& e, const Vector<dim>& y, std::size_t) { seen(y, e.source); });
+                                 });
+        const auto x = store.pointers(Position{});
+        make(x, owned, sources_);
+        keepNear(x);
+        fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
+    }
     // Vectors that grow by themselves double: of many images that is more than a field.
     if (entries_.capacity() > entries_.size() + entries_.size() / 10) entries_.shrink_to_fit();
     if (mirrors_.capacity() > mirrors_.size() + mirrors_.size() / 10) mirrors_.shrink_to_fit();
@@ -411,12 +468,13 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     }
     resize(feet_, feet);
     store.resize(nullParticle() + 1, owned_);
-    if (layers_) layers_->place(store, owned_ + entries_.size());
+    if (layers_) layers_->place(store, sources_ + entries_.size());
     move(store);
 }
 
 template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 {
+    if (halo_) halo_->refresh(store, std::array{std::string(Position::info.name)});
     const auto x = store.pointers(Position{});
     double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
     double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
@@ -429,24 +487,24 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         fetch(x_i, [&](int c) { return x[c][e.source]; });
         double w = 1;
         sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr),
-                   [&](int c, double q) { x[c][owned_ + k] = q; });
+                   [&](int c, double q) { x[c][sources_ + k] = q; });
         if (weight)
         {
             for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
-            weight[owned_ + k] = w;
+            weight[sources_ + k] = w;
         }
-        if (wall) wall[owned_ + k] = e.ghost() ? 1 + wallOf(mirrors_[firstFoot_[k] + e.reflections - 1u]) : 0;
+        if (wall) wall[sources_ + k] = e.ghost() ? 1 + wallOf(mirrors_[firstFoot_[k] + e.reflections - 1u]) : 0;
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });
     if (weight)
     {
-        std::fill_n(weight, owned_, 1.0);
+        std::fill_n(weight, sources_, 1.0);
         weight[nullParticle()] = 1.0;
     }
     if (wall)
     {
-        std::fill_n(wall, owned_, 0.0);
+        std::fill_n(wall, sources_, 0.0);
         wall[nullParticle()] = 0.0;
     }
 }
@@ -467,7 +525,7 @@ template<int dim> std::vector<std::pair<std::size_t, double>> Images<dim>::nearF
     std::vector<std::pair<std::size_t, double>> near;
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
-        if (!entries_[k].ghost()) continue;
+        if (!entries_[k].ghost() || std::size_t(entries_[k].source) >= owned_) continue;
         double d = feet_[firstFoot_[k]].distance;
         // An image in a smooth patch lies along a mean normal, and neighbours that have none may be nearer in hollows: among rocks
         // the surface is up to 7 % nearer.

@@ -9,12 +9,15 @@
 ///
 ///   owned | periodic images of the fluid and wall ghosts | null particle
 ///
+/// Where ranks share the particles, copies of those of others stand behind the owned ones (Halo.hpp), and have images as they do.
+///
 /// Where walls are layers of particles (WallLayers.hpp) nothing is mirrored, and they lie between the images and the null particle.
 ///
 /// Before each pass only the fields that the pass reads are refreshed.
 #pragma once
 #include "FieldStore.hpp"
 #include "GhostRules.hpp"
+#include "Halo.hpp"
 #include "PatchGrid.hpp"
 #include "TriangleMesh.hpp"
 #include "WallLayers.hpp"
@@ -32,9 +35,9 @@ namespace sph
 template<int dim> class Images
 {
 public:
-    /// The geometry must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls: the kernel's
+    /// The geometry, and the halo where there is one, must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls: the kernel's
     /// support and the `skin` [m] of the lists.
-    Images(const Geometry&, double reach, double spacing, double skin = 0);
+    Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr);
 
     /// How images beyond walls get the values of a field.
     template<class F> void setRule(F, std::unique_ptr<GhostRule<FieldValue<F, dim>, dim>> rule) { rules_[F::info.name] = std::move(rule); }
@@ -87,8 +90,11 @@ public:
     double closingSpeed() const { return 0.5 * (1 + fastest_); }
 
     std::size_t owned() const { return owned_; }
-    std::size_t count() const { return entries_.size(); }
-    std::size_t nullParticle() const { return owned_ + entries_.size() + (layers_ ? layers_->count() : 0); }
+    /// Copies of other ranks' particles among them.
+    std::size_t count() const { return sources_ - owned_ + entries_.size(); }
+    std::size_t nullParticle() const { return sources_ + entries_.size() + (layers_ ? layers_->count() : 0); }
+    /// Null where one process is alone.
+    const Halo<dim>* halo() const { return halo_; }
     std::size_t bytes() const;
 
     /// Calls f(foot, patch) for each patch that may be within reach of a place, also where an edge or a vertex is the nearest place of the
@@ -116,8 +122,6 @@ private:
         int source;
         std::array<signed char, dim> shift;
         unsigned char reflections = 0;
-        /// Of the particle that `source` counts among its own: 0 this rank, k the k-th of those that it exchanges with. In the padding.
-        unsigned char rank = 0;
         bool ghost() const { return reflections > 0; }
     };
     static_assert(sizeof(Entry) <= 12);
@@ -158,13 +162,14 @@ private:
     };
 
     const Geometry* geometry_;
+    Halo<dim>* halo_;
     PatchGrid grid_;
     double reach_, spacing_, skin_, fastest_ = 1;
     std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_; ///< by field
     std::set<std::string, std::less<>> interpolated_; ///< fields of which particles of layers have values of their own
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
-    std::size_t owned_ = 0;
+    std::size_t owned_ = 0, sources_ = 0; ///< owned particles, and copies of others' behind them
     std::vector<Entry> entries_;
     std::vector<Mirror> mirrors_; ///< of all ghosts, as many for each as it has reflections, in order
     std::vector<Feet> feet_;      ///< likewise
@@ -187,13 +192,19 @@ private:
     double shareSoon(const Ghost&, Foot) const;
     bool goesOnInWedge(const Mirror* mirrors, int last) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
-    void reflect(const std::array<double*, dim>& x);
+    /// Images of these sources, appended.
+    void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
+    void reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
     void reflectInMesh(const Ghost& from, int patch, std::vector<Ghost>& ghosts) const;
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;
-    void shift(const std::array<double*, dim>& x);
+    void shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, std::size_t firstMirror);
+    /// f(entry, place, first of its mirrors) of all images.
+    template<class F> void forEachPlace(const std::array<double*, dim>& x, const F& f) const;
+    /// Forgets images that this rank's particles cannot see.
+    void keepNear(const std::array<double*, dim>& x);
     Vector<dim> period(const Entry&) const;
 };
 
@@ -210,7 +221,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
     [[maybe_unused]] const auto position = store.pointers(Position{});
     constexpr bool ofGradient = F::info.image == Image::ruledGradient;
     [[maybe_unused]] const auto* const rule = images.template rule<std::conditional_t<ofGradient, Vector<dim>, Value>>(F::info.ofRule);
-    const std::size_t n = images.entries_.size(), owned = images.owned_;
+    const std::size_t n = images.entries_.size(), sources = images.sources_;
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -241,14 +252,14 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                 }
             }
         }
-        sph::store(q, [&](int c, double a) { p[c][owned + k] = a; });
+        sph::store(q, [&](int c, double a) { p[c][sources + k] = a; });
     }
     // All else of wall particles is seen pair by pair.
     if (images.layers_ && images.interpolates(F::info))
         images.layers_->extrapolate(store, name, rule,
                                     F::info.inLayers == InLayers::extrapolated ? Extrapolation::mean : Extrapolation::fit);
     // The null particle has W = 0 but its values are computed with: they must be finite.
-    for (double* a : p) a[images.nullParticle()] = owned > 0 ? a[0] : 1.0;
+    for (double* a : p) a[images.nullParticle()] = images.owned_ > 0 ? a[0] : 1.0;
 }
 
 }

@@ -34,6 +34,14 @@ struct Leaks
     int patch = -1;         ///< likewise; -1 of what was removed for being outside the domain
 
     long count() const { return putBack + removed; }
+    /// Those of another rank.
+    Leaks& operator+=(const Leaks& other)
+    {
+        const auto& deeper = other.deepest > deepest ? other : *this;
+        *this = {
+            putBack + other.putBack, removed + other.removed, removedMass + other.removedMass, deeper.deepest, deeper.at, deeper.patch};
+        return *this;
+    }
 };
 
 template<int dim> class LeakGuard

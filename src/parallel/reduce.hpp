@@ -1,13 +1,50 @@
 /// From particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
-/// combined in their order. NaN and infinity go through it: `smaller` and `larger` keep a NaN that they meet.
+/// combined in their order, and then those of all ranks in theirs: each rank has to ask, and all get the same. NaN and infinity go through it: `smaller` and
+/// `larger` keep a NaN that they meet.
 #pragma once
+#include "Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace sph
 {
+
+/// What ranks have of a value, in their order: of numbers and structures of them, and of vectors of those that are as long on all.
+template<class T> struct OfRanks
+{
+    static_assert(std::is_trivially_copyable_v<T>, "say how it goes from rank to rank: OfRanks<T>");
+    static std::vector<T> gather(const Ranks& all, const T& part)
+    {
+        std::vector<T> parts(std::size_t(all.count()));
+        all.gatherAll(std::as_bytes(std::span(&part, 1)), std::as_writable_bytes(std::span(parts)));
+        return parts;
+    }
+};
+template<class T> struct OfRanks<std::vector<T>>
+{
+    static std::vector<std::vector<T>> gather(const Ranks& all, const std::vector<T>& part)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        std::vector<T> joined(part.size() * std::size_t(all.count()));
+        all.gatherAll(std::as_bytes(std::span(part)), std::as_writable_bytes(std::span(joined)));
+        std::vector<std::vector<T>> parts;
+        for (auto from = joined.begin(); parts.size() < std::size_t(all.count()); from += long(part.size()))
+            parts.emplace_back(from, from + long(part.size()));
+        return parts;
+    }
+};
+
+/// `combine(total, part)` over the parts of all ranks, from `start`.
+template<class T, class Combine> T ofAllRanks(const T& mine, T start, const Combine& combine)
+{
+    const auto* const all = ranks();
+    if (!all) return mine;
+    for (const auto& part : OfRanks<T>::gather(*all, mine)) combine(start, part);
+    return start;
+}
 
 /// `combine(total, part)` over the blocks of 0 .. n - 1 in their order, from `start`; `ofBlock(begin, end)` gives each part.
 template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T start, const OfBlock& ofBlock, const Combine& combine)
@@ -16,8 +53,9 @@ template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T 
     std::vector<T> parts(blocks, start);
 #pragma omp parallel for schedule(static)
     for (std::size_t b = 0; b < blocks; ++b) parts[b] = ofBlock(b * block, std::min(n, (b + 1) * block));
-    for (const auto& part : parts) combine(start, part);
-    return start;
+    auto total = start;
+    for (const auto& part : parts) combine(total, part);
+    return ofAllRanks(total, std::move(start), combine);
 }
 
 /// The same of single particles: `combine(total, value(i))` within blocks, and of blocks.

@@ -44,6 +44,8 @@ public:
     void allocate(FieldStore<dim>&) const;
     /// Positions, volume factors and what some pass gathers: all that images need values of.
     std::set<std::string> readAtNeighbours() const;
+    /// What passes read of copies on other ranks: the same, and what rules of images read of their source.
+    std::set<std::string> readOfCopies() const;
     /// Again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
     /// `deltaT` [s] is what laws that advance a state see.
@@ -111,6 +113,8 @@ private:
     void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&,
                        const Kernel<dim>&);
     const double* pack(const Pass&, FieldStore<dim>&);
+    /// What a pass reads of copies on other ranks and was written since they were last refreshed.
+    std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };
 
 }

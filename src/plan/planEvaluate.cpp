@@ -30,6 +30,34 @@ template<int dim> std::set<std::string> Plan<dim>::readAtNeighbours() const
     return read;
 }
 
+template<int dim> std::set<std::string> Plan<dim>::readOfCopies() const
+{
+    auto read = readAtNeighbours();
+    for (const auto& g : groups_)
+        for (const auto& pass : g.passes)
+            for (const auto* e : pass.entries)
+            {
+                for (const auto& f : e->reads)
+                    if (f.info.ofGhosts) read.insert(f.info.ofGhosts);
+                if (pass.pair()) forEachRead(*e, [&](const FieldUse<dim>& f) { read.insert(f.name); });
+            }
+    return read;
+}
+
+template<int dim> std::vector<std::string> Plan<dim>::copiedFor(const Pass& pass, const FieldStore<dim>& store) const
+{
+    std::set<std::string> fields;
+    for (const auto& f : pass.refresh)
+    {
+        if (f.info.image == Image::placed) continue;
+        fields.insert(f.name);
+        if (f.info.ofGhosts && store.has(f.info.ofGhosts)) fields.insert(f.info.ofGhosts);
+        if (const auto rule = ruleReads_.find(f.info.ofRule ? f.info.ofRule : ""); rule != ruleReads_.end())
+            for (const auto& source : rule->second) fields.insert(source.name);
+    }
+    return {fields.begin(), fields.end()};
+}
+
 template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
 {
     for (auto& g : groups_)
@@ -133,6 +161,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
     bool within = group > 0; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {
+        if (const auto* const halo = images.halo(); halo && !pass.refresh.empty()) halo->refresh(store, copiedFor(pass, store));
         for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
         if (counts_)
             for (const auto* e : pass.entries) ++(*counts_)[g.group.name + "/" + e->name];

@@ -5,6 +5,7 @@
 #include "SolidsPlan.hpp"
 #include "SweepPlan.hpp"
 #include "models.hpp"
+#include "readDecomposition.hpp"
 #include "readElementTests.hpp"
 #include "readPhases.hpp"
 #include "readSettings.hpp"
@@ -27,6 +28,8 @@ EntryRegistry collect()
     all.add(soilProperties, soilEntries(), "the law of soil and how its stress is integrated");
     all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
     all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
+    all.add(decompositionDictionary, decompositionEntries(),
+            "how ranks share the particles (`sphFoamLike -parallel`); the file may be missing");
     all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
     all.add("system/packParticlesDict", solidsEntries());
     all.add("system/reconstructSurfaceDict", surfaceEntries(), "the surfaces that reconstructSurface makes; the file may be missing");

@@ -88,8 +88,10 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
       catalogue_(catalogue),
       coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
+      halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.resolution.H() + skinInSpacings * settings.resolution.spacing)
+                    : nullptr),
       images_(geometry_, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
-              skinInSpacings * settings.resolution.spacing),
+              skinInSpacings * settings.resolution.spacing, halo_.get()),
       leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
       owned_(cloud.size()),
@@ -101,12 +103,15 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
         throw CaseError({"constant/geometry", 0},
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
+    if (halo_ && !geometry_.layers.empty())
+        throw CaseError({"system/sphSchemes", 0},
+                        "walls layers: particles of layers are not shared between ranks yet; take walls reflected");
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
     for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
     afterEvaluation_ = stages(Place::afterEvaluation);
-    store_.keepImagesOf(plan_.readAtNeighbours());
+    store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
     load(cloud, !restored.empty());
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
@@ -163,10 +168,10 @@ template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
         if (evolving.loaded) evolving.loaded(loading);
         if (evolving.check) evolving.check(loading);
     }
-    if (const auto onDisk = cloud.fields.find(Mass::info.name); onDisk != cloud.fields.end() && owned_ > 0)
+    if (const auto onDisk = cloud.fields.find(Mass::info.name); onDisk != cloud.fields.end() && total() > 0)
     {
         const double *m = store_.component(Mass::info.name, 0), *m_0 = onDisk->second.component[0].data();
-        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i] / m_0[i]; }) / double(owned_);
+        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i] / m_0[i]; }) / double(total());
     }
     for (const auto& rate : settings_.keptRates())
         if (restarted && cloud.fields.contains(rate.name)) copyNumbers(cloud, rate.name, rate.type(dim), arraysOf(rate));
@@ -176,6 +181,7 @@ template<int dim> void Particles<dim>::rebuild()
 {
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
     owned_ = leakGuard_(store_, owned_, images_);
+    if (halo_) migrate();
     cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
     store_.sortState(cells_.order());
     makeLists();
@@ -183,6 +189,14 @@ template<int dim> void Particles<dim>::rebuild()
     travelled_ = 0;
     ++rebuilds_;
 }
+
+template<int dim> void Particles<dim>::migrate()
+{
+    halo_->balance(store_, owned_, settings_.maxImbalance);
+    owned_ = halo_->migrate(store_, owned_);
+}
+
+template<int dim> std::size_t Particles<dim>::total() const { return ofAllRanks(owned_, std::size_t(0), Add{}); }
 
 template<int dim> void Particles<dim>::makeLists()
 {
@@ -371,7 +385,7 @@ template<int dim> void Particles<dim>::normaliseDensity()
     const double *m = store_.component("m", 0), *V = store_.component("V", 0);
     const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
     coefficients_.densityScale *=
-        startCompression_ * double(owned_) /
+        startCompression_ * double(total()) /
         sum(owned_, [&](std::size_t i) { return m[i] / coefficients_.restDensity[phase ? int(phase[i]) : 0] / V[i]; });
     bind();
     evaluate();

@@ -44,6 +44,8 @@ public:
     const MovingWalls& movingWalls() const { return movingWalls_; }
 
     std::size_t size() const { return owned_; }
+    /// Those of all ranks.
+    std::size_t total() const;
     const Settings& settings() const { return settings_; }
     const Geometry& geometry() const { return geometry_; }
     const Coefficients& coefficients() const { return coefficients_; }
@@ -97,6 +99,7 @@ private:
     /// By operation that accelerates: an evaluation of it and what it reads; empty until asked for.
     std::map<std::string, std::unique_ptr<Plan<dim>>> alone_;
     FieldStore<dim> store_;
+    std::unique_ptr<Halo<dim>> halo_; ///< null where one process is alone
     Images<dim> images_;
     LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
@@ -111,6 +114,8 @@ private:
     long rebuilds_ = 0;
     bool predicted_ = false;
 
+    /// Where ranks share the particles: each goes where it belongs.
+    void migrate();
     void allocateState();
     void load(const Cloud&, bool restarted);
     void checkApart() const;

@@ -130,6 +130,7 @@ public:
     void observe() override { particles_.observe(); }
     void settle() override { particles_.settle(); }
 
+    std::size_t total() const override { return particles_.total(); }
     std::size_t size() const override { return particles_.size(); }
     FieldView positions() const override { return field(Position::info.name); }
 
@@ -197,10 +198,38 @@ public:
         return all;
     }
     long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
-    double meanNeighbours() const override { return double(particles_.lists().pairs()) / double(std::max<std::size_t>(1, size())) - 1; }
-    std::size_t images() const override { return particles_.images().count(); }
+    double meanNeighbours() const override
+    {
+        const std::size_t pairs = ofAllRanks(particles_.lists().pairs(), std::size_t(0), Add{});
+        return double(pairs) / double(std::max<std::size_t>(1, particles_.total())) - 1;
+    }
+    std::size_t images() const override { return ofAllRanks(particles_.images().count(), std::size_t(0), Add{}); }
     long rebuilds() const override { return particles_.rebuilds(); }
-    const Leaks& leaks() const override { return particles_.leaks(); }
+    std::string reportRanks() const override
+    {
+        const auto* const halo = particles_.images().halo();
+        if (!halo) return "";
+        struct Share
+        {
+            std::size_t particles, images, sent;
+            double busy, waited;
+        };
+        const auto& all = halo->all();
+        const auto shares =
+            OfRanks<Share>::gather(all, {particles_.size(), particles_.images().count(), halo->bytesSent(), busyTime(), all.waited().wall});
+        std::string lines;
+        double total = 0, largest = 0;
+        for (std::size_t r = 0; r < shares.size(); ++r)
+        {
+            const auto& [particles, images, sent, busy, waited] = shares[r];
+            lines += fmt::format("Rank {:<4}: {} particles, {} images, busy for {:.4g} s, waited for {:.4g} s, {:.4g} MB sent\n", r,
+                                 particles, images, busy, waited, 1e-6 * double(sent));
+            total += busy;
+            largest = std::max(largest, busy);
+        }
+        return lines + fmt::format("Imbalance: {:.3f}, space cut {} times\n", largest * double(shares.size()) / total, halo->cuts());
+    }
+    Leaks leaks() const override { return ofAllRanks(particles_.leaks(), Leaks{}, Add{}); }
     double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
 
 private:

@@ -53,6 +53,8 @@ public:
     virtual void observe() = 0;
     /// The same after the particles have been sorted and lists rebuilt: before writing.
     virtual void settle() = 0;
+    virtual std::size_t total() const = 0; ///< particles of all ranks
+    /// Of this rank, as are positions and fields; WholeCloud.hpp has those of all.
     virtual std::size_t size() const = 0;
     virtual FieldView positions() const = 0;
     /// Fields of the time folder: U rho p phase, m where it is not one value, and what the models show or need for a restart.
@@ -75,9 +77,11 @@ public:
     virtual long pairPassesRun() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
+    /// What each rank has had to do, a line each, and how evenly; "" of one process alone.
+    virtual std::string reportRanks() const = 0;
     virtual long rebuilds() const = 0;
-    /// What was put back out of the solid, or removed, since the start of the run.
-    virtual const Leaks& leaks() const = 0;
+    /// What was put back out of the solid, or removed, since the start of the run, by all ranks.
+    virtual Leaks leaks() const = 0;
     /// Of all arrays but the neighbour lists, per owned particle.
     virtual double bytesPerParticle() const = 0;
 };

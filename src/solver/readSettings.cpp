@@ -2,6 +2,7 @@
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "phaseEntries.hpp"
+#include "readDecomposition.hpp"
 #include "readPhases.hpp"
 #include "schemeSets.hpp"
 #include "shareFilled.hpp"
@@ -78,6 +79,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.spacing = settings.resolution.spacing;
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
+    readDecomposition(theCase, settings);
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();

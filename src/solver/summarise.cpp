@@ -7,6 +7,32 @@
 namespace sph
 {
 
+/// A structure with vectors and maps: as numbers, the columns of models aside, which are sums of all ranks already.
+template<> struct OfRanks<Summary>
+{
+    static void forEachNumber(auto& s, const auto& f)
+    {
+        for (auto* q :
+             {&s.maxAcceleration, &s.maxSlowAcceleration, &s.kineticEnergy, &s.power, &s.momentum.x, &s.momentum.y, &s.momentum.z})
+            f(*q);
+        for (auto* of : {&s.mass, &s.minDensity, &s.maxDensity, &s.maxSpeedOf})
+            for (auto& q : *of) f(q);
+        for (auto& n : s.count) f(n);
+    }
+    static std::vector<Summary> gather(const Ranks& all, const Summary& part)
+    {
+        std::vector<double> numbers;
+        forEachNumber(part, [&](const auto& q) { numbers.push_back(double(q)); });
+        std::vector<Summary> parts;
+        for (const auto& of : OfRanks<std::vector<double>>::gather(all, numbers))
+        {
+            auto next = of.begin();
+            forEachNumber(parts.emplace_back(part), [&]<class Q>(Q& q) { q = Q(*next++); });
+        }
+        return parts;
+    }
+};
+
 template<int dim> Summary summarise(const Particles<dim>& particles)
 {
     const auto& store = particles.store();

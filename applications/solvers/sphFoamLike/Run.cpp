@@ -1,7 +1,9 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
 #include "Walls.hpp"
+#include "WholeCloud.hpp"
 #include "outliers.hpp"
+#include "reduce.hpp"
 #include "stopSignals.hpp"
 #include "viewOfScene.hpp"
 #include "wallLayers.hpp"
@@ -49,8 +51,25 @@ std::string banner(const std::filesystem::path& folder)
     const auto now = fmt::localtime(std::time(nullptr));
     return fmt::format(
         "sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
-        "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : 1\nThreads: {}\n\n",
-        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), omp_get_max_threads());
+        "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : {}\nThreads: {}\n\n",
+        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), ranks() ? ranks()->count() : 1,
+        omp_get_max_threads());
+}
+
+/// What the first rank has, on all.
+double ofFirst(double mine) { return ofAllRanks(isFirstRank() ? mine : 0.0, 0.0, Add{}); }
+
+/// An even part of a cloud that all ranks have read.
+Cloud partOf(Cloud cloud)
+{
+    if (!ranks()) return cloud;
+    const std::size_t n = cloud.size(), all = std::size_t(ranks()->count()), rank = std::size_t(ranks()->rank());
+    if (n < all) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
+    const auto cut = [&](std::vector<double>& a) { a = {a.begin() + long(rank * n / all), a.begin() + long((rank + 1) * n / all)}; };
+    for (auto* a : {&cloud.x, &cloud.y, &cloud.z}) cut(*a);
+    for (auto& [_, field] : cloud.fields)
+        for (auto& a : field.component) cut(a);
+    return cloud;
 }
 
 /// Domains without a periodic face on either side may be drawn a little larger than the particles' box.
@@ -82,14 +101,25 @@ Geometry Run::loadGeometry(const Case& theCase)
 }
 
 Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
-    : case_(caseFolder), log_(log), time_(case_), geometry_(loadGeometry(case_)), settings_(readSettings(case_, geometry_))
+    : case_((waitForFirst(), caseFolder)),
+      log_(log),
+      time_(case_),
+      geometry_(loadGeometry(case_)),
+      settings_(readSettings(case_, geometry_))
 {
     const auto& control = time_.controlDict();
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    const Cloud cloud = readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses());
+    const Cloud cloud = partOf(readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses()));
     case_.diagnostics().throwIfAny();
+    firstIsThrough();
+    if (ranks())
+    {
+        time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
+        if (case_.has("constant/openings"))
+            throw CaseError({"constant/openings", 0}, "what comes in and goes out is not shared between ranks yet");
+    }
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
@@ -104,7 +134,7 @@ void Run::reportPlan() const
 {
     const auto& c = settings_.coefficients;
     log_ << fmt::format("Particles : {} ({} images), spacing {:.4g} m, kernel {} with support {:.3g} spacings, {:.1f} neighbours\n",
-                        simulation_->size(), simulation_->images(), c.spacing, settings_.resolution.kernel, settings_.resolution.support,
+                        simulation_->total(), simulation_->images(), c.spacing, settings_.resolution.kernel, settings_.resolution.support,
                         simulation_->meanNeighbours());
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s{}\n", c.phases[k],
@@ -279,18 +309,18 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     log_.flush();
 }
 
-ParticleView Run::view() const
+ParticleView Run::view(WholeCloud& cloud) const
 {
     auto v = viewOfScene(settings_.coefficients, settings_.resolution.kernel, geometry_);
-    v.n = simulation_->size();
-    const auto x = simulation_->positions();
+    v.n = cloud.size();
+    const auto x = cloud.whole(simulation_->positions());
     v.x = x.component[0];
     v.y = x.component[1];
     v.z = x.component[2];
-    v.fields = simulation_->fields();
-    v.mass = simulation_->field("m").component[0];
-    v.volume = simulation_->field("V").component[0];
-    v.phase = simulation_->field("phase").component[0];
+    for (const auto& field : simulation_->fields()) v.fields.push_back(cloud.whole(field));
+    v.mass = cloud.whole(simulation_->field("m")).component[0];
+    v.volume = cloud.whole(simulation_->field("V")).component[0];
+    v.phase = cloud.whole(simulation_->field("phase")).component[0];
     v.numbers = simulation_->summary().columns;
     v.time = time_.value();
     v.deltaT = time_.deltaT();
@@ -303,19 +333,29 @@ void Run::sample(bool writeTime, bool end)
 {
     if (functions_->empty() || !functions_->due(time_, writeTime, end)) return;
     if (!writeTime) simulation_->observe();
-    for (const auto& report : functions_->execute(view(), time_, writeTime, end)) log_ << report << '\n';
+    WholeCloud cloud(simulation_->size());
+    const auto whole = view(cloud);
+    if (!isFirstRank()) return;
+    const Alone alone;
+    for (const auto& report : functions_->execute(whole, time_, writeTime, end)) log_ << report << '\n';
 }
 
 void Run::write()
 {
+    WholeCloud cloud(simulation_->size());
+    const auto positions = cloud.whole(simulation_->positions());
+    std::vector<FieldView> fields;
+    for (const auto& field : simulation_->fields()) fields.push_back(cloud.whole(field));
+    const auto state = simulation_->state();
+    if (!isFirstRank()) return time_.writtenElsewhere();
     time_.write([&](const std::filesystem::path& folder)
-                { writeCloud(folder, "sph", simulation_->size(), simulation_->positions(), simulation_->fields(), time_.writeOptions()); },
-                simulation_->state(), functions_->histories());
+                { writeCloud(folder, "sph", cloud.size(), positions, fields, time_.writeOptions()); },
+                state, functions_->histories());
 }
 
 void Run::noteLeaks()
 {
-    if (const auto& leaks = simulation_->leaks(); leaks.deepest > deepestLeak_ || (deepestLeakAt_.empty() && leaks.count() > 0))
+    if (const auto leaks = simulation_->leaks(); leaks.deepest > deepestLeak_ || (deepestLeakAt_.empty() && leaks.count() > 0))
     {
         deepestLeak_ = leaks.deepest;
         deepestLeakAt_ = time_.name();
@@ -324,7 +364,7 @@ void Run::noteLeaks()
 
 std::string Run::leaked() const
 {
-    const auto& leaks = simulation_->leaks();
+    const auto leaks = simulation_->leaks();
     return settings_.leaked == Leaked::remove ? fmt::format("Leaked: {} particles removed, {:.10g} kg\n", leaks.removed, leaks.removedMass)
                                               : fmt::format("Leaked: {} particles put back\n", leaks.putBack);
 }
@@ -332,7 +372,7 @@ std::string Run::leaked() const
 void Run::reportLeaks() const
 {
     log_ << leaked();
-    const auto& leaks = simulation_->leaks();
+    const auto leaks = simulation_->leaks();
     if (leaks.count() > 0)
         log_ << fmt::format("Deepest: {}, near ({:.6g} {:.6g} {:.6g}) at time {}\n",
                             leaks.patch < 0 ? "outside the domain"
@@ -344,7 +384,7 @@ void Run::solve()
 {
     onStopSignals(requestStop);
     reportPlan();
-    writeBox(case_, geometry_);
+    if (isFirstRank()) writeBox(case_, geometry_);
     sample(true, false);
     noteLeaks();
     if (!time_.running())
@@ -365,8 +405,9 @@ void Run::solve()
         warnOfCompression();
         noteLeaks();
         traceEnergy(deltaT);
-        if (stopRequested) time_.stopNow();
-        if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
+        if (ofAllRanks(double(stopRequested), 0.0, Larger{}) > 0) time_.stopNow();
+        if (ofFirst(time_.controlDictModified()) > 0)
+            if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
         const bool writeTime = time_.writeTime(), end = !time_.running();
         if (writeTime)
@@ -380,7 +421,7 @@ void Run::solve()
         sample(writeTime, end);
         if (writeTime) write();
         // Steps are many and cheap: one report a second, and one for each time folder.
-        if (const double now = clock_.clockTime(); writeTime || end || now - lastReport >= 1)
+        if (const double now = ofFirst(clock_.clockTime()); writeTime || end || now - lastReport >= 1)
         {
             reportStep(limit, deltaT);
             lastReport = now;
@@ -388,7 +429,7 @@ void Run::solve()
         limit = simulation_->stepLimit();
     }
     reportLeaks();
-    log_ << "End\n";
+    log_ << simulation_->reportRanks() << "End\n";
 }
 
 }

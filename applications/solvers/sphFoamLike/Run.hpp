@@ -6,6 +6,7 @@
 #include "Geometry.hpp"
 #include "RunTime.hpp"
 #include "Simulation.hpp"
+#include "WholeCloud.hpp"
 #include "readSettings.hpp"
 #include <filesystem>
 #include <iosfwd>
@@ -68,7 +69,8 @@ private:
     void reportLeaks() const;
     void write();
     void sample(bool writeTime, bool end);
-    ParticleView view() const;
+    /// Of all ranks, on the first.
+    ParticleView view(WholeCloud&) const;
 };
 
 }

@@ -1,24 +1,46 @@
 #include "CaseLock.hpp"
 #include "CommandLine.hpp"
+#include "Ranks.hpp"
 #include "Run.hpp"
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <fstream>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 int main(int argc, char** argv)
 {
-    bool dryRun = false;
-    return sph::runApplication(
+    bool dryRun = false, parallel = false;
+    const int code = sph::runApplication(
         "sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
-        [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop"); },
+        [&](CLI::App& app)
+        {
+            app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop");
+            app.add_flag("--parallel", parallel, "Share the particles between the processes that mpirun has started");
+        },
         [&](const std::filesystem::path& caseFolder)
         {
-            // A plan can be looked at while a run goes on.
-            std::optional<sph::CaseLock> lock;
-            if (!dryRun) lock.emplace(caseFolder, "sphFoamLike");
-            sph::Run run(caseFolder, std::cout);
-            if (dryRun) run.printPlan();
-            else run.solve();
+            if (parallel) sph::startRanks();
+            const bool first = sph::isFirstRank();
+            std::ofstream nowhere;
+            try
+            {
+                // A plan can be looked at while a run goes on.
+                std::optional<sph::CaseLock> lock;
+                if (first && !dryRun) lock.emplace(caseFolder, "sphFoamLike");
+                sph::Run run(caseFolder, first ? std::cout : nowhere);
+                if (dryRun) run.printPlan();
+                else run.solve();
+            }
+            catch (...)
+            {
+                // What all ranks find out the first says, and ends them.
+                if (!first) std::this_thread::sleep_for(std::chrono::seconds(2));
+                throw;
+            }
             return 0;
         });
+    if (const auto* const all = sph::ranks(); all && code != 0) all->abort();
+    return code;
 }

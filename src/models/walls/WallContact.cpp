@@ -18,8 +18,8 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
     return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
              {
-                 if (near_.empty()) return;
-                 p.moved(most(near_.size(), [&](std::size_t k) { return holdOff(p, near_[k]); }));
+                 if (near_.empty() && !ranks()) return;
+                 p.moved(reduce(near_.size(), 0.0, [&](std::size_t k) { return holdOff(p, near_[k]); }, Larger{}));
              }}};
 }
 

@@ -1,0 +1,181 @@
+#include "Halo.hpp"
+#include "CaseError.hpp"
+#include "reduce.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+template<int dim> Vector<dim> placeOf(const std::array<const double*, dim>& x, std::size_t i)
+{
+    Vector<dim> x_i;
+    fetch(x_i, [&](int c) { return x[std::size_t(c)][i]; });
+    return x_i;
+}
+
+template<int dim> std::vector<double*> stateOf(FieldStore<dim>& store)
+{
+    std::vector<double*> arrays;
+    for (const auto& [name, field] : store.fields())
+        for (std::size_t c = 0; field.state && c < field.component.size(); ++c) arrays.push_back(store.component(name, int(c)));
+    return arrays;
+}
+}
+
+template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t owned, double cost)
+{
+    const auto x = store.pointers(Position{});
+    std::vector<double> places(3 * owned, 0.0);
+    for (std::size_t i = 0; i < owned; ++i)
+        for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
+    boxes_ = all_.cut(dim, places, std::vector<float>(owned, float(cost)));
+}
+
+template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::size_t owned, double maxImbalance)
+{
+    // Shorter times than these say nothing of particles.
+    constexpr long fewestRebuilds = 5;
+    constexpr double shortest = 0.05; // [s]
+    if (boxes_.empty()) cut(store, owned, 1);
+    else
+    {
+        if (++sinceCut_ < fewestRebuilds) return;
+        const double busy = busyTime() - busyAtCut_, mean = ofAllRanks(busy, 0.0, Add{}) / all_.count(),
+                     largest = ofAllRanks(busy, 0.0, Larger{});
+        if (mean < shortest || largest < maxImbalance * mean) return;
+        cut(store, owned, owned > 0 ? busy / double(owned) : 1);
+    }
+    busyAtCut_ = busyTime();
+    sinceCut_ = 0;
+    ++cuts_;
+}
+
+template<int dim> bool Halo<dim>::isNear(const Vector<dim>& x, const RankBox& box) const
+{
+    double squared = 0;
+    store(x,
+          [&](int c, double q)
+          {
+              const double beyond = std::max({0.0, box.low[std::size_t(c)] - q, q - box.high[std::size_t(c)]});
+              squared += beyond * beyond;
+          });
+    return squared < reach_ * reach_;
+}
+
+template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
+{
+    for (std::size_t r = 0; r < boxes_.size(); ++r)
+    {
+        bool within = true;
+        store(x, [&](int c, double q) { within = within && q >= boxes_[r].low[std::size_t(c)] && q < boxes_[r].high[std::size_t(c)]; });
+        if (within) return int(r);
+    }
+    const auto at = in3D(x);
+    throw CaseError(fmt::format("a particle at ({:.6g} {:.6g} {:.6g}) lies in the box of no rank", at.x, at.y, at.z));
+}
+
+template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::size_t owned)
+{
+    const auto x = std::as_const(store).pointers(Position{});
+    auto arrays = stateOf(store);
+    std::vector<std::vector<double>> parts(std::size_t(all_.count()));
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < owned; ++i)
+        if (const int owner = ownerOf(placeOf<dim>(x, i)); owner == all_.rank()) kept.push_back(int(i));
+        else
+            for (const double* a : arrays) parts[std::size_t(owner)].push_back(a[i]);
+    const auto come = exchangeParts<double>(all_, parts);
+    store.sortState(kept);
+    std::size_t n = kept.size();
+    for (const auto& part : come) n += part.size() / arrays.size();
+    store.resize(n);
+    arrays = stateOf(store);
+    std::size_t i = kept.size();
+    for (const auto& part : come)
+        for (auto from = part.begin(); from != part.end(); ++i)
+            for (double* a : arrays) a[i] = *from++;
+    return n;
+}
+
+template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size_t owned, const Places& places)
+{
+    owned_ = owned;
+    std::vector<std::vector<int>> needed(std::size_t(all_.count()));
+    places(
+        [&](const Vector<dim>& x, int source)
+        {
+            for (int r = 0; r < all_.count(); ++r)
+                if (r != all_.rank() && isNear(x, boxes_[std::size_t(r)])) needed[std::size_t(r)].push_back(source);
+        });
+    for (auto& sources : needed)
+    {
+        std::ranges::sort(sources);
+        sources.erase(std::ranges::unique(sources).begin(), sources.end());
+    }
+    std::vector<std::size_t> mine, all(needed.size() * needed.size());
+    for (const auto& sources : needed) mine.push_back(sources.size());
+    all_.gatherAll(std::as_bytes(std::span(mine)), std::as_writable_bytes(std::span(all)));
+    neighbours_.clear();
+    count_ = 0;
+    for (std::size_t r = 0; r < needed.size(); ++r)
+    {
+        const std::size_t copies = all[r * needed.size() + std::size_t(all_.rank())];
+        count_ += copies;
+        if (copies > 0 || !needed[r].empty()) neighbours_.push_back({int(r), std::move(needed[r]), copies});
+    }
+    sent_.resize(neighbours_.size());
+    received_.resize(neighbours_.size());
+    store.resize(owned + count_ + 1, owned);
+    const std::string positions = Position::info.name;
+    refresh(store, {&positions, 1});
+    return count_;
+}
+
+template<int dim> void Halo<dim>::refresh(FieldStore<dim>& store, std::span<const std::string> fields) const
+{
+    std::vector<double*> arrays;
+    for (const auto& name : fields)
+        for (std::size_t c = 0; c < store.fields().at(name).component.size(); ++c) arrays.push_back(store.component(name, int(c)));
+    std::vector<Ranks::Message> send, receive;
+    for (std::size_t k = 0; k < neighbours_.size(); ++k)
+    {
+        const auto& [rank, sources, copies] = neighbours_[k];
+        sent_[k].resize(sources.size() * arrays.size());
+        received_[k].resize(copies * arrays.size());
+        auto to = sent_[k].begin();
+        for (const double* a : arrays)
+            for (const int i : sources) *to++ = a[i];
+        send.push_back({rank, std::as_writable_bytes(std::span(sent_[k]))});
+        receive.push_back({rank, std::as_writable_bytes(std::span(received_[k]))});
+        bytesSent_ += send.back().bytes.size();
+    }
+    all_.exchange(send, receive);
+    std::size_t first = owned_;
+    for (std::size_t k = 0; k < neighbours_.size(); ++k)
+    {
+        auto from = received_[k].begin();
+        for (double* a : arrays)
+        {
+            std::copy_n(from, neighbours_[k].copies, a + first);
+            from += long(neighbours_[k].copies);
+        }
+        first += neighbours_[k].copies;
+    }
+}
+
+template<int dim> std::size_t Halo<dim>::bytes() const
+{
+    std::size_t n = 0;
+    for (const auto& neighbour : neighbours_) n += neighbour.sources.capacity() * sizeof(int);
+    for (const auto* messages : {&sent_, &received_})
+        for (const auto& message : *messages) n += message.capacity() * sizeof(double);
+    return n;
+}
+
+template class Halo<2>;
+template class Halo<3>;
+
+}

@@ -1,0 +1,26 @@
+#include "WholeCloud.hpp"
+#include "reduce.hpp"
+
+namespace sph
+{
+
+WholeCloud::WholeCloud(std::size_t own) : own_(own), size_(own)
+{
+    if (!ranks()) return;
+    const auto all = ofAllRanks(own, std::size_t(0), Add{});
+    size_ = ranks()->rank() == 0 ? all : 0;
+}
+
+const double* WholeCloud::whole(const double* own)
+{
+    if (!ranks() || !own) return own;
+    return arrays_.emplace_back(gatherOnFirst<double>(*ranks(), {own, own_})).data();
+}
+
+FieldView WholeCloud::whole(FieldView own)
+{
+    for (auto& component : own.component) component = whole(component);
+    return own;
+}
+
+}
