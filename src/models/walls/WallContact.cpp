@@ -19,7 +19,8 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
              [this](Particles<dim>& p, const Substep&)
              {
                  if (near_.empty() && !ranks()) return;
-                 p.moved(reduce(near_.size(), 0.0, [&](std::size_t k) { return holdOff(p, near_[k]); }, Larger{}));
+                 p.moved(reduce(
+                     near_.size(), 0.0, [&](std::size_t k) { return holdOff(p, near_[k]); }, Larger{}));
              }}};
 }
 
