@@ -87,6 +87,14 @@ struct Scene
 class Ranks : public testing::TestWithParam<Scene>
 {};
 
+/// With a function object between write times: the first rank runs it, all know when.
+Files watchedCase()
+{
+    auto files = channelCase();
+    files["system/controlDict"] += "functions { energies { type conservation; executeControl runTime; executeInterval 0.01; } }\n";
+    return files;
+}
+
 TEST_P(Ranks, GiveTheSameAnswer)
 {
     const Prepared c(GetParam().files());
@@ -192,7 +200,7 @@ TEST(RanksThatDie, TakeTheOthersWithThem)
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,
-                         testing::Values(Scene{"channel", channelCase, 1e-9}, Scene{"drop", dropCase, 1e-9},
+                         testing::Values(Scene{"channel", watchedCase, 1e-9}, Scene{"drop", dropCase, 1e-9},
                                          Scene{"grain", grainCase, 1e-9}, Scene{"column", columnCase, 1e-9}, Scene{"bed", bedCase, 1e-9},
                                          Scene{"soil", soilCase, 1e-9}, Scene{"suspension", suspensionCase, 1e-9}),
                          [](const auto& scene) { return scene.param.name; });

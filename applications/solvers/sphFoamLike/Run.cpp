@@ -331,7 +331,8 @@ ParticleView Run::view(WholeCloud& cloud) const
 
 void Run::sample(bool writeTime, bool end)
 {
-    if (functions_->empty() || !functions_->due(time_, writeTime, end)) return;
+    // The first rank alone has run them: it knows which are due.
+    if (functions_->empty() || !(ofFirst(functions_->due(time_, writeTime, end)) > 0)) return;
     if (!writeTime) simulation_->observe();
     WholeCloud cloud(simulation_->size());
     const auto whole = view(cloud);
