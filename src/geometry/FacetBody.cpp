@@ -29,6 +29,13 @@ constexpr double mostCurved = 0.6;
 /// Of the coordinates of a facet: what lies over the joint of two lies over both.
 constexpr double onJoint = 1e-10;
 
+/// Whether what lies `way` from the middle of a facet may lie in its prism.
+bool mayLieOver(const FacetBody::Facet& f, const Vector<3>& way)
+{
+    const double height = dot(f.normal, way), aside2 = dot(way, way) - height * height, widest = f.radius + std::abs(height) * f.lean;
+    return aside2 < 1.001 * widest * widest;
+}
+
 double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(mag(cross(a, b)), dot(a, b)); }
 
 int cornerAt(const FacetBody::Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); }
@@ -55,6 +62,7 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
         triangles.push_back(t);
     }
     tree_ = FacetTree(points_, triangles);
+    renumberPoints(triangles);
     for (const int t : tree_.order())
     {
         Facet f{};
@@ -80,17 +88,38 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
         patch.push_back(f.patch);
         creased.push_back(f.isCreased());
     }
-    tree_.annotate(normals, patch, creased);
+    tree_.annotate(normals, patch, creased, mostTurned_);
+    clearance_ = DistanceGrid(bounds(), scale_.spacing);
     sunk_ = 1 - std::cos(mostTurned_);
 
-    grainOf_.assign(facets_.size(), -1);
+    for (auto& f : facets_) f.grain = -1;
     for (int n = 0; n < int(tree_.nodes().size()); ++n) // parents come first
     {
         const auto& node = tree_.nodes()[std::size_t(n)];
-        if (grainOf_[std::size_t(node.first)] < 0 && (node.isLeaf() || mag(node.box.high - node.box.low) < grainSize * scale_.spacing))
-            std::fill(grainOf_.begin() + node.first, grainOf_.begin() + node.last, n);
+        if (facets_[std::size_t(node.first)].grain < 0 && (node.isLeaf() || mag(node.box.high - node.box.low) < grainSize * scale_.spacing))
+            for (int t = node.first; t < node.last; ++t) facets_[std::size_t(t)].grain = n;
     }
     safeLayers_ = std::vector<std::atomic<unsigned char>>(tree_.nodes().size());
+}
+
+/// As the facets follow one another, so that what is near lies near in memory, too.
+void FacetBody::renumberPoints(std::vector<std::array<int, 3>>& triangles)
+{
+    std::vector<int> numberOf(points_.size(), -1);
+    std::vector<Vector<3>> points;
+    points.reserve(points_.size());
+    for (const int t : tree_.order())
+        for (int& p : triangles[std::size_t(t)])
+        {
+            int& number = numberOf[std::size_t(p)];
+            if (number < 0)
+            {
+                number = int(points.size());
+                points.push_back(points_[std::size_t(p)]);
+            }
+            p = number;
+        }
+    points_.swap(points);
 }
 
 /// Who is across each edge.
@@ -297,6 +326,12 @@ Foot FacetBody::foot(const Vector<3>& x, double within) const
     return result;
 }
 
+bool FacetBody::isBeyond(const Vector<3>& x, double least) const
+{
+    if (volume_ > 0 && distanceTo(bounds(), x) > least) return true;
+    return clearance_.atLeast(x, [&](const Vector<3>& middle) { return distance(middle); }) > least;
+}
+
 std::optional<FacetBody::Prism> FacetBody::prism(int facet, const Vector<3>& x) const
 {
     const auto& f = facets_[std::size_t(facet)];
@@ -396,9 +431,7 @@ void FacetBody::goAlongBorder(int& facet, int& edge, int turn) const
 FacetBody::Place FacetBody::placeOf(int facet, const Vector<3>& x, Hidden hidden) const
 {
     const auto& f = facets_[std::size_t(facet)];
-    const auto from = x - f.middle;
-    const double height = dot(f.normal, from), aside2 = dot(from, from) - height * height, widest = f.radius + std::abs(height) * f.lean;
-    if (aside2 < 1.001 * widest * widest)
+    if (mayLieOver(f, x - f.middle))
         if (const auto p = prism(facet, x); p && p->inside) return {facet, Lies::over, p->foot};
     if (!f.isCreased()) return {facet};
     const auto ownsMore = [&](const Foot& foot, auto isBeyond)
@@ -431,14 +464,15 @@ void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hid
         [&](const FacetTree::Node& node)
         {
             if (distanceTo(node.box, x) > reach) return false;
-            return node.creased || node.mayLookAt(x, behind, mostTurned_);
+            return node.creased || node.mayLookAt(x, behind);
         },
         [&](int t)
         {
             const auto& f = facets_[std::size_t(t)];
             const double depth = dot(f.normal, x - corner(f, 0)), near = reach + f.radius;
             if (depth < -below || depth > reach || isHidden(hidden, t)) return;
-            if (const auto way = x - f.middle; dot(way, way) > near * near) return;
+            const auto way = x - f.middle;
+            if (dot(way, way) > near * near || (!f.isCreased() && !mayLieOver(f, way))) return;
             if (mag(x - nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point) > reach) return;
             const auto place = placeOf(t, x, hidden);
             if (place.lies == Lies::elsewhere) return;

@@ -29,6 +29,7 @@
 /// concave edge, 2 x_np - x, is what two reflections give at 90 degrees; at other angles it leaves the lattice of the fluid broken at two planes in
 /// place of one.
 #pragma once
+#include "DistanceGrid.hpp"
 #include "FacetSurface.hpp"
 #include "FacetTree.hpp"
 #include "Geometry.hpp"
@@ -56,6 +57,7 @@ public:
         std::array<EdgeKind, 3> edges;
         bool planar; ///< its corner normals are its own
         int patch, region;
+        int grain;        ///< the largest node around it that counts as small
         Vector<3> normal; ///< unit, into the fluid
         Vector<3> middle;
         double radius; ///< of a sphere around `middle` that holds the facet [m]
@@ -74,6 +76,8 @@ public:
     /// `within`.
     Foot foot(const Vector<3>& x, double within = Box::infinity) const;
     double distance(const Vector<3>& x) const { return foot(x).distance; }
+    /// Whether x is known to lie in the fluid and further than `least` from the surface, without a search for most places; false where only one can tell.
+    bool isBeyond(const Vector<3>& x, double least) const;
 
     /// Facets that lie in other solids, one flag each, none where there are no such: what they would own is left to the faces beside them, which go on
     /// across their edges.
@@ -154,15 +158,16 @@ private:
     std::vector<Vector<3>> points_, pointNormals_, cornerNormals_;
     std::vector<Vector<3>> outward_;                             ///< b_k of each corner normal on the border of its patch
     std::vector<char> flatPatch_;                                ///< one plane
-    std::vector<int> grainOf_;                                   ///< of each facet the largest node that counts as small
     mutable std::vector<std::atomic<unsigned char>> safeLayers_; ///< of each node, and one; 0 until asked for
     std::vector<Facet> facets_;
     FacetTree tree_;
+    DistanceGrid clearance_;
     FacetScale scale_;
     double volume_ = 0, smallestRadius_ = Box::infinity, mostTurned_ = 0;
     double sunk_ = 0; ///< 1 - cos(mostTurned)
     int patches_ = 0;
 
+    void renumberPoints(std::vector<std::array<int, 3>>& triangles);
     void join();
     void classify();
     void averageNormals();

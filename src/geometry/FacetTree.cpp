@@ -86,7 +86,7 @@ int FacetTree::build(const std::vector<Box>& boxes, const std::vector<Vector<3>>
     return index;
 }
 
-void FacetTree::annotate(std::span<const Vector<3>> normals, std::span<const int> patch, std::span<const char> creased)
+void FacetTree::annotate(std::span<const Vector<3>> normals, std::span<const int> patch, std::span<const char> creased, double slack)
 {
     for (auto& node : nodes_)
     {
@@ -107,6 +107,9 @@ void FacetTree::annotate(std::span<const Vector<3>> normals, std::span<const int
         for (int t = node.first; t < node.last; ++t) least = std::min(least, dot(node.axis, normals[std::size_t(t)]));
         node.cosine = std::clamp(least, -1.0, 1.0);
         node.halfAngle = std::acos(node.cosine);
+        const double seen = std::min(node.halfAngle + slack, std::numbers::pi);
+        node.seenCosine = std::cos(seen);
+        node.seenSine = std::sin(seen);
     }
 }
 

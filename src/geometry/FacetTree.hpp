@@ -6,7 +6,6 @@
 #include "Shape.hpp"
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -40,9 +39,11 @@ public:
     struct Node
     {
         Box box;
-        Vector<3> axis;          ///< of the cone of normals
-        double halfAngle = 0;    ///< [rad]; pi where normals point everywhere
-        double cosine = 1;       ///< of halfAngle
+        Vector<3> axis;       ///< of the cone of normals
+        double halfAngle = 0; ///< [rad]; pi where normals point everywhere
+        double cosine = 1;    ///< of halfAngle
+        double seenCosine = -1,
+               seenSine = 0;     ///< of the cone from where triangles can be looked at: halfAngle and by how much their normals may be off
         int patch = -1;          ///< of all triangles below; -1 where they differ
         bool creased = false;    ///< some triangle below has an edge that is no smooth one
         int first = 0, last = 0; ///< positions in order()
@@ -54,14 +55,16 @@ public:
             const double c = dot(axis, n);
             return c <= -cosine ? -1 : c * cosine - std::sqrt(std::max((1 - c * c) * (1 - cosine * cosine), 0.0));
         }
-        /// Whether x, or what is nearer to it than `within`, may lie before triangles below, whose normals may be off by `slack` [rad].
-        bool mayLookAt(const Vector<3>& x, double within, double slack) const
+        /// Whether x, or what is nearer to it than `within`, may lie before triangles below.
+        bool mayLookAt(const Vector<3>& x, double within) const
         {
             const auto way = x - 0.5 * (box.low + box.high);
             const double radius = 0.5 * mag(box.high - box.low) + within, length = mag(way);
             if (length <= radius) return true;
-            const double room = halfAngle + slack + std::asin(radius / length);
-            return room >= std::numbers::pi || dot(way, axis) >= length * std::cos(room);
+            // The cone is wider by asin(radius/length).
+            const double sineOfRadius = radius / length, cosineOfRadius = std::sqrt(1 - sineOfRadius * sineOfRadius);
+            return seenSine * cosineOfRadius + seenCosine * sineOfRadius <= 0 ||
+                   dot(way, axis) >= length * (seenCosine * cosineOfRadius - seenSine * sineOfRadius);
         }
     };
 
@@ -71,8 +74,8 @@ public:
     /// Triangles in the order of the leaves.
     const std::vector<int>& order() const { return order_; }
     const std::vector<Node>& nodes() const { return nodes_; }
-    /// Fills in cones, patches and creases, of triangles in the order of the leaves.
-    void annotate(std::span<const Vector<3>> normals, std::span<const int> patch, std::span<const char> creased);
+    /// Fills in cones, patches and creases, of triangles in the order of the leaves, whose normals may be off by `slack` [rad].
+    void annotate(std::span<const Vector<3>> normals, std::span<const int> patch, std::span<const char> creased, double slack);
 
     /// Calls leaf(position) for each triangle of each leaf that is reached; branches whose node `enter` refuses are left out.
     template<class Enter, class Leaf> void visit(const Enter& enter, const Leaf& leaf) const

@@ -92,7 +92,7 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
 
 double FacetBody::safeDepth(int facet) const
 {
-    const int n = grainOf_[std::size_t(facet)];
+    const int n = facets_[std::size_t(facet)].grain;
     if (n < 0) return 0;
     const double thickness = layer * scale_.spacing;
     auto& known = safeLayers_[std::size_t(n)]; // and one, so that 0 is not found yet

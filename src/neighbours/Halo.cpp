@@ -9,13 +9,6 @@ namespace sph
 
 namespace
 {
-template<int dim> Vector<dim> placeOf(const std::array<const double*, dim>& x, std::size_t i)
-{
-    Vector<dim> x_i;
-    fetch(x_i, [&](int c) { return x[std::size_t(c)][i]; });
-    return x_i;
-}
-
 template<int dim> std::vector<double*> stateOf(FieldStore<dim>& store)
 {
     std::vector<double*> arrays;
@@ -31,7 +24,7 @@ template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t 
     std::vector<double> places(3 * owned, 0.0);
     for (std::size_t i = 0; i < owned; ++i)
         for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
-    boxes_ = all_.cut(dim, places, std::vector<float>(owned, float(cost)));
+    boxes_ = RankBoxes(all_.cut(dim, places, std::vector<float>(owned, float(cost))));
 }
 
 template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::size_t owned, double maxImbalance)
@@ -39,7 +32,7 @@ template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::siz
     // Shorter times than these say nothing of particles.
     constexpr long fewestRebuilds = 5;
     constexpr double shortest = 0.05; // [s]
-    if (boxes_.empty()) cut(store, owned, 1);
+    if (boxes_.count() == 0) cut(store, owned, 1);
     else
     {
         if (++sinceCut_ < fewestRebuilds) return;
@@ -53,28 +46,12 @@ template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::siz
     ++cuts_;
 }
 
-template<int dim> bool Halo<dim>::isNear(const Vector<dim>& x, const RankBox& box) const
-{
-    double squared = 0;
-    store(x,
-          [&](int c, double q)
-          {
-              const double beyond = std::max({0.0, box.low[std::size_t(c)] - q, q - box.high[std::size_t(c)]});
-              squared += beyond * beyond;
-          });
-    return squared < reach_ * reach_;
-}
-
 template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
 {
-    for (std::size_t r = 0; r < boxes_.size(); ++r)
-    {
-        bool within = true;
-        store(x, [&](int c, double q) { within = within && q >= boxes_[r].low[std::size_t(c)] && q < boxes_[r].high[std::size_t(c)]; });
-        if (within) return int(r);
-    }
     const auto at = in3D(x);
-    throw CaseError(fmt::format("a particle at ({:.6g} {:.6g} {:.6g}) lies in the box of no rank", at.x, at.y, at.z));
+    const int owner = boxes_.owner(at);
+    if (owner < 0) throw CaseError(fmt::format("a particle at ({:.6g} {:.6g} {:.6g}) lies in the box of no rank", at.x, at.y, at.z));
+    return owner;
 }
 
 template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::size_t owned)
@@ -84,7 +61,7 @@ template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::si
     std::vector<std::vector<double>> parts(std::size_t(all_.count()));
     std::vector<int> kept;
     for (std::size_t i = 0; i < owned; ++i)
-        if (const int owner = ownerOf(placeOf<dim>(x, i)); owner == all_.rank()) kept.push_back(int(i));
+        if (const int owner = ownerOf(valueAt<Vector<dim>>(x, i)); owner == all_.rank()) kept.push_back(int(i));
         else
             for (const double* a : arrays) parts[std::size_t(owner)].push_back(a[i]);
     const auto come = exchangeParts<double>(all_, parts);
@@ -107,22 +84,25 @@ template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size
     places(
         [&](const Vector<dim>& x, int source)
         {
-            for (int r = 0; r < all_.count(); ++r)
-                if (r != all_.rank() && isNear(x, boxes_[std::size_t(r)])) needed[std::size_t(r)].push_back(source);
+            boxes_.forEachNear(in3D(x), reach_,
+                               [&](int r)
+                               {
+                                   if (r != all_.rank()) needed[std::size_t(r)].push_back(source);
+                               });
         });
     for (auto& sources : needed)
     {
         std::ranges::sort(sources);
         sources.erase(std::ranges::unique(sources).begin(), sources.end());
     }
-    std::vector<std::size_t> mine, all(needed.size() * needed.size());
-    for (const auto& sources : needed) mine.push_back(sources.size());
-    all_.gatherAll(std::as_bytes(std::span(mine)), std::as_writable_bytes(std::span(all)));
+    std::vector<std::size_t> counts;
+    for (const auto& sources : needed) counts.push_back(sources.size());
+    const auto copiesOf = all_.exchangeCounts(counts);
     neighbours_.clear();
     count_ = 0;
     for (std::size_t r = 0; r < needed.size(); ++r)
     {
-        const std::size_t copies = all[r * needed.size() + std::size_t(all_.rank())];
+        const std::size_t copies = copiesOf[r];
         count_ += copies;
         if (copies > 0 || !needed[r].empty()) neighbours_.push_back({int(r), std::move(needed[r]), copies});
     }

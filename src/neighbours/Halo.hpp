@@ -7,7 +7,7 @@
 /// it reads of neighbours is copied anew, all in one message to each rank.
 #pragma once
 #include "FieldStore.hpp"
-#include "Ranks.hpp"
+#include "RankBoxes.hpp"
 #include <functional>
 #include <span>
 #include <string>
@@ -34,7 +34,7 @@ public:
     /// Finds who needs what, and copies positions behind the owned ones. Returns the number of copies.
     std::size_t build(FieldStore<dim>&, std::size_t owned, const Places&);
     /// Whether this rank's particles may see what lies there.
-    bool isNear(const Vector<dim>& x) const { return isNear(x, boxes_[std::size_t(all_.rank())]); }
+    bool isNear(const Vector<dim>& x) const { return boxes_.squaredDistance(all_.rank(), in3D(x)) < reach_ * reach_; }
     /// Copies of these fields anew.
     void refresh(FieldStore<dim>&, std::span<const std::string> fields) const;
 
@@ -46,7 +46,7 @@ public:
 private:
     const Ranks& all_;
     double reach_;
-    std::vector<RankBox> boxes_;
+    RankBoxes boxes_;
     struct Neighbour
     {
         int rank;
@@ -62,7 +62,6 @@ private:
 
     void cut(const FieldStore<dim>&, std::size_t owned, double cost);
 
-    bool isNear(const Vector<dim>&, const RankBox&) const;
     int ownerOf(const Vector<dim>&) const;
 };
 

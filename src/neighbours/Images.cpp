@@ -1,4 +1,5 @@
 #include "Images.hpp"
+#include "components.hpp"
 #include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,7 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
         const Foot f = footOf(mirrors[r], r, in3D(x), source);
         const double factor = volumeFactor(f);
         const bool exists = factor > 0 && std::isfinite(factor); // it may have moved beyond a centre of curvature since images were made
-        feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1};
+        feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1, geometry_->patches[std::size_t(mirrors[r].patch)].wallAt(f.region)};
         if (share) *share *= exists ? faceShare(f, spacing_) : 0;
         faces[std::size_t(r)] = {f.normal, in3D(x) - f.distance * f.normal};
         x = in<dim>(mirrorImage(in3D(x), f));
@@ -187,55 +188,58 @@ template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch
 
 template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
 {
-    const std::size_t firstEntry = entries_.size(), firstMirror = mirrors_.size();
+    const std::size_t firstEntry = entries_.size();
     reflect(x, begin, end);
-    shift(x, begin, end, firstEntry, firstMirror);
+    for (int c = 0; c < dim; ++c)
+        if (geometry_->periodic[c]) shift(x, begin, end, firstEntry, c);
+}
+
+/// `images(k, made)` adds to what is made those of each k < n; they follow one another as the k do.
+template<int dim> template<class OfEach> void Images<dim>::append(std::size_t n, const OfEach& images)
+{
+    const std::size_t chunkSize = 1024;
+    std::vector<Made> made((n + chunkSize - 1) / chunkSize);
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
+        for (std::size_t k = chunk * chunkSize; k < std::min(n, (chunk + 1) * chunkSize); ++k) images(k, made[chunk]);
+    for (const auto& part : made)
+    {
+        std::size_t foot = mirrors_.size();
+        for (const auto& e : part.entries)
+        {
+            firstFoot_.push_back(unsigned(foot));
+            foot += e.reflections;
+        }
+        entries_.insert(entries_.end(), part.entries.begin(), part.entries.end());
+        places_.insert(places_.end(), part.places.begin(), part.places.end());
+        mirrors_.insert(mirrors_.end(), part.mirrors.begin(), part.mirrors.end());
+        fastest_ = std::max(fastest_, part.fastest);
+    }
 }
 
 template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
 {
     if (geometry_->patches.empty() || layers_) return;
-
-    const std::size_t chunkSize = 1024;
-    struct Made
-    {
-        std::vector<Entry> entries;
-        std::vector<Mirror> mirrors;
-    };
-    std::vector<Made> made((end - begin + chunkSize - 1) / chunkSize);
-    double fastest = fastest_;
-#pragma omp parallel for schedule(dynamic) reduction(max : fastest)
-    for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
-    {
-        std::vector<Ghost> ghosts;
-        for (std::size_t i = begin + chunk * chunkSize; i < std::min(end, begin + (chunk + 1) * chunkSize); ++i)
-        {
-            Vector<dim> x_i;
-            fetch(x_i, [&](int c) { return x[c][i]; });
-            ghosts.assign(1, {{int(i), {}}, {}, x_i, 1});
-            // Each ghost is mirrored once more: box corners, and the pinch between grains.
-            for (std::size_t g = 0; g < ghosts.size(); ++g)
-            {
-                const Ghost from = ghosts[g];
-                for (int p : grid_.near(in3D(from.x)))
-                    if (meshOf(p)) reflectInMesh(from, p, ghosts);
-                    else reflectInShape(from, p, in3D(x_i), ghosts);
-            }
-            for (std::size_t g = 1; g < ghosts.size(); ++g)
-            {
-                const auto& [entry, mirrors, place, speed, faces, share] = ghosts[g];
-                made[chunk].entries.push_back(entry);
-                made[chunk].mirrors.insert(made[chunk].mirrors.end(), mirrors.begin(), mirrors.begin() + entry.reflections);
-                fastest = std::max(fastest, speed);
-            }
-        }
-    }
-    fastest_ = fastest;
-    for (const auto& [entries, mirrors] : made)
-    {
-        entries_.insert(entries_.end(), entries.begin(), entries.end());
-        mirrors_.insert(mirrors_.end(), mirrors.begin(), mirrors.end());
-    }
+    append(end - begin,
+           [&](std::size_t k, Made& made)
+           {
+               static thread_local std::vector<Ghost> ghosts;
+               const auto x_i = valueAt<Vector<dim>>(x, begin + k);
+               ghosts.assign(1, {{int(begin + k), {}}, {}, x_i, 1});
+               // Each ghost is mirrored once more: box corners, and the pinch between grains.
+               for (std::size_t g = 0; g < ghosts.size(); ++g)
+               {
+                   const Ghost from = ghosts[g];
+                   for (int p : grid_.near(in3D(from.x)))
+                       if (meshOf(p)) reflectInMesh(from, p, ghosts);
+                       else reflectInShape(from, p, in3D(x_i), ghosts);
+               }
+               for (std::size_t g = 1; g < ghosts.size(); ++g)
+               {
+                   made.add(ghosts[g].entry, ghosts[g].x, ghosts[g].mirrors.data());
+                   made.fastest = std::max(made.fastest, ghosts[g].speed);
+               }
+           });
 }
 
 /// In each wall that the chain has not used yet, as often as there are dimensions.
@@ -335,94 +339,48 @@ template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x
     return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 
+/// Across the faces of one axis: these particles, and the images of theirs from `firstEntry` on.
 template<int dim>
-void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry,
-                        std::size_t firstMirror)
+void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, int axis)
 {
-    for (int c = 0; c < dim; ++c)
-    {
-        if (!geometry_->periodic[c]) continue;
-        double low = 0, high = 0;
-        store(in<dim>(geometry_->low),
-              [&](int d, double q)
-              {
-                  if (d == c) low = q;
-              });
-        store(in<dim>(geometry_->high),
-              [&](int d, double q)
-              {
-                  if (d == c) high = q;
-              });
-        const std::size_t before = entries_.size();
-        const auto consider = [&](Entry e, std::size_t mirror)
-        {
-            Feet feet[mostReflections];
-            Mirrors mirrors{};
-            std::copy_n(mirrors_.begin() + long(mirror), e.reflections, mirrors.begin());
-            Vector<dim> x_i;
-            fetch(x_i, [&](int d) { return x[d][e.source]; });
-            const auto add = [&](const Entry& shifted)
-            {
-                entries_.push_back(shifted);
-                mirrors_.insert(mirrors_.end(), mirrors.begin(), mirrors.begin() + e.reflections);
-            };
-            double q = 0;
-            store(place(e, mirrors.data(), x_i, feet),
-                  [&](int d, double a)
-                  {
-                      if (d == c) q = a;
-                  });
-            if (q < low + reach_)
-            {
-                e.shift[c] = 1;
-                add(e);
-            }
-            if (q > high - reach_)
-            {
-                e.shift[c] = -1;
-                add(e);
-            }
-        };
-        for (std::size_t i = begin; i < end; ++i)
-            if (x[c][i] < low + reach_ || x[c][i] > high - reach_) consider({int(i), {}}, 0);
-        std::size_t mirror = firstMirror;
-        for (std::size_t k = firstEntry; k < before; ++k)
-        {
-            const Entry e = entries_[k];
-            consider(e, mirror);
-            mirror += e.reflections;
-        }
-    }
+    const auto c = component(axis);
+    const double low = geometry_->low.*c, high = geometry_->high.*c;
+    Vector<3> period;
+    period.*c = high - low;
+    const std::size_t particles = end - begin;
+    append(particles + entries_.size() - firstEntry,
+           [&](std::size_t k, Made& made)
+           {
+               const std::size_t image = k - particles + firstEntry;
+               const bool isImage = k >= particles;
+               const Vector<dim> y = isImage ? places_[image] : valueAt<Vector<dim>>(x, begin + k);
+               Entry e = isImage ? entries_[image] : Entry{int(begin + k), {}};
+               const double q = in3D(y).*c;
+               for (const int way : {1, -1})
+                   if (way > 0 ? q < low + reach_ : q > high - reach_)
+                   {
+                       e.shift[std::size_t(axis)] = static_cast<signed char>(way);
+                       made.add(e, y + in<dim>(double(way) * period), isImage ? mirrors_.data() + firstFoot_[image] : nullptr);
+                   }
+           });
 }
 
-template<int dim> template<class F> void Images<dim>::forEachPlace(const std::array<double*, dim>& x, const F& f) const
+/// Forgets images that this rank's particles cannot see.
+template<int dim> void Images<dim>::keepNear()
 {
-    Feet feet[mostReflections];
-    Mirrors mirrors{};
-    std::size_t mirror = 0;
-    for (const auto& e : entries_)
+    std::size_t kept = 0, foot = 0;
+    for (std::size_t k = 0; k < entries_.size(); ++k)
     {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][e.source]; });
-        std::copy_n(mirrors_.begin() + long(mirror), e.reflections, mirrors.begin());
-        f(e, place(e, mirrors.data(), x_i, feet), mirror);
-        mirror += e.reflections;
+        if (!halo_->isNear(places_[k])) continue;
+        const std::size_t from = firstFoot_[k];
+        const Entry e = entries_[kept] = entries_[k];
+        firstFoot_[kept++] = unsigned(foot);
+        std::copy_n(mirrors_.begin() + long(from), e.reflections, mirrors_.begin() + long(foot));
+        foot += e.reflections;
     }
-}
-
-template<int dim> void Images<dim>::keepNear(const std::array<double*, dim>& x)
-{
-    std::vector<Entry> entries;
-    std::vector<Mirror> mirrors;
-    forEachPlace(x,
-                 [&](const Entry& e, const Vector<dim>& y, std::size_t mirror)
-                 {
-                     if (!halo_->isNear(y)) return;
-                     entries.push_back(e);
-                     mirrors.insert(mirrors.end(), mirrors_.begin() + long(mirror), mirrors_.begin() + long(mirror + e.reflections));
-                 });
-    entries_.swap(entries);
-    mirrors_.swap(mirrors);
+    entries_.resize(kept);
+    firstFoot_.resize(kept);
+    mirrors_.resize(foot);
 }
 
 template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)
@@ -430,6 +388,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     owned_ = sources_ = owned;
     entries_.clear();
     mirrors_.clear();
+    firstFoot_.clear();
     fastest_ = 1;
     make(store.pointers(Position{}), 0, owned);
     if (halo_)
@@ -438,35 +397,25 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
                                  [&](const auto& seen)
                                  {
                                      const auto x = store.pointers(Position{});
-                                     for (std::size_t i = 0; i < owned; ++i)
-                                     {
-                                         Vector<dim> x_i;
-                                         fetch(x_i, [&](int c) { return x[c][i]; });
-                                         seen(x_i, int(i));
-                                     }
-                                     forEachPlace(x, [&](const Entry& e, const Vector<dim>& y, std::size_t) { seen(y, e.source); });
+                                     for (std::size_t i = 0; i < owned; ++i) seen(valueAt<Vector<dim>>(x, i), int(i));
+                                     for (std::size_t k = 0; k < entries_.size(); ++k) seen(places_[k], entries_[k].source);
                                  });
-        const auto x = store.pointers(Position{});
-        make(x, owned, sources_);
-        keepNear(x);
+        make(store.pointers(Position{}), owned, sources_);
+        keepNear();
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
+    places_ = {};
     // Vectors that grow by themselves double: of many images that is more than a field.
-    if (entries_.capacity() > entries_.size() + entries_.size() / 10) entries_.shrink_to_fit();
-    if (mirrors_.capacity() > mirrors_.size() + mirrors_.size() / 10) mirrors_.shrink_to_fit();
-    const auto resize = [](auto& v, std::size_t n)
+    const auto trim = [](auto& v)
     {
-        if (n > v.capacity()) v.reserve(n + n / 20);
-        v.resize(n);
+        if (v.capacity() > v.size() + v.size() / 10) v.shrink_to_fit();
     };
-    resize(firstFoot_, entries_.size());
-    std::size_t feet = 0, k = 0;
-    for (const auto& e : entries_)
-    {
-        firstFoot_[k++] = unsigned(feet);
-        feet += e.reflections;
-    }
-    resize(feet_, feet);
+    trim(entries_);
+    trim(mirrors_);
+    trim(firstFoot_);
+    const std::size_t feet = mirrors_.size();
+    if (feet > feet_.capacity()) feet_.reserve(feet + feet / 20);
+    feet_.resize(feet);
     store.resize(nullParticle() + 1, owned_);
     if (layers_) layers_->place(store, sources_ + entries_.size());
     move(store);
@@ -493,7 +442,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
             for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
             weight[sources_ + k] = w;
         }
-        if (wall) wall[sources_ + k] = e.ghost() ? 1 + wallOf(mirrors_[firstFoot_[k] + e.reflections - 1u]) : 0;
+        if (wall) wall[sources_ + k] = e.ghost() ? 1 + feet[e.reflections - 1u].wall : 0;
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });

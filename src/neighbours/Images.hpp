@@ -137,6 +137,7 @@ private:
     {
         Vector<dim> normal;
         double distance, weight;
+        int wall;
     };
     /// The tangent plane that an image was mirrored in.
     struct Face
@@ -161,6 +162,21 @@ private:
         }
     };
 
+    /// Images of some particles, by one thread.
+    struct Made
+    {
+        std::vector<Entry> entries;
+        std::vector<Vector<dim>> places;
+        std::vector<Mirror> mirrors;
+        double fastest = 1;
+        void add(const Entry& e, const Vector<dim>& place, const Mirror* of)
+        {
+            entries.push_back(e);
+            places.push_back(place);
+            mirrors.insert(mirrors.end(), of, of + e.reflections);
+        }
+    };
+
     const Geometry* geometry_;
     Halo<dim>* halo_;
     PatchGrid grid_;
@@ -171,15 +187,11 @@ private:
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0, sources_ = 0; ///< owned particles, and copies of others' behind them
     std::vector<Entry> entries_;
-    std::vector<Mirror> mirrors_; ///< of all ghosts, as many for each as it has reflections, in order
-    std::vector<Feet> feet_;      ///< likewise
+    std::vector<Vector<dim>> places_; ///< while images are made
+    std::vector<Mirror> mirrors_;     ///< of all ghosts, as many for each as it has reflections, in order
+    std::vector<Feet> feet_;          ///< likewise
     std::vector<unsigned> firstFoot_;
 
-    int wallOf(const Mirror& m) const
-    {
-        const auto& patch = geometry_->patches[std::size_t(m.patch)];
-        return patch.walls.empty() ? patch.wall : patch.wallAt(meshOf(m.patch)->body().facets()[std::size_t(m.facet)].region);
-    }
     const TriangleMesh* meshOf(int patch) const { return geometry_->patches[std::size_t(patch)].mesh; }
     /// Where the image of x lies. Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
@@ -200,11 +212,9 @@ private:
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;
-    void shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, std::size_t firstMirror);
-    /// f(entry, place, first of its mirrors) of all images.
-    template<class F> void forEachPlace(const std::array<double*, dim>& x, const F& f) const;
-    /// Forgets images that this rank's particles cannot see.
-    void keepNear(const std::array<double*, dim>& x);
+    void shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, int axis);
+    template<class OfEach> void append(std::size_t n, const OfEach& images);
+    void keepNear();
     Vector<dim> period(const Entry&) const;
 };
 
@@ -243,8 +253,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                 else
                 {
                     const auto foot = x - feet[r].distance * feet[r].normal;
-                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal,
-                                                     images.wallOf(images.mirrors_[images.firstFoot_[k] + std::size_t(r)]), in3D(foot)};
+                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, feet[r].wall, in3D(foot)};
                     x = foot - feet[r].distance * feet[r].normal;
                     if constexpr (ofGradient) q = gradientBeyond(*rule, q, reflection);
                     else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);

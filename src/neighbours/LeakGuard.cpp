@@ -67,12 +67,13 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         found.lost = found.lost || !(x[c][i] >= low - slack && x[c][i] <= high + slack);
     }
     if (found.lost) return found;
-    Vector<dim> x_i;
-    fetch(x_i, [&](int c) { return x[c][i]; });
+    auto x_i = valueAt<Vector<dim>>(x, i);
     bool buried = false;
     double nearest = closest;
     for (const int p : images.wallsNear(x_i))
     {
+        if (const auto* mesh = geometry_.patches[std::size_t(p)].mesh; mesh && mesh->body().isBeyond(mesh->local(in3D(x_i)), closest))
+            continue;
         const Foot f = geometry_.foot(p, in3D(x_i));
         nearest = std::min(nearest, f.distance);
         if (-f.distance > std::max(closest, found.depth))
@@ -92,11 +93,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
                                [&](const Vector<dim>& n)
                                {
                                    for (const auto& v : velocities)
-                                   {
-                                       Vector<dim> v_i;
-                                       fetch(v_i, [&](int c) { return v[c][i]; });
-                                       sph::store(withoutInward(v_i, n), [&](int c, double q) { v[c][i] = q; });
-                                   }
+                                       sph::store(withoutInward(valueAt<Vector<dim>>(v, i), n), [&](int c, double q) { v[c][i] = q; });
                                });
     if (!(held == x_i)) sph::store(x_i = held, [&](int c, double q) { x[c][i] = q; });
     // Where solids overlap there may be no surface that leads out.
@@ -182,12 +179,7 @@ template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store,
     Velocities velocities{store.pointers(Velocity{})};
     if (const std::string start = std::string(Velocity::info.name) + "_0"; store.has(start))
         velocities.push_back(store.template pointers<Velocity>(start));
-    const auto place = [&](std::size_t i)
-    {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[std::size_t(c)][i]; });
-        return in3D(x_i);
-    };
+    const auto place = [&](std::size_t i) { return in3D(valueAt<Vector<dim>>(x, i)); };
     std::size_t first = owned;
     Found worst;
     std::vector<std::size_t> removed;

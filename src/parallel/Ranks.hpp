@@ -33,6 +33,8 @@ public:
     };
     /// The same number of bytes from each rank, in their order, on all.
     virtual void gatherAll(std::span<const std::byte> part, std::span<std::byte> all) const = 0;
+    /// One number to each rank, and what each had for this one.
+    virtual std::vector<std::size_t> exchangeCounts(std::span<const std::size_t> toEach) const = 0;
     /// Messages whose lengths both sides know; waits until all have come and gone.
     virtual void exchange(std::span<const Message> send, std::span<const Message> receive) const = 0;
     /// Cuts space so that each rank has about the same sum of weights. `x` three numbers a place, of this rank's particles.
@@ -101,21 +103,21 @@ template<class T> std::vector<T> gatherOnFirst(const Ranks& all, std::span<const
 /// To each rank its part; what each had for this one, in their order.
 template<class T> std::vector<std::vector<T>> exchangeParts(const Ranks& all, std::span<std::vector<T>> parts)
 {
-    const std::size_t n = std::size_t(all.count());
-    std::vector<std::size_t> mine, lengths(n * n);
-    for (const auto& part : parts) mine.push_back(part.size());
-    all.gatherAll(std::as_bytes(std::span(mine)), std::as_writable_bytes(std::span(lengths)));
-    std::vector<std::vector<T>> from(n);
+    std::vector<std::size_t> lengths;
+    for (const auto& part : parts) lengths.push_back(part.size());
+    const auto comes = all.exchangeCounts(lengths);
+    std::vector<std::vector<T>> from(parts.size());
     std::vector<Ranks::Message> send, receive;
-    for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t r = 0; r < parts.size(); ++r)
     {
-        from[r].resize(lengths[r * n + std::size_t(all.rank())]);
-        if (int(r) == all.rank()) from[r] = parts[r];
-        else
+        if (int(r) == all.rank())
         {
-            send.push_back({int(r), std::as_writable_bytes(std::span(parts[r]))});
-            receive.push_back({int(r), std::as_writable_bytes(std::span(from[r]))});
+            from[r] = std::move(parts[r]);
+            continue;
         }
+        from[r].resize(comes[r]);
+        if (!parts[r].empty()) send.push_back({int(r), std::as_writable_bytes(std::span(parts[r]))});
+        if (!from[r].empty()) receive.push_back({int(r), std::as_writable_bytes(std::span(from[r]))});
     }
     all.exchange(send, receive);
     return from;

@@ -58,6 +58,14 @@ public:
         MPI_Allgather(part.data(), int(part.size()), MPI_BYTE, all.data(), int(part.size()), MPI_BYTE, MPI_COMM_WORLD);
     }
 
+    std::vector<std::size_t> exchangeCounts(std::span<const std::size_t> toEach) const override
+    {
+        const Stopwatch stopwatch(waited_);
+        std::vector<std::size_t> from(toEach.size());
+        MPI_Alltoall(toEach.data(), sizeof(std::size_t), MPI_BYTE, from.data(), sizeof(std::size_t), MPI_BYTE, MPI_COMM_WORLD);
+        return from;
+    }
+
     void exchange(std::span<const Message> send, std::span<const Message> receive) const override
     {
         const Stopwatch stopwatch(waited_);
