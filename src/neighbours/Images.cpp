@@ -449,6 +449,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         const auto x = store.pointers(Position{});
         make(x, owned, sources_);
         keepNear(x);
+        if (layers_) layers_->keepNear(*halo_);
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
     // Vectors that grow by themselves double: of many images that is more than a field.
