@@ -195,6 +195,8 @@ template<int dim> void Particles<dim>::migrate()
 
 template<int dim> std::size_t Particles<dim>::total() const { return ofAllRanks(owned_, std::size_t(0), Add{}); }
 
+template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held_.size(), std::size_t(0), Add{}) > 0; }
+
 template<int dim> void Particles<dim>::makeLists()
 {
     images_.build(store_, owned_);
