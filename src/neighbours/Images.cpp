@@ -402,6 +402,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
                                  });
         make(store.pointers(Position{}), owned, sources_);
         keepNear();
+        if (layers_) layers_->keepNear(*halo_);
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
     places_ = {};

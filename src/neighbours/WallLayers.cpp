@@ -3,8 +3,10 @@
 #include "components.hpp"
 #include "forEachFoot.hpp"
 #include "periodicShifts.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -27,6 +29,7 @@ template<int dim> class WallLayers<dim>::Fit
     }
 
 public:
+    Fit() = default;
     explicit Fit(std::span<const Behind> walls)
     {
         for (const auto& wall : walls)
@@ -38,6 +41,14 @@ public:
         weight_ += W;
         sum_ += W * t;
         square_ += W * outer(t);
+    }
+    /// Pairs of the same particle.
+    Fit& operator+=(const Fit& b)
+    {
+        weight_ += b.weight_;
+        sum_ += b.sum_;
+        square_ += b.square_;
+        return *this;
     }
     /// `H` [m] the support.
     void solve(double H)
@@ -137,15 +148,22 @@ template<int dim> void WallLayers<dim>::checkDepth(double spacing) const
     }
 }
 
+template<int dim> void WallLayers<dim>::keepNear(const Halo<dim>& halo)
+{
+    halo_ = &halo;
+    near_.clear();
+    std::ranges::copy_if(particles_, std::back_inserter(near_), [&](const Particle& p) { return halo.isNear(p.x); });
+}
+
 template<int dim> void WallLayers<dim>::place(FieldStore<dim>& store, std::size_t first)
 {
     first_ = first;
     const auto x = store.pointers(Position{});
     double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
     double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
-    for (std::size_t k = 0; k < particles_.size(); ++k)
+    for (std::size_t k = 0; k < placed().size(); ++k)
     {
-        const Particle& p = particles_[k];
+        const Particle& p = placed()[k];
         sph::store(p.x, [&](int c, double q) { x[c][first + k] = q; });
         if (weight) weight[first + k] = p.weight;
         if (wall) wall[first + k] = 1 + wallsOf(p).back().wall;
@@ -154,18 +172,70 @@ template<int dim> void WallLayers<dim>::place(FieldStore<dim>& store, std::size_
 
 template<int dim> void WallLayers<dim>::list(const NeighbourLists<dim>& lists, std::size_t owned)
 {
+    const auto& particles = placed();
     const auto each = [&](const auto& f)
     {
         for (std::size_t i = 0; i < owned; ++i)
             for (const int j : lists.of(i))
-                if (const auto k = std::size_t(j) - first_; std::size_t(j) >= first_ && k < particles_.size()) f(int(i), int(k));
+                if (const auto k = std::size_t(j) - first_; std::size_t(j) >= first_ && k < particles.size()) f(int(i), int(k));
     };
     std::fill(firstPair_.begin(), firstPair_.end(), 0);
-    each([&](int, int j) { ++firstPair_[std::size_t(particles_[std::size_t(j)].original) + 1]; });
+    each([&](int, int j) { ++firstPair_[std::size_t(particles[std::size_t(j)].original) + 1]; });
     for (std::size_t k = 1; k < firstPair_.size(); ++k) firstPair_[k] += firstPair_[k - 1];
     pairs_.resize(firstPair_.back());
     auto next = firstPair_;
-    each([&](int i, int j) { pairs_[next[std::size_t(particles_[std::size_t(j)].original)]++] = {i, j}; });
+    each([&](int i, int j) { pairs_[next[std::size_t(particles[std::size_t(j)].original)]++] = {i, j}; });
+    if (halo_) findSharers();
+}
+
+/// A rank names to each other what it sees near the other's box: what both name both see, whichever of its copies it is.
+template<int dim> void WallLayers<dim>::findSharers()
+{
+    const auto& all = halo_->all();
+    std::vector<std::vector<int>> seen(std::size_t(all.count()));
+    for (const auto& particle : particles_)
+    {
+        const auto k = std::size_t(particle.original);
+        if (firstPair_[k] == firstPair_[k + 1]) continue;
+        for (int r = 0; r < all.count(); ++r)
+            if (r != all.rank() && halo_->isNear(particle.x, r)) seen[std::size_t(r)].push_back(particle.original);
+    }
+    for (auto& originals : seen)
+    {
+        std::ranges::sort(originals);
+        originals.erase(std::ranges::unique(originals).begin(), originals.end());
+    }
+    const auto seenByOthers = exchangeParts<int>(all, seen);
+    sharers_.clear();
+    for (int r = 0; r < all.count(); ++r)
+    {
+        if (r == all.rank()) continue;
+        Sharer sharer{r, {}};
+        std::ranges::set_intersection(seen[std::size_t(r)], seenByOthers[std::size_t(r)], std::back_inserter(sharer.originals));
+        if (!sharer.originals.empty()) sharers_.push_back(std::move(sharer));
+    }
+}
+
+template<int dim> template<class Sums> void WallLayers<dim>::addOtherRanks(std::vector<Sums>& sums) const
+{
+    if (!halo_) return;
+    static_assert(std::is_trivially_copyable_v<Sums>);
+    std::vector<std::vector<Sums>> mine, others;
+    for (const auto& [_, originals] : sharers_)
+    {
+        auto& part = mine.emplace_back();
+        for (const int k : originals) part.push_back(sums[std::size_t(k)]);
+        others.emplace_back(originals.size());
+    }
+    std::vector<Ranks::Message> send, receive;
+    for (std::size_t s = 0; s < sharers_.size(); ++s)
+    {
+        send.push_back({sharers_[s].rank, std::as_writable_bytes(std::span(mine[s]))});
+        receive.push_back({sharers_[s].rank, std::as_writable_bytes(std::span(others[s]))});
+    }
+    halo_->all().exchange(send, receive);
+    for (std::size_t s = 0; s < sharers_.size(); ++s)
+        for (std::size_t q = 0; q < others[s].size(); ++q) sums[std::size_t(sharers_[s].originals[q])] += others[s][q];
 }
 
 template<int dim>
@@ -185,57 +255,77 @@ void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& f
     const auto x = store.pointers(Position{});
     std::array<double*, std::size_t(components<Value>)> q;
     for (std::size_t c = 0; c < q.size(); ++c) q[c] = store.component(field, int(c));
+    const auto& particles = placed();
     const auto originals = firstPair_.size() - 1;
+    std::vector<Fit> fits(how == Extrapolation::fit ? originals : 0);
+    std::vector<Value> sums(originals);
+    std::vector<double> weights(originals);
     std::visit(
         [&](const auto& kernel)
         {
+            const auto forEachSeen = [&](std::size_t k, const auto& f)
+            {
+                for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
+                {
+                    const auto [i, j] = pairs_[pair];
+                    const Particle& particle = particles[std::size_t(j)];
+                    Vector<dim> x_i;
+                    fetch(x_i, [&, i = i](int c) { return x[c][i]; });
+                    if (const double r = mag(x_i - particle.x); r < kernel.H) f(std::size_t(i), x_i, particle, kernel.W(r));
+                }
+            };
+#pragma omp parallel for schedule(static)
+            for (std::size_t k = 0; k < fits.size(); ++k)
+            {
+                Fit fit(wallsOf(particles_[k]));
+                forEachSeen(k, [&](std::size_t, Vector<dim> x_i, const Particle& particle, double W) { fit.add(W, x_i - particle.x); });
+                fits[k] = fit;
+            }
+            if (how == Extrapolation::fit) addOtherRanks(fits);
 #pragma omp parallel for schedule(static)
             for (std::size_t k = 0; k < originals; ++k)
             {
-                const auto forEachSeen = [&](const auto& f)
-                {
-                    for (std::size_t pair = firstPair_[k]; pair < firstPair_[k + 1]; ++pair)
-                    {
-                        const auto [i, j] = pairs_[pair];
-                        const Particle& particle = particles_[std::size_t(j)];
-                        Vector<dim> x_i;
-                        fetch(x_i, [&, i = i](int c) { return x[c][i]; });
-                        if (const double r = mag(x_i - particle.x); r < kernel.H) f(std::size_t(i), x_i, particle, kernel.W(r));
-                    }
-                };
                 std::optional<Fit> fit;
                 if (how == Extrapolation::fit)
                 {
-                    fit.emplace(wallsOf(particles_[k]));
-                    forEachSeen([&](std::size_t, Vector<dim> x_i, const Particle& particle, double W) { fit->add(W, x_i - particle.x); });
+                    fit = fits[k];
                     fit->solve(kernel.H);
                 }
                 Value sum{};
                 double weight = 0;
-                forEachSeen(
-                    [&](std::size_t i, Vector<dim> x_i, const Particle& particle, double W)
-                    {
-                        Value q_j;
-                        fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
-                        if (rule)
-                            for (const Behind& behind : wallsOf(particle))
-                                q_j = (*rule)(q_j, i, reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
-                        if (fit) W *= (*fit)(x_i - particle.x);
-                        sum += W * q_j;
-                        weight += W;
-                    });
-                sph::store(sum, [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a / weight : 0; });
+                forEachSeen(k,
+                            [&](std::size_t i, Vector<dim> x_i, const Particle& particle, double W)
+                            {
+                                Value q_j;
+                                fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
+                                if (rule)
+                                    for (const Behind& behind : wallsOf(particle))
+                                        q_j =
+                                            (*rule)(q_j, i, reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
+                                if (fit) W *= (*fit)(x_i - particle.x);
+                                sum += W * q_j;
+                                weight += W;
+                            });
+                sums[k] = sum;
+                weights[k] = weight;
             }
+            addOtherRanks(sums);
+            addOtherRanks(weights);
         },
         kernel_.choice());
-    for (std::size_t k = originals; k < particles_.size(); ++k)
-        for (std::size_t c = 0; c < q.size(); ++c) q[std::size_t(c)][first_ + k] = q[c][first_ + std::size_t(particles_[k].original)];
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < particles.size(); ++k)
+    {
+        const auto original = std::size_t(particles[k].original);
+        const double weight = weights[original];
+        sph::store(sums[original], [&](int c, double a) { q[std::size_t(c)][first_ + k] = weight > 0 ? a / weight : 0; });
+    }
 }
 
 template<int dim> std::size_t WallLayers<dim>::bytes() const
 {
-    return particles_.capacity() * sizeof(Particle) + walls_.capacity() * sizeof(Behind) + pairs_.capacity() * sizeof(PressurePair) +
-           firstPair_.capacity() * sizeof(std::size_t);
+    return (particles_.capacity() + near_.capacity()) * sizeof(Particle) + walls_.capacity() * sizeof(Behind) +
+           pairs_.capacity() * sizeof(PressurePair) + firstPair_.capacity() * sizeof(std::size_t);
 }
 
 template class WallLayers<2>;

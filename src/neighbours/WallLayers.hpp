@@ -18,6 +18,8 @@
 /// nothing of how v changes along the wall; over one wall those errors are even and cancel in the viscous sum, and with this continuation
 /// they do in a corner: on a lattice the sum over v = x y, or x y z, is 0, as it should be.
 ///
+/// Sums over the fluid are of all ranks: each adds up those of its own particles, and ranks that see the same particle of a layer tell one another.
+///
 /// What j has follows from i alone: no flux of a scalar passes the wall, and the viscous sum over the wall is a multiple of v_i - v_w, so
 /// that an implicit solve stays symmetric. The pressure has to be one of j's own: with p_j = p_i a gradient along the wall loses the share
 /// of the neighbours that are wall. The sum is that of Adami, Hu & Adams (2012), eq. (27). Verified by test/unit/plan and
@@ -26,6 +28,7 @@
 #include "FieldStore.hpp"
 #include "Geometry.hpp"
 #include "GhostRules.hpp"
+#include "Halo.hpp"
 #include "Kernel.hpp"
 #include "NeighbourLists.hpp"
 #include "Stencil.hpp"
@@ -59,7 +62,9 @@ public:
     /// CaseError where one does not lie in a wall, or where layers end within the support or are of another spacing.
     WallLayers(const Geometry&, const Kernel<dim>&, double reach, double spacing);
 
-    std::size_t count() const { return particles_.size(); }
+    /// From now on those alone that this rank's particles may see. The halo must outlive them.
+    void keepNear(const Halo<dim>&);
+    std::size_t count() const { return placed().size(); }
     /// Whether some particle differs from the fluid's in volume.
     bool weighted() const { return weighted_; }
 
@@ -94,7 +99,13 @@ private:
     };
     struct PressurePair
     {
-        int i, j; ///< fluid; copy of the wall particle
+        int i, j; ///< fluid; place of the wall particle or its copy
+    };
+    /// Another rank that sees some of what this one sees.
+    struct Sharer
+    {
+        int rank;
+        std::vector<int> originals;
     };
 
     const Geometry& geometry_;
@@ -102,11 +113,18 @@ private:
     double closest_; ///< least d_i [m]
     bool weighted_ = false;
     std::size_t first_ = 0;
-    std::vector<Particle> particles_;
+    std::vector<Particle> particles_; ///< originals, and periodic copies of them
+    const Halo<dim>* halo_ = nullptr;
+    std::vector<Particle> near_; ///< those of them that are placed where ranks share the fluid
+    std::vector<Sharer> sharers_;
     std::vector<Behind> walls_;
     std::vector<PressurePair> pairs_; ///< of original k: pairs_[firstPair_[k]] to pairs_[firstPair_[k + 1] - 1]
     std::vector<std::size_t> firstPair_;
 
+    const std::vector<Particle>& placed() const { return halo_ ? near_ : particles_; }
+    void findSharers();
+    /// Adds what other ranks have of each original; those of the ranks that do not see it stay as they are.
+    template<class Sums> void addOtherRanks(std::vector<Sums>&) const;
     std::span<const Behind> wallsOf(const Particle& p) const { return {walls_.data() + p.firstWall, p.walls}; }
     template<class Value>
     void extrapolateAs(FieldStore<dim>&, const std::string& field, const GhostRule<Value, dim>* rule, Extrapolation) const;
@@ -167,7 +185,8 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
                                    std::span<const double* const> own, int scale) const
 {
     const long first = long(first_);
-    const auto count = static_cast<unsigned long>(particles_.size());
+    const auto& particles = placed();
+    const auto count = static_cast<unsigned long>(particles.size());
     const auto isWall = [&](long j) { return static_cast<unsigned long>(j - first) < count; };
     int found = 0;
 #pragma omp simd reduction(+ : found)
@@ -187,7 +206,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
     for (int t = 0; t < stencil.n; ++t)
     {
         if (!isWall(stencil.j[t])) continue;
-        const Particle& particle = particles_[std::size_t(stencil.j[t] - first)];
+        const Particle& particle = particles[std::size_t(stencil.j[t] - first)];
         if (!feet && seenByWalls)
         {
             Vector<dim> x_ij;

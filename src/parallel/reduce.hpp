@@ -76,6 +76,14 @@ struct Add
 {
     void operator()(auto& total, const auto& q) const { total += q; }
 };
+/// The same of vectors of one length.
+struct AddEach
+{
+    template<class T> void operator()(std::vector<T>& total, const std::vector<T>& q) const
+    {
+        for (std::size_t k = 0; k < total.size(); ++k) total[k] += q[k];
+    }
+};
 struct Smaller
 {
     void operator()(double& least, double q) const { least = q < least || std::isnan(q) ? q : least; }
@@ -116,10 +124,7 @@ template<class Group, class Value> auto groupSums(std::size_t n, std::size_t gro
                 if (const std::size_t g = group(i); g < groups) part[g] += value(i);
             return part;
         },
-        [](Sums& total, const Sums& part)
-        {
-            for (std::size_t g = 0; g < total.size(); ++g) total[g] += part[g];
-        });
+        AddEach{});
 }
 
 }

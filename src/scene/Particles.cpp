@@ -103,9 +103,6 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
         throw CaseError({"constant/geometry", 0},
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
-    if (halo_ && !geometry_.layers.empty())
-        throw CaseError({"system/sphSchemes", 0},
-                        "walls layers: particles of layers are not shared between ranks yet; take walls reflected");
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.continuesInterfaces) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
@@ -197,6 +194,8 @@ template<int dim> void Particles<dim>::migrate()
 }
 
 template<int dim> std::size_t Particles<dim>::total() const { return ofAllRanks(owned_, std::size_t(0), Add{}); }
+
+template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held_.size(), std::size_t(0), Add{}) > 0; }
 
 template<int dim> void Particles<dim>::makeLists()
 {

@@ -66,6 +66,8 @@ public:
     /// Particles whose state is prescribed: rates leave them alone.
     std::span<const int> held() const { return held_; }
     void hold(std::vector<int> held) { held_ = std::move(held); }
+    /// Whether any rank holds some: all ask.
+    bool holdsAny() const;
     void holdRate(const std::string& field, double deltaT)
     {
         for (const auto& part : parts_) part->holdRate(*this, field, deltaT);

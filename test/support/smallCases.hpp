@@ -92,6 +92,30 @@ inline Files openCase()
     return files;
 }
 
+/// An empty channel, closed at its end, that fills through an inlet: three particles stand in its plane at the start.
+inline Files fillingCase()
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nshifting 2; shiftingAtSurface tangential;\nintegration { scheme "
+        "semiImplicit; }\n";
+    files["system/packParticlesDict"] = "lattice cubic; fill ( { region box; min (-0.1 0.5 0); max (0.05 0.55 0); phase water; } );\n";
+    files["constant/geometry"] =
+        "dimension 2; domain { min (-0.2 0 0); max (1 1 0); }\nwalls\n{\n    bottom { type plane; point (0 0 0); normal "
+        "(0 1 0); }\n    top { type plane; point (0 1 0); normal (0 -1 0); }\n    end { type plane; point (1 0 0); normal (-1 0 0); }\n}\n";
+    files["constant/openings"] = "gate { type inlet; point (0 0 0); normal (1 0 0); velocity 3; }\n";
+    return files;
+}
+
+/// With walls of particles in layers.
+inline Files inLayers(Files files)
+{
+    auto& schemes = files["system/sphSchemes"];
+    if (const auto at = schemes.find("wallVelocity secondOrder;"); at != std::string::npos) schemes.replace(at, 25, "");
+    schemes += "walls layers;\n";
+    return files;
+}
+
 /// Two layers of the same viscosity that come in through one inlet and leave together.
 inline Files layersCase()
 {

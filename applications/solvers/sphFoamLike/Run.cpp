@@ -59,12 +59,12 @@ std::string banner(const std::filesystem::path& folder)
 /// What the first rank has, on all.
 double ofFirst(double mine) { return ofAllRanks(isFirstRank() ? mine : 0.0, 0.0, Add{}); }
 
-/// An even part of a cloud that all ranks have read.
-Cloud partOf(Cloud cloud)
+/// An even part of a cloud that all ranks have read. Where openings bring particles there may be none for some ranks yet.
+Cloud partOf(Cloud cloud, bool eachNeedsOne)
 {
     if (!ranks()) return cloud;
     const std::size_t n = cloud.size(), all = std::size_t(ranks()->count()), rank = std::size_t(ranks()->rank());
-    if (n < all) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
+    if (n < all && eachNeedsOne) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
     const auto cut = [&](std::vector<double>& a) { a = {a.begin() + long(rank * n / all), a.begin() + long((rank + 1) * n / all)}; };
     for (auto* a : {&cloud.x, &cloud.y, &cloud.z}) cut(*a);
     for (auto& [_, field] : cloud.fields)
@@ -111,15 +111,11 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    const Cloud cloud = partOf(readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses()));
+    const Cloud cloud = partOf(readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses()),
+                               settings_.needsParticles);
     case_.diagnostics().throwIfAny();
     firstIsThrough();
-    if (ranks())
-    {
-        time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
-        if (case_.has("constant/openings"))
-            throw CaseError({"constant/openings", 0}, "what comes in and goes out is not shared between ranks yet");
-    }
+    if (ranks()) time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.

@@ -3,10 +3,12 @@
 #include "components.hpp"
 #include "contains.hpp"
 #include "forEachFoot.hpp"
+#include "reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <tuple>
 
 namespace sph
 {
@@ -54,7 +56,6 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     marks_ = std::ranges::any_of(openings, [](const Opening& opening) { return opening.markFrom.has_value(); });
     startMass_.resize(phases_);
     startAmounts_.resize(counted_.size());
-    heldAmounts_.resize(counted_.size());
     intoHeld_.resize(counted_.size());
     for (const auto& opening : openings)
     {
@@ -66,8 +67,10 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         const std::vector<double> none(phases_, 0.0), nothing(counted_.size(), 0.0);
         gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, std::vector(phases_, pressure), none, none,
-                          none, nothing, nothing, densityOf(opening, section), 0, none, std::vector(section.lines().size(), 0.0)});
+                          nothing, densityOf(opening, section), 0, none, std::vector(section.lines().size(), 0.0)});
+        account_.gates.push_back({none, nothing});
     }
+    account_.heldAmounts.resize(counted_.size());
     for (const auto& a : gates_)
         for (const auto& b : gates_)
             if (&a != &b && meet(a, b))
@@ -78,11 +81,13 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
                                 b.opening.name, a.opening.name, coefficients.support, depth_));
     for (const auto& gate : gates_) checkNormal(gate);
     restored_ = restored.contains(named("openingsStartMass", 0));
-    eachNumber(*this,
+    auto wholeAccount = account_;
+    eachNumber(*this, wholeAccount,
                [&](const std::string& name, double& value, bool)
                {
                    if (const auto found = restored.find(name); found != restored.end()) value = found->second;
                });
+    if (isFirstRank()) account_ = wholeAccount;
 }
 
 template<int dim> std::string Openings<dim>::named(const std::string& name, std::size_t phase) const
@@ -90,41 +95,44 @@ template<int dim> std::string Openings<dim>::named(const std::string& name, std:
     return phases_ == 1 ? name : name + "_" + coefficients_.phases[phase];
 }
 
-template<int dim> void Openings<dim>::eachNumber(auto& self, const auto& visit)
+template<int dim> void Openings<dim>::eachNumber(auto& self, auto& account, const auto& visit)
 {
     for (std::size_t k = 0; k < self.phases_; ++k) visit(self.named("openingsStartMass", k), self.startMass_[k], false);
     if (self.marks_) visit("openingsTime", self.time_, false);
     for (std::size_t q = 0; q < self.counted_.size(); ++q)
     {
         visit("openingsStart" + self.amountNames_[q], self.startAmounts_[q], false);
-        visit("openingsHeld" + self.amountNames_[q], self.heldAmounts_[q], false);
+        visit("openingsHeld" + self.amountNames_[q], account.heldAmounts[q], false);
     }
-    for (auto& gate : self.gates_)
+    for (std::size_t g = 0; g < self.gates_.size(); ++g)
     {
+        auto& gate = self.gates_[g];
+        auto& passed = account.gates[g];
         const auto& name = gate.opening.name;
         for (std::size_t k = 0; k < self.phases_; ++k)
         {
-            visit(self.named(name + "Mass", k), gate.mass[k], false);
+            visit(self.named(name + "Mass", k), passed.mass[k], false);
             visit(self.named(name + "Taken", k), gate.taken[k], true);
             visit(self.named(name + "Pressure", k), gate.pressure[k], false);
             visit(self.named(name + "Slope", k), gate.slope[k], false);
         }
         for (std::size_t q = 0; q < self.counted_.size(); ++q)
         {
-            visit(name + self.amountNames_[q], gate.amounts[q], false);
+            visit(name + self.amountNames_[q], passed.amounts[q], false);
             visit(name + "Taken" + self.amountNames_[q], gate.takenAmounts[q], true);
         }
         visit(name + "Speed", gate.speed, false);
-        visit(name + "Marked", gate.marked.mass, true);
-        visit(name + "MarkedTime", gate.marked.time, true);
-        visit(name + "MarkedSquare", gate.marked.square, true);
+        visit(name + "Marked", passed.marked.mass, true);
+        visit(name + "MarkedTime", passed.marked.time, true);
+        visit(name + "MarkedSquare", passed.marked.square, true);
     }
 }
 
 template<int dim> std::map<std::string, double> Openings<dim>::state() const
 {
     std::map<std::string, double> numbers;
-    eachNumber(*this,
+    const auto whole = account();
+    eachNumber(*this, whole,
                [&](const std::string& name, double value, bool unlessZero)
                {
                    if (value != 0 || !unlessZero) numbers[name] = value;
@@ -262,9 +270,9 @@ template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, double& hold
     const auto pass = [&](int gate, double sign)
     {
         if (gate == 0) return;
-        auto& to = gates_[std::size_t(gate) - 1];
+        auto& to = account_.gates[std::size_t(gate) - 1];
         to.mass[phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
-        if (marks_) mark(store, i, to, sign);
+        if (marks_) mark(store, i, gates_[std::size_t(gate) - 1].opening, to.marked, sign);
         for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountOf(store, *counted_[q], i, predicted);
     };
     if (counts_ && before != now)
@@ -277,17 +285,17 @@ template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, double& hold
 }
 
 /// A particle passes an opening, into the scene with a sign > 0: what comes in is marked by the time, what leaves tells how long it was there.
-template<int dim> void Openings<dim>::mark(FieldStore<dim>& store, std::size_t i, Gate& gate, double sign)
+template<int dim> void Openings<dim>::mark(FieldStore<dim>& store, std::size_t i, const Opening& opening, Transit& marked, double sign)
 {
     double& enteredAt = store.component(EntryTime::info.name, 0)[i];
     const double m = store.component(Mass::info.name, 0)[i];
-    if (!gate.opening.inlet)
+    if (!opening.inlet)
     {
-        if (enteredAt >= 0) gate.marked.add(-sign * m, time_ - enteredAt);
+        if (enteredAt >= 0) marked.add(-sign * m, time_ - enteredAt);
         return;
     }
-    if (sign > 0 && gate.opening.markFrom && time_ >= *gate.opening.markFrom && gate.opening.brings(phasesOf(store)(i))) enteredAt = time_;
-    if (enteredAt >= 0) gate.marked.add(sign * m, 0);
+    if (sign > 0 && opening.markFrom && time_ >= *opening.markFrom && opening.brings(phasesOf(store)(i))) enteredAt = time_;
+    if (enteredAt >= 0) marked.add(sign * m, 0);
     if (sign < 0) enteredAt = EntryTime::notMarked;
 }
 
@@ -332,6 +340,21 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     return owned;
 }
 
+template<int dim>
+std::vector<typename Openings<dim>::Place> Openings<dim>::clearOf(const std::vector<Vector<3>>& others,
+                                                                  const std::vector<Place>& places) const
+{
+    std::vector<int> near;
+    for (const auto& place : places)
+        near.push_back(
+            std::ranges::any_of(others, [&](const Vector<3>& other) { return mag(other - place.x) < leastGap * coefficients_.spacing; }));
+    near = ofAllRanks(near, std::vector<int>(near.size(), 0), AddEach{});
+    std::vector<Place> clear;
+    for (std::size_t q = 0; q < places.size(); ++q)
+        if (near[q] == 0) clear.push_back(places[q]);
+    return clear;
+}
+
 /// Fills up lines from behind: of an inlet all; of an outlet those that move inwards, out of the scene's sight and at a distance from what has left, which
 /// stands in no lattice.
 template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
@@ -353,19 +376,18 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
         if (const int line = gate.section.lineAt(x_i); line >= 0)
             last[std::size_t(line)] = std::min(last[std::size_t(line)], opening.distance(x_i));
     }
-    const auto clear = [&](const Vector<3>& place)
-    { return std::ranges::none_of(others, [&](const Vector<3>& other) { return mag(other - place) < leastGap * coefficients_.spacing; }); };
-    std::vector<Vector<3>> places;
-    std::vector<std::size_t> lineOf;
+    last = ofAllRanks(last, last,
+                      [](std::vector<double>& least, const std::vector<double>& q)
+                      {
+                          for (std::size_t l = 0; l < least.size(); ++l) Smaller{}(least[l], q[l]);
+                      });
+    std::vector<Place> places;
     for (std::size_t l = 0; l < lines.size(); ++l)
         for (double s = (opening.inlet ? last[l] : std::min(last[l], -coefficients_.support)) - row;
              s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
-            if (const auto place = lines[l].foot + s * opening.normal; clear(place))
-            {
-                places.push_back(place);
-                lineOf.push_back(l);
-            }
-    if (places.empty()) return;
+            places.push_back({lines[l].foot + s * opening.normal, l});
+    if (!opening.inlet) places = clearOf(others, places);
+    if (places.empty() || !isFirstRank()) return;
 
     store.resize(owned + places.size()); // what is new is 0
     x = store.pointers(Position{});
@@ -373,9 +395,9 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     for (std::size_t q = 0; q < places.size(); ++q)
     {
         const std::size_t i = owned + q;
-        const auto& line = lines[lineOf[q]];
-        put<dim>(x, i, in<dim>(places[q]));
-        put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.velocity[lineOf[q]]) * opening.normal));
+        const auto& line = lines[places[q].line];
+        put<dim>(x, i, in<dim>(places[q].x));
+        put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.velocity[places[q].line]) * opening.normal));
         bring(store, i, opening.streamAt(line.foot, dim));
         for (const auto& evolving : state_)
         {
@@ -424,19 +446,16 @@ template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
     const auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
     held_.clear();
-    for (auto& gate : gates_)
-    {
-        gate.near.clear();
-        gate.held = 0;
-    }
+    for (auto& gate : gates_) gate.near.clear();
+    for (auto& passed : account_.gates) passed.held = 0;
     for (const int i : close_)
     {
         const auto x_i = in3D(at<dim>(x, std::size_t(i)));
         if (holder[i] > 0)
         {
             held_.push_back(i);
-            auto& gate = gates_[std::size_t(holder[i]) - 1];
-            ++gate.held;
+            const auto& gate = gates_[std::size_t(holder[i]) - 1];
+            ++account_.gates[std::size_t(holder[i]) - 1].held;
             if (gate.opening.backflow) replace(store, std::size_t(i), gate, x_i);
             impose(store, std::size_t(i), x_i);
             continue;
@@ -471,9 +490,29 @@ template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
     clear(TransportAcceleration::info.name);
 }
 
-/// What passes through the section, and p = a + b s by least squares, of what `counts` in.
-template<int dim>
-typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gate& gate, double a, const auto& counts) const
+template<int dim> typename Openings<dim>::Sums& Openings<dim>::Sums::operator+=(const Sums& b)
+{
+    count += b.count;
+    n += b.n;
+    v0 += b.v0;
+    s1 += b.s1;
+    s2 += b.s2;
+    p0 += b.p0;
+    p1 += b.p1;
+    return *this;
+}
+
+template<int dim> typename Openings<dim>::LineSums& Openings<dim>::LineSums::operator+=(const LineSums& b)
+{
+    n += b.n;
+    v0 += b.v0;
+    others += b.others;
+    held += b.held;
+    heldV += b.heldV;
+    return *this;
+}
+
+template<int dim> typename Openings<dim>::Sums Openings<dim>::sumsOf(FieldStore<dim>& store, const Gate& gate, const auto& counts) const
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const p = store.component(Pressure::info.name, 0);
@@ -491,91 +530,124 @@ typename Openings<dim>::Fit Openings<dim>::fit(FieldStore<dim>& store, const Gat
         p0 += w * p[i];
         p1 += w * s * p[i];
     }
-    Fit of{n, v0, s1, p0, a, 0, false};
+    return {n, v0, s1, p0, s2, double(count), p1};
+}
+
+template<int dim> std::vector<typename Openings<dim>::Sums> Openings<dim>::sumsNear(FieldStore<dim>& store) const
+{
+    const auto phase = phasesOf(store);
+    std::vector<Sums> sums;
+    for (const auto& gate : gates_)
+    {
+        sums.push_back(sumsOf(store, gate, [](std::size_t) { return true; }));
+        for (std::size_t k = 0; phases_ > 1 && k < phases_; ++k)
+            sums.push_back(sumsOf(store, gate, [&](std::size_t i) { return phase(i) == k; }));
+    }
+    return ofAllRanks(sums, std::vector<Sums>(sums.size()), AddEach{});
+}
+
+template<int dim> std::vector<typename Openings<dim>::LineSums> Openings<dim>::sumsOfLines(FieldStore<dim>& store) const
+{
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const double* const m = phases_ > 1 ? store.component(Mass::info.name, 0) : nullptr;
+    const double* const holder = store.component(Holder::info.name, 0);
+    const auto phase = phasesOf(store);
+    std::vector<LineSums> sums;
+    for (std::size_t g = 0; g < gates_.size(); ++g)
+    {
+        const auto& [opening, section] = std::tie(gates_[g].opening, gates_[g].section);
+        if (opening.inlet) continue;
+        const std::size_t first = sums.size();
+        sums.resize(first + section.lines().size());
+        for (const int near : gates_[g].near)
+        {
+            const auto i = std::size_t(near);
+            const auto x_i = in3D(at<dim>(x, i));
+            const int line = section.lineAt(x_i);
+            if (line < 0) continue;
+            auto& along = sums[first + std::size_t(line)];
+            const double w = weight(opening.distance(x_i)) * (m ? m[i] : 1);
+            along.v0 += w * dot(in3D(at<dim>(v, i)), opening.normal);
+            along.n += w;
+            along.others += phase(i) != opening.stream.phase;
+        }
+        // A line that keeps what it has is filled up all the same.
+        for (std::size_t q = 0; q < held_.size() && opening.backflow; ++q)
+        {
+            const auto i = std::size_t(held_[q]);
+            if (std::size_t(holder[i]) != g + 1) continue;
+            const int line = section.lineAt(in3D(at<dim>(x, i)));
+            if (line < 0) continue;
+            sums[first + std::size_t(line)].heldV += dot(in3D(at<dim>(v, i)), opening.normal);
+            ++sums[first + std::size_t(line)].held;
+        }
+    }
+    return ofAllRanks(sums, std::vector<LineSums>(sums.size()), AddEach{});
+}
+
+/// p = a + b s by least squares.
+template<int dim> typename Openings<dim>::Fit Openings<dim>::fit(const Gate& gate, double a, const Sums& near) const
+{
+    const auto& [n, v0, s1, p0, s2, count, p1] = near;
+    Fit fit{near, a, 0, false};
     const double spread = n * s2 - s1 * s1;
-    of.enough = count > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
+    fit.enough = count > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
     if (gate.opening.inlet)
     {
-        of.slope = of.enough ? (n * p1 - s1 * p0) / spread : 0;
-        of.pressure = n > 0 ? (p0 - of.slope * s1) / n : coefficients_.backgroundPressure;
+        fit.slope = fit.enough ? (n * p1 - s1 * p0) / spread : 0;
+        fit.pressure = n > 0 ? (p0 - fit.slope * s1) / n : coefficients_.backgroundPressure;
     }
-    else of.slope = of.enough ? (p1 - a * s1) / s2 : 0;
-    return of;
+    else fit.slope = fit.enough ? (p1 - a * s1) / s2 : 0;
+    return fit;
 }
 
 /// A phase of which there is not enough before the plane has the pressure of all fluid there. At an outlet beside the phase that may come back others
 /// have its pressure and, as a constant, what they have more than it in the mean: the jump across their surface, which is not the outlet's to give. What comes
 /// back starts from rest at the outlet's pressure: a = p - rho u^2/2, u its mean velocity inwards.
-template<int dim> void Openings<dim>::measure(FieldStore<dim>& store, Gate& gate) const
+template<int dim> void Openings<dim>::measure(Gate& gate, std::span<const Sums> near) const
 {
     const auto& opening = gate.opening;
     const double area = gate.section.area();
+    const auto& ofAll = near[0];
+    const auto ofPhase = [&](std::size_t k) -> const Sums& { return near[std::min(1 + k, near.size() - 1)]; };
     double given = opening.inlet ? 0 : coefficients_.backgroundPressure + *opening.pressure;
-    const auto phase = phasesOf(store);
     if (opening.backflow)
     {
-        const auto back = fit(store, gate, given, [&](std::size_t i) { return phase(i) == opening.stream.phase; });
+        const auto& back = ofPhase(opening.stream.phase);
         given -= 0.5 * gate.density * sqr(back.n > 0 ? std::max(0.0, back.v0 / back.n) : 0);
     }
-    const auto all = fit(store, gate, given, [](std::size_t) { return true; });
-    gate.inflow = all.n > 0 ? area * all.v0 / all.n : 0;
+    const auto all = fit(gate, given, ofAll);
+    gate.inflow = ofAll.n > 0 ? area * ofAll.v0 / ofAll.n : 0;
     std::vector<Fit> fits;
-    for (std::size_t k = 0; k < phases_; ++k)
-        fits.push_back(phases_ == 1 ? all : fit(store, gate, given, [&](std::size_t i) { return phase(i) == k; }));
+    for (std::size_t k = 0; k < phases_; ++k) fits.push_back(fit(gate, given, ofPhase(k)));
     const auto& gas = fits[opening.stream.phase];
     for (std::size_t k = 0; k < phases_; ++k)
     {
         const auto& own = fits[k];
         const auto& used = own.enough ? own : all;
-        gate.inflows[k] = all.n > 0 ? area * own.v0 / all.n : 0;
+        gate.inflows[k] = ofAll.n > 0 ? area * own.of.v0 / ofAll.n : 0;
         gate.pressure[k] = used.pressure;
         gate.slope[k] = used.slope;
-        if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.n == 0) continue;
+        if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.of.n == 0) continue;
         gate.slope[k] = gas.slope;
-        gate.pressure[k] = (own.p0 - gas.slope * own.s1) / own.n;
+        gate.pressure[k] = (own.of.p0 - gas.slope * own.of.s1) / own.of.n;
     }
 }
 
 /// Along the normal, of each line of an outlet [m/s]; infinite where its particles keep what they have, for none comes along behind them. Of several phases
 /// the mean is by mass: liquid decides. Inwards goes what comes back in alone: a line along which another phase comes stands still.
-template<int dim> std::vector<double> Openings<dim>::velocities(FieldStore<dim>& store, const Gate& gate) const
+template<int dim> std::vector<double> Openings<dim>::velocities(const Gate& gate, std::span<const LineSums> lines) const
 {
-    const auto& opening = gate.opening;
-    std::vector<double> sum(gate.section.lines().size(), 0), count(sum);
-    std::vector<bool> mayReturn(sum.size(), opening.backflow);
-    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
-    const double* const m = phases_ > 1 ? store.component(Mass::info.name, 0) : nullptr;
-    const auto phase = phasesOf(store);
-    for (const int i : gate.near)
+    std::vector<double> velocities;
+    for (const auto& along : lines)
     {
-        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
-        const int line = gate.section.lineAt(x_i);
-        if (line < 0) continue;
-        const double w = weight(opening.distance(x_i)) * (m ? m[i] : 1);
-        sum[std::size_t(line)] += w * dot(in3D(at<dim>(v, std::size_t(i))), opening.normal);
-        count[std::size_t(line)] += w;
-        if (phase(std::size_t(i)) != opening.stream.phase) mayReturn[std::size_t(line)] = false;
+        const double u = along.n > 0      ? along.v0 / along.n
+                         : along.held > 0 ? along.heldV / along.held
+                                          : std::numeric_limits<double>::infinity();
+        const bool mayReturn = gate.opening.backflow && along.others == 0;
+        velocities.push_back(along.n > 0 && !mayReturn ? std::min(0.0, u) : u);
     }
-    // A line that keeps what it has is filled up all the same.
-    std::vector<double> sumHeld(sum.size(), 0), countHeld(sum.size(), 0);
-    const double* const holder = store.component(Holder::info.name, 0);
-    for (std::size_t q = 0; q < held_.size() && opening.backflow; ++q)
-    {
-        const auto i = std::size_t(held_[q]);
-        if (&gates_[std::size_t(holder[i]) - 1] != &gate) continue;
-        const int line = gate.section.lineAt(in3D(at<dim>(x, i)));
-        if (line < 0) continue;
-        sumHeld[std::size_t(line)] += dot(in3D(at<dim>(v, i)), opening.normal);
-        ++countHeld[std::size_t(line)];
-    }
-    for (std::size_t l = 0; l < sum.size(); ++l)
-    {
-        const double u = count[l] > 0       ? sum[l] / count[l]
-                         : countHeld[l] > 0 ? sumHeld[l] / countHeld[l]
-                                            : std::numeric_limits<double>::infinity();
-        sum[l] = count[l] > 0 && !mayReturn[l] ? std::min(0.0, u) : u;
-    }
-    return sum;
+    return velocities;
 }
 
 /// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
@@ -594,15 +666,21 @@ template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT, double time)
 {
     time_ = time;
-    for (std::size_t q = 0; q < counted_.size(); ++q) heldAmounts_[q] += deltaT * intoHeld_[q];
+    for (std::size_t q = 0; q < counted_.size(); ++q) account_.heldAmounts[q] += deltaT * intoHeld_[q];
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
+    const auto near = sumsNear(store);
+    const auto alongLines = sumsOfLines(store);
+    std::size_t ofGate = 0, firstLine = 0;
     for (auto& gate : gates_)
     {
-        measure(store, gate);
+        measure(gate, std::span(near).subspan(ofGate, sumsOfGate()));
+        ofGate += sumsOfGate();
         if (!gate.opening.inlet)
         {
-            gate.velocity = velocities(store, gate);
+            const auto lines = gate.section.lines().size();
+            gate.velocity = velocities(gate, std::span(alongLines).subspan(firstLine, lines));
+            firstLine += lines;
             continue;
         }
         if (gate.opening.pressure)

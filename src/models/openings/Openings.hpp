@@ -24,6 +24,9 @@
 ///
 /// Counts what passes, by phases, and what is taken away at the start: what is free has grown by the one less the other, to round-off. Powder that migrates
 /// between held and free particles counts too.
+///
+/// Where ranks share the particles, each counts what passes among its own, and sums over what is free before a plane or held beyond it are those of all: planes
+/// move alike on all ranks. The first puts in what comes, and from there it goes to the rank in whose box it lies.
 /// Verified by test/unit/openings and tutorials/verification/openChannel.
 #pragma once
 #include "FieldStore.hpp"
@@ -121,23 +124,49 @@ private:
         Section section;
         double most, speed;                  ///< U of an inlet: its limit, and now
         std::vector<double> pressure, slope; ///< a and b, of each phase
-        std::vector<double> mass, taken;     ///< passed, and taken away at the start, of each phase
-        std::vector<double> amounts, takenAmounts;
+        std::vector<double> taken;           ///< away at the start, of each phase
+        std::vector<double> takenAmounts;
         double density = 0;                ///< at rest, of what comes in
         double inflow = 0;                 ///< of what is near, through all of the section [m^3/s]
         std::vector<double> inflows;       ///< of each phase
         std::vector<double> velocity = {}; ///< of each line [m/s]
+        std::vector<int> near = {};        ///< free particles within H
+    };
+    /// Of a gate.
+    struct Passed
+    {
+        std::vector<double> mass, amounts; ///< of each phase; of each fraction that is counted
         Transit marked = {};
-        std::size_t held = 0;
-        std::vector<int> near = {}; ///< free particles within H
+        double held = 0; ///< particles that are there now
+    };
+    struct Account
+    {
+        std::vector<Passed> gates = {};
+        std::vector<double> heldAmounts = {}; ///< what rates have brought into what is held [m^3]
+    };
+    /// Over what is free and near a plane, by `weight`.
+    struct Sums
+    {
+        double n = 0, v0 = 0, s1 = 0, p0 = 0, s2 = 0, count = 0, p1 = 0; ///< of w, w v, w s, w p, w s^2, 1 and w s p
+        Sums& operator+=(const Sums&);
+    };
+    /// The same of what is near along one line of an outlet, and over what is held on it.
+    struct LineSums
+    {
+        double n = 0;      ///< of w; of several phases of w m
+        double others = 0; ///< particles of phases that do not come back
+        double held = 0, heldV = 0;
+        double v0 = 0; ///< of w v, or w m v
+        LineSums& operator+=(const LineSums&);
     };
     struct Fit
     {
-        double n, v0, s1, p0;   ///< sums of weights, of velocities, of distances and of pressures
+        Sums of;
         double pressure, slope; ///< a and b
         bool enough;
     };
     std::vector<Gate> gates_;
+    Account account_; ///< of this rank
     const Geometry& geometry_;
     const Coefficients& coefficients_;
     const State& state_;
@@ -145,13 +174,13 @@ private:
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
     std::size_t phases_;
-    bool marks_ = false;                                        ///< some of what comes in
-    double depth_;                                              ///< of the held particles beyond a plane [m]
-    double time_ = 0;                                           ///< [s]
-    std::vector<int> close_, held_;                             ///< close_: all that may come near or be held before the next sorting
-    std::vector<double> startMass_;                             ///< of what is free and what is taken away, at the first start [kg]
-    std::vector<double> startAmounts_, heldAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
-    bool restored_ = false, counts_ = false;                    ///< counts_: who is held is known from before
+    bool marks_ = false;                          ///< some of what comes in
+    double depth_;                                ///< of the held particles beyond a plane [m]
+    double time_ = 0;                             ///< [s]
+    std::vector<int> close_, held_;               ///< close_: all that may come near or be held before the next sorting
+    std::vector<double> startMass_;               ///< of what is free and what is taken away, at the first start [kg]
+    std::vector<double> startAmounts_, intoHeld_; ///< [m^3], and by the rates at hand [m^3/s]
+    bool restored_ = false, counts_ = false;      ///< counts_: who is held is known from before
 
     void check(const Opening&, const Section&) const;
     double densityOf(const Opening&, const Section&) const;
@@ -168,9 +197,12 @@ private:
     int assign(FieldStore<dim>&, double& holder, std::size_t i, const Vector<3>& x_i, bool predicted);
     /// Of `close_`: those that are held, and those that are near.
     void list(FieldStore<dim>&);
-    void mark(FieldStore<dim>&, std::size_t i, Gate&, double sign);
+    void mark(FieldStore<dim>&, std::size_t i, const Opening&, Transit& marked, double sign);
+    /// Of all ranks.
+    Account account() const;
+    static void eachShare(auto& account, const auto& visit);
     /// Each number of a restart: visit(name, value, whether 0 goes without saying).
-    static void eachNumber(auto& self, const auto& visit);
+    static void eachNumber(auto& self, auto& account, const auto& visit);
     std::string named(const std::string& name, std::size_t phase) const;
     /// Of particles, looked up once.
     struct Phases
@@ -181,12 +213,26 @@ private:
     Phases phasesOf(const FieldStore<dim>& store) const { return {phases_ > 1 ? store.component(Phase::info.name, 0) : nullptr}; }
     void bring(FieldStore<dim>&, std::size_t i, const Stream&) const;
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
+    /// A place for a particle that comes in.
+    struct Place
+    {
+        Vector<3> x;
+        std::size_t line;
+    };
     void insert(FieldStore<dim>&, std::size_t& owned, int gate);
+    /// Those without any of `others` too near, on any rank.
+    std::vector<Place> clearOf(const std::vector<Vector<3>>& others, const std::vector<Place>&) const;
     void replace(FieldStore<dim>&, std::size_t i, const Gate&, const Vector<3>& x_i) const;
     void impose(FieldStore<dim>&, std::size_t i, const Vector<3>& x_i) const;
-    Fit fit(FieldStore<dim>&, const Gate&, double a, const auto& counts) const;
-    void measure(FieldStore<dim>&, Gate&) const;
-    std::vector<double> velocities(FieldStore<dim>&, const Gate&) const;
+    Sums sumsOf(FieldStore<dim>&, const Gate&, const auto& counts) const;
+    /// Of all gates and all ranks: `sumsOfGate()` of each, of all that is near and, of several phases, of each of them.
+    std::vector<Sums> sumsNear(FieldStore<dim>&) const;
+    std::size_t sumsOfGate() const { return phases_ > 1 ? 1 + phases_ : 1; }
+    /// Of the lines of all outlets and of all ranks.
+    std::vector<LineSums> sumsOfLines(FieldStore<dim>&) const;
+    Fit fit(const Gate&, double a, const Sums&) const;
+    void measure(Gate&, std::span<const Sums>) const;
+    std::vector<double> velocities(const Gate&, std::span<const LineSums>) const;
     /// Of what is free.
     std::vector<double> freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;

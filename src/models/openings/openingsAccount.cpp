@@ -33,11 +33,39 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
     }
 }
 
+template<int dim> void Openings<dim>::eachShare(auto& account, const auto& visit)
+{
+    const auto each = [&](auto& numbers)
+    {
+        for (auto& q : numbers) visit(q);
+    };
+    each(account.heldAmounts);
+    for (auto& passed : account.gates)
+    {
+        each(passed.mass);
+        each(passed.amounts);
+        for (auto* q : {&passed.marked.mass, &passed.marked.time, &passed.marked.square, &passed.held}) visit(*q);
+    }
+}
+
+template<int dim> typename Openings<dim>::Account Openings<dim>::account() const
+{
+    std::vector<double> own;
+    eachShare(account_, [&](double q) { own.push_back(q); });
+    const auto sums = ofAllRanks(own, std::vector<double>(own.size(), 0.0), AddEach{});
+    Account all = account_;
+    auto next = sums.begin();
+    eachShare(all, [&](double& q) { q = *next++; });
+    return all;
+}
+
 template<int dim> std::vector<Flow> Openings<dim>::flows() const
 {
     std::vector<Flow> flows;
+    const auto all = account();
     for (const auto& gate : gates_)
     {
+        const auto& passed = all.gates[flows.size()];
         const double let = gate.speed * gate.section.area();
         auto ofPhases = gate.inflows;
         if (gate.opening.inlet)
@@ -47,10 +75,10 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
             for (const auto& line : gate.section.lines()) sum += line.profile;
             for (const auto& line : gate.section.lines()) ofPhases[gate.opening.streamAt(line.foot, dim).phase] += let * line.profile / sum;
         }
-        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), gate.held, gate.mass, gate.amounts, gate.taken,
-                         gate.opening.inlet ? let : gate.inflow, ofPhases,
+        flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), std::size_t(passed.held), passed.mass, passed.amounts,
+                         gate.taken, gate.opening.inlet ? let : gate.inflow, ofPhases,
                          gate.pressure[gate.opening.stream.phase] - coefficients_.backgroundPressure,
-                         marks_ ? std::optional(gate.marked) : std::nullopt});
+                         marks_ ? std::optional(passed.marked) : std::nullopt});
     }
     return flows;
 }
@@ -69,7 +97,7 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
             intoHeld += deltaT * rate[i] * m[i] / coefficients_.restDensity[phase(std::size_t(i))];
             rate[i] = 0;
         }
-        heldAmounts_[q] += intoHeld;
+        account_.heldAmounts[q] += intoHeld;
     }
 }
 
@@ -94,31 +122,35 @@ template<int dim> double Openings<dim>::freeAmount(const FieldStore<dim>& store,
 
 template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& store) const
 {
+    const auto all = account();
     const auto relative = [&](double now, double start, const auto& passed)
     {
         double expected = start, largest = std::max(start, now);
-        for (const auto& gate : gates_)
+        for (std::size_t g = 0; g < gates_.size(); ++g)
         {
-            expected += passed(gate);
-            largest = std::max(largest, std::abs(passed(gate)));
+            const double through = passed(all.gates[g], gates_[g]);
+            expected += through;
+            largest = std::max(largest, std::abs(through));
         }
         return largest > 0 ? (now - expected) / largest : 0;
     };
     Imbalance off;
     const auto free = freeMass(store);
     for (std::size_t k = 0; k < phases_; ++k)
-        off.mass.push_back(relative(free[k], startMass_[k], [&](const Gate& gate) { return gate.mass[k] - gate.taken[k]; }));
+        off.mass.push_back(
+            relative(free[k], startMass_[k], [&](const Passed& passed, const Gate& gate) { return passed.mass[k] - gate.taken[k]; }));
     for (std::size_t q = 0; q < counted_.size(); ++q)
-        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - heldAmounts_[q],
-                                       [&](const Gate& gate) { return gate.amounts[q] - gate.takenAmounts[q]; }));
+        off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - all.heldAmounts[q],
+                                       [&](const Passed& passed, const Gate& gate) { return passed.amounts[q] - gate.takenAmounts[q]; }));
     return off;
 }
 
 template<int dim> double Openings<dim>::volume() const
 {
     double sum = 0;
-    for (const auto& gate : gates_)
-        for (std::size_t k = 0; k < phases_; ++k) sum += gate.mass[k] / coefficients_.restDensity[k];
+    const auto all = account();
+    for (const auto& passed : all.gates)
+        for (std::size_t k = 0; k < phases_; ++k) sum += passed.mass[k] / coefficients_.restDensity[k];
     return sum;
 }
 

@@ -42,7 +42,7 @@ ScalarBalance<dim>::ScalarBalance(Particles<dim>& particles, const Numbers& rest
 template<int dim> typename ScalarBalance<dim>::Held ScalarBalance<dim>::held(const Particles<dim>& particles, const std::string& name) const
 {
     const auto n = particles.size();
-    if (n == 0) return {};
+    if (particles.total() == 0) return {};
     const double *c = particles.store().component(name, 0), *m = particles.store().component(Mass::info.name, 0);
     const auto value = [c](std::size_t i) { return c[i]; };
     return {least(n, value), most(n, value), sum(n, [&](std::size_t i) { return m[i] * c[i]; }),
@@ -79,11 +79,12 @@ template<int dim> Numbers ScalarBalance<dim>::columns(const Particles<dim>& part
 template<int dim> std::string ScalarBalance<dim>::report(const Particles<dim>& particles) const
 {
     std::string lines;
+    const bool keeps = !particles.holdsAny();
     for (const auto& name : names_)
     {
         const auto now = held(particles, name);
         lines += fmt::format("{}: {:.6g} .. {:.6g}, amount {:.15g} kg{}\n", name, now.least, now.most, now.amount,
-                             particles.held().empty() ? fmt::format(", changed by {:.2g}", change(name, now)) : "");
+                             keeps ? fmt::format(", changed by {:.2g}", change(name, now)) : "");
     }
     return lines;
 }

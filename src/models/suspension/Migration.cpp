@@ -180,7 +180,7 @@ template<int dim> std::string Migration<dim>::report(const Particles<dim>& parti
     const auto c = columns(particles);
     return fmt::format("powder: phi {:.6g} .. {:.6g}, mu {:.4g} .. {:.4g} Pa s, volume {:.15g} m^3{}, {} steps of migration\n",
                        c.at("minPhi"), c.at("maxPhi"), c.at("minViscosity"), c.at("maxViscosity"), c.at("powderVolume"),
-                       particles.held().empty() ? fmt::format(", changed by {:.2g}", c.at("powderDrift")) : "", taken_);
+                       particles.holdsAny() ? "" : fmt::format(", changed by {:.2g}", c.at("powderDrift")), taken_);
 }
 
 template<int dim> std::string Migration<dim>::warning(const Particles<dim>& particles)
@@ -188,8 +188,8 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
     if (warned_) return "";
     struct Rise
     {
-        double most = 0;
-        std::size_t at = 0;
+        double most = 0, phi = 0;
+        Vector<3> at = {};
     };
     const auto& store = particles.store();
     const auto& c = particles.coefficients();
@@ -205,7 +205,7 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
         particles.size(), Rise{},
         [&](std::size_t i)
         {
-            Rise of{0, i};
+            Rise of;
             for (const int j : particles.lists().of(i))
             {
                 if (std::size_t(j) >= particles.size() ||
@@ -216,7 +216,10 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
                 const double r = std::sqrt(r2) / c.spacing;
                 if (r < nextParticle) of.most = std::max(of.most, (phi[i] / phi[j] - 1) / std::max(1.0, r));
             }
-            return of;
+            if (of.most == 0) return of;
+            Vector<dim> x_i;
+            fetch(x_i, [&](int k) { return x[k][i]; });
+            return Rise{of.most, phi[i], in3D(x_i)};
         },
         larger);
     const double densest = most(particles.size(), [&](std::size_t i) { return phi[i]; });
@@ -230,12 +233,10 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
             s.phiMax, densest, c.spacing);
     const double n = s.exponent * (s.Deta_a2 / s.Dc_a2 - 1),
                  spacing = c.spacing * std::pow(mostRise / rise.most, std::max(1.0, 0.5 * (1 + n)));
-    Vector<dim> at;
-    fetch(at, [&](int k) { return x[k][rise.at]; });
     return fmt::format(
         "the cusp of the powder is not resolved: where the shear vanishes, near ({:.6g} {:.6g} {:.6g}), phi is {:.3g} and rises by {:.2g} % within a "
         "spacing. From a spacing of about {:.2g} m on it rises by less than {:.2g} %, with which steady channels are right within 2 %",
-        in3D(at).x, in3D(at).y, in3D(at).z, phi[rise.at], 100 * rise.most, spacing, 100 * mostRise);
+        rise.at.x, rise.at.y, rise.at.z, rise.phi, 100 * rise.most, spacing, 100 * mostRise);
 }
 
 template<int dim> void Migration<dim>::save(Numbers& numbers) const
