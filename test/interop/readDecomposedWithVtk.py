@@ -1,7 +1,5 @@
 """VTK's OpenFOAM reader shows the particles of all processor folders that decomposeParticles has made: readDecomposedWithVtk.py writeSample decomposeParticles format"""
 import glob
-import os
-import subprocess
 import sys
 import tempfile
 
@@ -52,11 +50,7 @@ def main(program, decompose, form):
     vtkMultiProcessController.SetGlobalController(controller)
     with tempfile.TemporaryDirectory() as folder:
         sample.write(program, folder, form)
-        for file, text in {"system/decomposeParDict": "numberOfSubdomains 3;\n",
-                           "constant/geometry": "dimension 2; domain { min (-1 -1 0); max (2 2 0); }\n"}.items():
-            with open(os.path.join(folder, file), "w", encoding="ascii") as out:
-                out.write(text)
-        subprocess.run([decompose, "-case", folder, "-time", "0:"], check=True, stdout=subprocess.DEVNULL)
+        sample.decompose(decompose, folder)
         (case,) = glob.glob(folder + "/*.foam")
         for time in sample.TIMES:
             fields = sample.fields(time)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <numeric>
+#include <sstream>
 
 using namespace sph;
 using namespace sph::test;
@@ -166,6 +167,26 @@ TEST_P(Ranks, GiveTheSameAnswer)
     }
 }
 
+// The numbers of a restart are those of the whole, in every folder, and the particles are those of one process.
+TEST_P(Ranks, DoSoFromFoldersOfTheirOwn)
+{
+    const Prepared c(GetParam().files());
+    const CopyOf alone(c);
+    alone.runWell("sphFoamLike");
+    const Decomposed shared(c, 3);
+    const auto outcome = runParallel(shared, 3);
+    ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+    const std::string end = c.read("system/controlDict").find("endTime 0.04") != std::string::npos ? "0.04" : "0.08";
+    for (const auto* rank : {"processor1/", "processor2/"})
+        for (const auto& file : {end + "/uniform/sphState", end + "/uniform/time"})
+            EXPECT_EQ(shared.read(rank + file), shared.read("processor0/" + file));
+    shared.runWell("reconstructParticles", "-latestTime");
+    const auto expected = cloudOf(alone, end), cloud = cloudOf(shared, end);
+    ASSERT_EQ(cloud.size(), expected.size());
+    EXPECT_LT(difference(expected, cloud, "U"), GetParam().bound);
+    EXPECT_LT(difference(expected, cloud, "rho"), GetParam().bound);
+}
+
 // From one process to three, to two, and back.
 TEST(RanksOfARestart, AreAsManyAsOneLikes)
 {
@@ -221,27 +242,51 @@ TEST(RanksRefuse, MistakesOfTheirDictionary)
     isRefused(c, 3, {"constant/phaseProperties", "rho"});
 }
 
-// What ends one rank ends the run, soon and not as a success; what had been written is whole, and a new run goes on from there.
-TEST(RanksThatDie, TakeTheOthersWithThem)
+/// The latest time folder, and its time.
+std::pair<std::string, double> latestIn(const std::filesystem::path& folder)
 {
-    const Prepared c(channelCase());
+    std::pair<std::string, double> latest{"", 0};
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (const auto name = entry.path().filename().string(); std::isdigit(name[0]) && name.find("partial") == std::string::npos)
+            if (const double time = std::stod(name); time > latest.second) latest = {name, time};
+    return latest;
+}
+
+/// A run without end of which one rank is killed: it ends soon, and not as a success.
+void runUntilOneDies(const TestCase& c)
+{
     c.replace("system/controlDict", "endTime 0.08", "endTime 1000");
     const auto outcome = runParallel(c, 3, "sleep 3; pkill -9 -n -f 'sphFoamLike -parallel -case " + c.folder().string() + "';");
     EXPECT_NE(outcome.code, 0);
     EXPECT_NE(outcome.code, 124) << "they went on until they were stopped";
-    double latest = 0;
-    std::string name;
-    for (const auto& entry : std::filesystem::directory_iterator(c.folder()))
-        if (const auto folder = entry.path().filename().string(); std::isdigit(folder[0]) && folder.find("partial") == std::string::npos)
-            if (const double time = std::stod(folder); time > latest)
-            {
-                latest = time;
-                name = folder;
-            }
-    ASSERT_GT(latest, 0) << outcome.err;
+}
+
+// What had been written is whole, and a new run goes on from there.
+TEST(RanksThatDie, TakeTheOthersWithThem)
+{
+    const Prepared c(channelCase());
+    runUntilOneDies(c);
+    const auto [name, latest] = latestIn(c.folder());
+    ASSERT_GT(latest, 0);
     EXPECT_EQ(cloudOf(c, name).size(), cloudOf(c, "0").size());
     c.replace("system/controlDict", "endTime 1000", "endTime " + std::to_string(latest + 0.02));
     EXPECT_EQ(runParallel(c, 2).code, 0);
+}
+
+TEST(RanksThatDie, LeaveFoldersThatOthersGoOnFrom)
+{
+    const Prepared c(channelCase());
+    const Decomposed shared(c, 3);
+    runUntilOneDies(shared);
+    const double latest = latestIn(shared.folder() / "processor0").second;
+    ASSERT_GT(latest, 0);
+    shared.replace("system/controlDict", "endTime 1000", "endTime " + std::to_string(latest + 0.04));
+    const auto outcome = runParallel(shared, 3);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto end = latestIn(shared.folder() / "processor2");
+    EXPECT_NEAR(end.second, latest + 0.04, 1e-6);
+    shared.runWell("reconstructParticles", "-time " + end.first);
+    EXPECT_EQ(cloudOf(shared, end.first).size(), cloudOf(c, "0").size());
 }
 
 // Each rank reads and writes its folder; put together, the particles are those of one process, each by its number, and any number of ranks goes on from there.
@@ -306,6 +351,9 @@ TEST(RanksRefuse, FoldersThatAreNotTheirs)
     three.decompose(3, "rcb", "-force");
     three.write("processor1/constant/decomposition", "numberOfSubdomains 3; part 1; stamp \"other\"; times (\"0\");\n");
     isRefused(three, 3, {"processor1/constant/decomposition", "another decomposition"});
+    three.decompose(3, "rcb", "-force");
+    three.write("processor1/0/lagrangian/sph/U", "FoamFile {}");
+    isRefused(three, 3, {"processor1/0/lagrangian/sph/U"});
 }
 
 // A time that not all have written does not count: the run begins with the last that all have, and writes the others anew.
@@ -347,6 +395,53 @@ TEST(DecomposeParticles, RefusesWhatIsThereAndWhatIsWrong)
     refused("decomposeParticles", "-force", {"system/decomposeParDict"});
     const auto times = shared.runWell("reconstructParticles");
     EXPECT_NE(times.find("No further times"), std::string::npos) << times;
+}
+
+/// The number behind the last of these words.
+double numberBehind(const std::string& text, const std::string& words)
+{
+    const auto at = text.rfind(words);
+    if (at == std::string::npos) throw std::logic_error("no \"" + words + "\" in\n" + text);
+    return std::stod(text.substr(at + words.size()));
+}
+
+/// Liquid that fills a periodic box.
+Files blockCase()
+{
+    auto files = bedCase();
+    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1; velocity { type taylorGreen; U 1; L 1; }\nfill ( { region all; phase water; } );\n";
+    return files;
+}
+
+// Steps have two evaluations, and there are a few at the start and before a time is written: within a fifth for some ten steps.
+TEST(EstimateOfRanks, IsWhatTheySend)
+{
+    const Prepared c(blockCase());
+    const auto estimate = c.runWell("decomposeParticles", "-estimate 3");
+    EXPECT_FALSE(c.has("processor0"));
+    const auto at = estimate.find("bytes of a step");
+    double least, mean;
+    std::istringstream(estimate.substr(at + std::string("bytes of a step").size())) >> least >> mean;
+    const auto run = runParallel(c, 3);
+    ASSERT_EQ(run.code, 0) << run.err;
+    double sent = 0;
+    for (const auto* rank : {"Rank 0", "Rank 1", "Rank 2"})
+    {
+        const auto line = run.out.substr(run.out.find(rank));
+        sent += 1e6 * numberBehind(line.substr(0, line.find(" MB sent")), "s, ") / 3;
+    }
+    EXPECT_NEAR(sent / (mean * numberBehind(run.out, "\nstep ")), 1, 0.2) << estimate << run.out;
+}
+
+TEST(EstimateOfRanks, RefusesWhatMakesNoSense)
+{
+    const Prepared c(channelCase());
+    for (const auto* arguments : {"-estimate 0", "-estimate 200000", "-latency 1e-6", "-estimate 4 -bandwidth -1", "-estimate 1000"})
+        EXPECT_EQ(c.run("decomposeParticles", arguments).code, 1) << arguments;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,
