@@ -92,8 +92,8 @@ public:
     };
     void useClocks(Clocks);
 
-    /// Where several processes write a time folder each: waits for the others, once this one's is whole and once more when it has its name. Then either
-    /// all or none of them are there when a run is killed, but for the moment of renaming.
+    /// Where several processes write a time folder each: waits for the others, once this one's is whole and once more when it has its name.
+    /// Then either all or none of them are there when a run is killed, but for the moment of renaming.
     void useBarrier(std::function<void()> barrier) { barrier_ = std::move(barrier); }
 
     /// `postProcessing/<function>/<startTime>/<file>`: the stream's path; an existing file of an earlier run from the same start is

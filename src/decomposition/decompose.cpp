@@ -20,24 +20,22 @@ namespace
 {
 constexpr const char* cloudName = "sph";
 
-void forEachArray(Cloud& cloud, const auto& f)
+Cloud partOf(const Cloud& cloud, const std::vector<std::size_t>& members)
 {
-    for (auto* a : {&cloud.x, &cloud.y, &cloud.z}) f(*a);
-    for (auto& [_, field] : cloud.fields)
-        for (auto& a : field.component) f(a);
-}
-
-Cloud partOf(Cloud cloud, const std::vector<std::size_t>& members)
-{
-    forEachArray(cloud,
-                 [&](std::vector<double>& a)
-                 {
-                     std::vector<double> part;
-                     part.reserve(members.size());
-                     for (const auto i : members) part.push_back(a[i]);
-                     a = std::move(part);
-                 });
-    return cloud;
+    const auto take = [&](const std::vector<double>& a)
+    {
+        std::vector<double> part;
+        part.reserve(members.size());
+        for (const auto i : members) part.push_back(a[i]);
+        return part;
+    };
+    Cloud part{cloud.folder, take(cloud.x), take(cloud.y), take(cloud.z), {}};
+    for (const auto& [name, field] : cloud.fields)
+    {
+        auto& to = part.fields[name] = {field.type, {}};
+        for (const auto& a : field.component) to.component.push_back(take(a));
+    }
+    return part;
 }
 
 void append(Cloud& cloud, const Cloud& more)

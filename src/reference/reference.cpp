@@ -28,9 +28,9 @@ EntryRegistry collect()
     all.add(soilProperties, soilEntries(), "the law of soil and how its stress is integrated");
     all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
     all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
-    all.add(
-        decompositionDictionary, decompositionEntries(),
-        "how particles are shared, between ranks (`sphFoamLike -parallel`, for which the file may be missing) and between folders (`decomposeParticles`)");
+    all.add(decompositionDictionary, decompositionEntries(),
+            "how particles are shared, between ranks (`sphFoamLike -parallel`, for which the file may be missing) and between "
+            "folders (`decomposeParticles`)");
     all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
     all.add("system/packParticlesDict", solidsEntries());
     all.add("system/reconstructSurfaceDict", surfaceEntries(), "the surfaces that reconstructSurface makes; the file may be missing");

@@ -289,7 +289,8 @@ TEST(RanksThatDie, LeaveFoldersThatOthersGoOnFrom)
     EXPECT_EQ(cloudOf(shared, end.first).size(), cloudOf(c, "0").size());
 }
 
-// Each rank reads and writes its folder; put together, the particles are those of one process, each by its number, and any number of ranks goes on from there.
+// Each rank reads and writes its folder; put together, the particles are those of one process, each by its number, and any number of ranks
+// goes on from there.
 TEST(RanksOfADecomposedCase, ReadAndWriteTheirFolders)
 {
     const Prepared c(labelledChannel());

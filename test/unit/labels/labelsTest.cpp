@@ -34,8 +34,8 @@ void prepare(const TestCase& c)
     c.runWell("meshToGhost");
 }
 
-// All are there at each time, the speed at which the particle of a number has moved from time to time is one that the flow has, and the last run of two has
-// the same numbers as one that was not stopped.
+// All are there at each time, the speed at which the particle of a number has moved from time to time is one that the flow has, and the
+// last run of two has the same numbers as one that was not stopped.
 TEST(Labels, StayWithTheirParticles)
 {
     const TestCase c(labelled(channelCase()));
