@@ -29,11 +29,11 @@ Dictionary Case::dictionaryIfPresent(const std::string& file) const
     return has(file) ? dictionary(file) : Dictionary::empty(file, diagnostics_);
 }
 
-std::vector<std::string> Case::times() const
+std::vector<std::string> Case::times(const std::string& under) const
 {
     std::vector<std::tuple<double, std::string>> found;
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / under, ignored))
         if (const auto name = entry.path().filename().string(); entry.is_directory(ignored))
             if (const auto value = timeValue(name)) found.emplace_back(*value, name);
     std::sort(found.begin(), found.end());

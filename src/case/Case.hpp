@@ -28,8 +28,8 @@ public:
     /// A missing file gives an empty dictionary silently.
     Dictionary dictionaryIfPresent(const std::string& file) const;
 
-    /// Names of the time folders as they stand on disk, sorted by value; "0.orig" and non-numbers are none.
-    std::vector<std::string> times() const;
+    /// Names of the time folders as they stand on disk, sorted by value; "0.orig" and non-numbers are none. `under` a folder of the case.
+    std::vector<std::string> times(const std::string& under = "") const;
 };
 
 }

@@ -70,7 +70,7 @@ EntryList RunTime::entries()
     return all;
 }
 
-RunTime::RunTime(const Case& c) : caseFolder_(c.folder()), control_(c.dictionary(controlDictFile))
+RunTime::RunTime(const Case& c, Place place) : caseFolder_(c.folder()), place_(std::move(place)), control_(c.dictionary(controlDictFile))
 {
     stamp_ = stamp();
     const auto start = std::make_shared<Clock>();
@@ -90,9 +90,9 @@ void RunTime::findStart(const Case& c)
     const auto startFrom = entry::startFrom(control_);
     const double wanted = startFrom == "startTime" ? entry::startTime.needed(control_) : entry::startTime(control_, 0);
 
-    auto names = c.times();
+    auto names = place_.times.empty() ? c.times(place_.folder) : place_.times;
     const bool hasZero = std::any_of(names.begin(), names.end(), [](const auto& name) { return timeValue(name) == 0; });
-    const bool fromOriginal = !hasZero && c.has(originalFolder);
+    const bool fromOriginal = !hasZero && place_.folder.empty() && c.has(originalFolder);
     if (fromOriginal)
         names.insert(std::lower_bound(names.begin(), names.end(), 0.0, [](const auto& name, double t) { return timeValue(name) < t; }),
                      "0");
@@ -116,7 +116,7 @@ void RunTime::findStart(const Case& c)
 
 void RunTime::restore(const Case& c)
 {
-    const auto timeFile = startName_ + "/uniform/time", stateFile = startName_ + "/uniform/sphState";
+    const auto timeFile = startFolder() + "/uniform/time", stateFile = startFolder() + "/uniform/sphState";
     if (!c.has(timeFile))
     {
         if (c.has(stateFile)) c.diagnostics().warning({timeFile, 0}, fmt::format("is missing: the run starts afresh at {}", startName_));
@@ -141,7 +141,7 @@ void RunTime::restore(const Case& c)
             "is missing: the run goes on without the numbers that were stored with the fields, not as though it had never stopped");
     const auto state = c.dictionaryIfPresent(stateFile);
     for (const auto& key : state.keys()) restored_[key] = state.get<double>(key);
-    const auto seen = c.dictionaryIfPresent(startName_ + "/uniform/functionObjects");
+    const auto seen = c.dictionaryIfPresent(startFolder() + "/uniform/functionObjects");
     for (const auto& key : seen.keys()) histories_[key] = seen.get<std::vector<double>>(key);
 }
 
@@ -224,13 +224,13 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                     const Histories& histories)
 {
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
-    if (written_.empty()) removePartialFolders(caseFolder_);
+    if (written_.empty()) removePartialFolders(timesFolder());
     const auto time = name();
     const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
                                       "deltaT          {};\ndeltaT0         {};\n",
                                       shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
     const auto stateText = inWords(state);
-    writeFolder(caseFolder_, time,
+    writeFolder(timesFolder(), time,
                 [&](const std::filesystem::path& folder)
                 {
                     fill(folder);
@@ -239,7 +239,9 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                     writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
                     if (!histories.empty())
                         writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
+                    barrier_();
                 });
+    barrier_();
     named_[time] = value_;
     std::erase(written_, time);
     written_.push_back(time);
@@ -250,7 +252,7 @@ void RunTime::purge()
 {
     while (controls_.purgeWrite > 0 && written_.size() > std::size_t(controls_.purgeWrite))
     {
-        if (written_.front() != startName_ && timeValue(written_.front()) != 0) removeFolder(caseFolder_, written_.front());
+        if (written_.front() != startName_ && timeValue(written_.front()) != 0) removeFolder(timesFolder(), written_.front());
         written_.erase(written_.begin());
     }
 }

@@ -22,8 +22,15 @@ using Histories = std::map<std::string, std::vector<double>>;
 class RunTime
 {
 public:
+    /// Where this process has its time folders: below `folder` of the case, those of `times` alone (sorted) where some are named.
+    struct Place
+    {
+        std::string folder; ///< "processor3"; empty: the case itself
+        std::vector<std::string> times = {};
+    };
     /// Reads system/controlDict, `functions` left to others. Mistakes go to the case's Diagnostics.
-    explicit RunTime(const Case&);
+    explicit RunTime(const Case& c) : RunTime(c, {}) {}
+    RunTime(const Case&, Place);
     /// Those of system/controlDict, function objects apart.
     static EntryList entries();
 
@@ -32,6 +39,8 @@ public:
     std::string name() const;
     /// Name of the folder that the run starts from; "0.orig" is copied to "0" first where there is no "0".
     const std::string& startName() const { return startName_; }
+    /// Its path in the case.
+    std::string startFolder() const { return inPlace(startName_); }
     double startTime() const { return startTime_; }
     /// Infinite where stopAt is not endTime.
     double endTime() const { return controls_.end(); }
@@ -83,6 +92,10 @@ public:
     };
     void useClocks(Clocks);
 
+    /// Where several processes write a time folder each: waits for the others, once this one's is whole and once more when it has its name.
+    /// Then either all or none of them are there when a run is killed, but for the moment of renaming.
+    void useBarrier(std::function<void()> barrier) { barrier_ = std::move(barrier); }
+
     /// `postProcessing/<function>/<startTime>/<file>`: the stream's path; an existing file of an earlier run from the same start is
     /// kept and `<stem>_<startTime><ext>` is taken instead, as OpenFOAM does.
     std::filesystem::path outputFile(const std::string& function, const std::string& file) const;
@@ -102,11 +115,16 @@ private:
     bool writesByClock();
     void purge();
 
+    std::string inPlace(const std::string& file) const { return place_.folder.empty() ? file : place_.folder + "/" + file; }
+    std::filesystem::path timesFolder() const { return caseFolder_ / place_.folder; }
+
     std::filesystem::path caseFolder_;
+    Place place_;
     Dictionary control_;
     FileStamp stamp_;
     TimeControls controls_;
     Clocks clocks_;
+    std::function<void()> barrier_ = [] {};
     std::string startName_ = "0";
     double startTime_ = 0, value_ = 0, deltaT_ = 0;
     long index_ = 0, startIndex_ = 0;

@@ -1,5 +1,6 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
+#include "Case.hpp"
 #include "EntryList.hpp"
 #include "Resolution.hpp"
 #include "Shape.hpp"
@@ -139,6 +140,13 @@ private:
     Foot footOfGhostInUnion(int patch, const Vector<3>& x, const Vector<3>& source) const;
 };
 
+/// The domain as a box for the mesh that ParaView and OpenFOAM want to see; in 2-D with a hundredth of its longer side to either side of the plane.
+struct BoundingBox
+{
+    double low[3], high[3]; ///< [m]
+};
+BoundingBox boundingBox(const Geometry&);
+
 /// Fills `patches` from `originals`, each periodic copy once, `grid`, `tree` and `coverers`, for the given reach [m].
 void repeatPeriodically(Geometry&, double reach);
 
@@ -169,6 +177,8 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 Geometry readGeometry(const Dictionary&, double reach);
 /// The same as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
 Geometry readGeometry(const Dictionary&, const Resolution&, double supports, const std::filesystem::path& folder = {});
+/// Dimension and domain alone, of constant/walls or, where meshToGhost has not been run, of constant/geometry.
+Geometry readDomain(const Case&);
 /// What the solver's images reach, skin included.
 inline constexpr double supportsOfSolver = 1.5;
 /// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.

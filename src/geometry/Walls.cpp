@@ -1,4 +1,5 @@
 #include "Walls.hpp"
+#include "Hash.hpp"
 #include "MappedFile.hpp"
 #include "TriangleMesh.hpp"
 #include "components.hpp"
@@ -7,7 +8,6 @@
 #include "readText.hpp"
 #include "words.hpp"
 #include <algorithm>
-#include <cstdint>
 #include <fmt/format.h>
 #include <ranges>
 #include <set>
@@ -18,19 +18,6 @@ namespace sph
 
 namespace
 {
-
-/// FNV-1a, 64 bits (Fowler, Noll & Vo).
-class Hash
-{
-    std::uint64_t value_ = 14695981039346656037u;
-
-public:
-    void add(std::string_view text)
-    {
-        for (const unsigned char c : text) value_ = (value_ ^ c) * 1099511628211u;
-    }
-    std::string hex() const { return fmt::format("{:016x}", value_); }
-};
 
 /// Adds a file and, where an #include names one that exists beside it, that file.
 void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesystem::path>& seen)

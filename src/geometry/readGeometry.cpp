@@ -59,6 +59,20 @@ void readSpace(const Dictionary& dict, Geometry& g)
     }
 }
 
+Geometry readDomain(const Case& c)
+{
+    Geometry g;
+    readSpace(c.dictionary(c.has("constant/walls") ? "constant/walls" : "constant/geometry"), g);
+    return g;
+}
+
+BoundingBox boundingBox(const Geometry& g)
+{
+    const double thickness = 0.01 * std::max(g.length(0), g.length(1));
+    const bool isFlat = g.dimension == 2;
+    return {{g.low.x, g.low.y, isFlat ? -thickness : g.low.z}, {g.high.x, g.high.y, isFlat ? thickness : g.high.z}};
+}
+
 void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diagnostics)
 {
     const double mostPlaces = 1e9; // indices are 32 bits wide, images included

@@ -81,15 +81,7 @@ template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size
 {
     owned_ = owned;
     std::vector<std::vector<int>> needed(std::size_t(all_.count()));
-    places(
-        [&](const Vector<dim>& x, int source)
-        {
-            boxes_.forEachNear(in3D(x), reach_,
-                               [&](int r)
-                               {
-                                   if (r != all_.rank()) needed[std::size_t(r)].push_back(source);
-                               });
-        });
+    places([&](const Vector<dim>& x, int source) { forEachOtherNear(x, [&](int r) { needed[std::size_t(r)].push_back(source); }); });
     for (auto& sources : needed)
     {
         std::ranges::sort(sources);

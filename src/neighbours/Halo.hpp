@@ -34,9 +34,16 @@ public:
     /// Finds who needs what, and copies positions behind the owned ones. Returns the number of copies.
     std::size_t build(FieldStore<dim>&, std::size_t owned, const Places&);
     /// Whether this rank's particles may see what lies there.
-    bool isNear(const Vector<dim>& x) const { return isNear(x, all_.rank()); }
-    /// Whether a rank's particles may.
-    bool isNear(const Vector<dim>& x, int rank) const { return boxes_.squaredDistance(rank, in3D(x)) < reach_ * reach_; }
+    bool isNear(const Vector<dim>& x) const { return boxes_.squaredDistance(all_.rank(), in3D(x)) < reach_ * reach_; }
+    /// f(rank) of each other whose particles may.
+    template<class F> void forEachOtherNear(const Vector<dim>& x, const F& f) const
+    {
+        boxes_.forEachNear(in3D(x), reach_,
+                           [&](int rank)
+                           {
+                               if (rank != all_.rank()) f(rank);
+                           });
+    }
     /// Copies of these fields anew.
     void refresh(FieldStore<dim>&, std::span<const std::string> fields) const;
 

@@ -197,8 +197,7 @@ template<int dim> void WallLayers<dim>::findSharers()
     {
         const auto k = std::size_t(particle.original);
         if (firstPair_[k] == firstPair_[k + 1]) continue;
-        for (int r = 0; r < all.count(); ++r)
-            if (r != all.rank() && halo_->isNear(particle.x, r)) seen[std::size_t(r)].push_back(particle.original);
+        halo_->forEachOtherNear(particle.x, [&](int r) { seen[std::size_t(r)].push_back(particle.original); });
     }
     for (auto& originals : seen)
     {

@@ -46,6 +46,15 @@ template<class T, class Combine> T ofAllRanks(const T& mine, T start, const Comb
     return start;
 }
 
+/// What the ranks before this one have, together.
+inline std::size_t sumOfRanksBefore(std::size_t mine)
+{
+    const auto* const all = ranks();
+    if (!all) return 0;
+    const auto parts = OfRanks<std::size_t>::gather(*all, mine);
+    return std::accumulate(parts.begin(), parts.begin() + all->rank(), std::size_t(0));
+}
+
 /// `combine(total, part)` over the blocks of 0 .. n - 1 in their order, from `start`; `ofBlock(begin, end)` gives each part.
 template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T start, const OfBlock& ofBlock, const Combine& combine)
 {

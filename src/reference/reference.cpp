@@ -29,7 +29,8 @@ EntryRegistry collect()
     all.add("system/controlDict", RunTime::entries(), "times, output and function objects");
     all.add("system/controlDict", {{SubDictionary{"functions", notGiven, ""}, functionEntries()}});
     all.add(decompositionDictionary, decompositionEntries(),
-            "how ranks share the particles (`sphFoamLike -parallel`); the file may be missing");
+            "how particles are shared, between ranks (`sphFoamLike -parallel`, for which the file may be missing) and between "
+            "folders (`decomposeParticles`)");
     all.add("system/packParticlesDict", packingEntries(), "how packParticles fills the space between the walls; the file may be missing");
     all.add("system/packParticlesDict", solidsEntries());
     all.add("system/reconstructSurfaceDict", surfaceEntries(), "the surfaces that reconstructSurface makes; the file may be missing");

@@ -1,6 +1,7 @@
 #include "Particles.hpp"
 #include "CaseError.hpp"
 #include "reduce.hpp"
+#include "skin.hpp"
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,10 +13,6 @@ namespace sph
 
 namespace
 {
-/// Lists reach this much beyond the kernel's support [spacings]. Measured (test/benchmark/README.md): 0.2 and 0.3 cost the same, 0.12 and
-/// 0.45 more.
-constexpr double skinInSpacings = 0.3;
-
 std::string at(Vector<3> x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 
 /// The numbers of the file `name` (readCloud sees to its class), each to its place. Throws CaseError where one has no place in this scene: what a

@@ -245,7 +245,8 @@ private:
 std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud,
                                               const StateNumbers& restored)
 {
-    if (cloud.size() == 0 && settings.needsParticles) throw CaseError("there are no particles: has packParticles been run?");
+    if (settings.needsParticles && ofAllRanks(cloud.size(), std::size_t(0), Add{}) == 0)
+        throw CaseError("there are no particles: has packParticles been run?");
     if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);
     return std::make_unique<Simulation<3>>(settings, geometry, cloud, restored);
 }

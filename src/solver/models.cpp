@@ -2,6 +2,7 @@
 #include "Integrator.hpp"
 #include "density.hpp"
 #include "forces.hpp"
+#include "labels.hpp"
 #include "openingsModel.hpp"
 #include "operatorTerms.hpp"
 #include "pressure.hpp"
@@ -20,7 +21,8 @@ const std::vector<const Model*>& models()
 {
     static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(),
                                                &pressureModel(), &viscosityModel(),  &tensionModel(),         &forcesModel(),
-                                               &shiftingModel(), &soilModel(),       &wallsModel(),           &integrationModel()};
+                                               &shiftingModel(), &soilModel(),       &wallsModel(),           &integrationModel(),
+                                               &labelsModel()};
     return all;
 }
 

@@ -1,4 +1,5 @@
 #include "readSettings.hpp"
+#include "Ranks.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
 #include "phaseEntries.hpp"
@@ -47,6 +48,16 @@ std::map<std::string, FieldClass> knownFields(const Settings& settings)
     return classes;
 }
 
+void readRanks(const Case& theCase, Settings& settings)
+{
+    if (!ranks()) return;
+    const auto decomposition = readDecomposition(theCase, ranks()->count());
+    settings.maxImbalance = decomposition.maxImbalance;
+    if (decomposition.method != Division::rcb)
+        settings.reasons.push_back(
+            fmt::format("boxes for the ranks: the method of {} is that of decomposeParticles", decompositionDictionary));
+}
+
 /// Where one liquid leaves a part of its space empty it has a free surface, for which the defaults of enclosed fluids are no choice at all.
 void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
 {
@@ -79,7 +90,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.spacing = settings.resolution.spacing;
     c.support = settings.resolution.H();
     readPhases(theCase, settings);
-    readDecomposition(theCase, settings);
+    readRanks(theCase, settings);
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
     settings.variableViscosity = settings.multiphase();

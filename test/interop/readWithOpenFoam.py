@@ -1,4 +1,5 @@
-"""OpenFOAM's own tools read what writeSample wrote: readWithOpenFoam.py writeSample format"""
+"""OpenFOAM's own tools read what writeSample wrote: readWithOpenFoam.py writeSample format [decomposeParticles]; with the latter as ranks do that
+have a processor folder each"""
 import os
 import subprocess
 import sys
@@ -39,9 +40,21 @@ def check_cloud(file, time):
         sample.expect(f"{name} at {time}", values, wanted, TOLERANCE)
 
 
-def main(program, form):
+def check_clouds(folder):
+    for k, time in enumerate(sample.TIMES):
+        # The files are numbered by the index of each time.
+        check_cloud(f"{folder}/VTK/lagrangian/sph/sph_{2*k}.vtp", time)
+
+
+def main(program, form, decompose=None):
     with tempfile.TemporaryDirectory() as folder:
         sample.write(program, folder, form)
+        if decompose:
+            sample.decompose(decompose, folder)
+            # Parts of a row follow upon one another in the order of its particles.
+            run("mpirun", "-np", str(sample.PARTS), "foamToVTK", "-parallel", "-ascii", cwd=folder)
+            check_clouds(folder)
+            return
         times = run("foamListTimes", "-withZero", cwd=folder).split()
         sample.expect_equal("foamListTimes", times, ["0", "0.5", "1"])
         if "Mesh OK." not in run("checkMesh", "-latestTime", cwd=folder):
@@ -51,9 +64,7 @@ def main(program, form):
         index = run("foamDictionary", "-entry", "index", "-value", "1/uniform/time", cwd=folder)
         sample.expect_equal("index", int(index), 4)
         run("foamToVTK", "-ascii", cwd=folder)
-        for k, time in enumerate(sample.TIMES):
-            # The files are numbered by the index of each time.
-            check_cloud(f"{folder}/VTK/lagrangian/sph/sph_{2*k}.vtp", time)
+        check_clouds(folder)
 
 
 main(*sys.argv[1:])

@@ -1,16 +1,27 @@
 """What writeSample.cpp has written, stated once more, and the comparison with what another program has read."""
 import math
+import os
 import subprocess
 import sys
 
 PARTICLES = 7
 TIMES = [0.0, 0.5, 1.0]
+PARTS = 3
 # ParaView's reader keeps single precision: half a unit in the last of its 24 binary digits.
 SINGLE_PRECISION = 6e-8
 
 
 def write(program, folder, form):
     subprocess.run([program, folder, form], check=True)
+
+
+def decompose(program, folder):
+    header = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
+    for file, text in {"system/decomposeParDict": f"numberOfSubdomains {PARTS};\nmethod rcb;\n",
+                       "constant/geometry": "dimension 2; domain { min (-1 -1 0); max (2 2 0); }\n"}.items():
+        with open(os.path.join(folder, file), "w", encoding="ascii") as out:
+            out.write(header.format(os.path.basename(file)) + text)
+    subprocess.run([program, "-case", folder, "-time", "0:"], check=True, stdout=subprocess.DEVNULL)
 
 
 def positions(t):

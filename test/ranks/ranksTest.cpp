@@ -5,7 +5,9 @@
 #include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <numeric>
+#include <sstream>
 
 using namespace sph;
 using namespace sph::test;
@@ -44,6 +46,24 @@ struct CopyOf : TestCase
         for (const auto* folder : {"0", "constant", "system"}) copyFrom(c, folder);
     }
 };
+
+/// With a folder for each of so many ranks.
+struct Decomposed : CopyOf
+{
+    Decomposed(const TestCase& c, int parts, const std::string& method = "rcb") : CopyOf(c) { decompose(parts, method); }
+    void decompose(int parts, const std::string& method = "rcb", const std::string& arguments = "") const
+    {
+        write("system/decomposeParDict", "numberOfSubdomains " + std::to_string(parts) + ";\nmethod " + method + ";\n");
+        runWell("decomposeParticles", arguments);
+    }
+};
+
+Files labelledChannel()
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] += "shown (origId);\n";
+    return files;
+}
 
 Cloud cloudOf(const TestCase& c, const std::string& time)
 {
@@ -93,6 +113,32 @@ void expectSameMasses(const TestCase& expected, const TestCase& c, const std::st
 {
     const auto masses = massesOf(c, time);
     for (const auto& [name, mass] : massesOf(expected, time)) EXPECT_NEAR(masses.at(name), mass, tolerance) << name;
+}
+
+/// The same of particles of one number, without a look at their places; infinite where the numbers are not the same.
+double labelledDifference(const Cloud& a, const Cloud& b, const std::string& name)
+{
+    const auto numbered = [](const Cloud& cloud)
+    {
+        std::map<double, std::size_t> places;
+        const auto& ids = cloud.fields.at("origId").component[0];
+        for (std::size_t i = 0; i < ids.size(); ++i) places[ids[i]] = i;
+        return places;
+    };
+    const auto inA = numbered(a), inB = numbered(b);
+    if (inA.size() != a.size() || inB.size() != a.size() || b.size() != a.size()) return INFINITY;
+    double worst = 0, largest = 0;
+    for (const auto& [id, i] : inA)
+    {
+        if (!inB.contains(id)) return INFINITY;
+        for (std::size_t k = 0; k < a.fields.at(name).component.size(); ++k)
+        {
+            const double q = a.fields.at(name).component[k][i];
+            worst = std::max(worst, std::fabs(q - b.fields.at(name).component[k][inB.at(id)]));
+            largest = std::max(largest, std::fabs(q));
+        }
+    }
+    return worst / largest;
 }
 
 struct Scene
@@ -152,6 +198,26 @@ TEST_P(Ranks, GiveTheSameAnswer)
     }
 }
 
+// The numbers of a restart are those of the whole, in every folder, and the particles are those of one process.
+TEST_P(Ranks, DoSoFromFoldersOfTheirOwn)
+{
+    const Prepared c(GetParam().files());
+    const CopyOf alone(c);
+    alone.runWell("sphFoamLike");
+    const Decomposed shared(c, 3);
+    const auto outcome = runParallel(shared, 3);
+    ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+    const std::string end = c.read("system/controlDict").find("endTime 0.04") != std::string::npos ? "0.04" : "0.08";
+    for (const auto* rank : {"processor1/", "processor2/"})
+        for (const auto& file : {end + "/uniform/sphState", end + "/uniform/time"})
+            EXPECT_EQ(shared.read(rank + file), shared.read("processor0/" + file));
+    shared.runWell("reconstructParticles", "-latestTime");
+    const auto expected = cloudOf(alone, end), cloud = cloudOf(shared, end);
+    ASSERT_EQ(cloud.size(), expected.size());
+    EXPECT_LT(difference(expected, cloud, "U"), GetParam().bound);
+    EXPECT_LT(difference(expected, cloud, "rho"), GetParam().bound);
+}
+
 class RanksOfARestart : public testing::TestWithParam<Scene>
 {};
 
@@ -208,27 +274,207 @@ TEST(RanksRefuse, MistakesOfTheirDictionary)
     isRefused(c, 3, {"constant/phaseProperties", "rho"});
 }
 
-// What ends one rank ends the run, soon and not as a success; what had been written is whole, and a new run goes on from there.
-TEST(RanksThatDie, TakeTheOthersWithThem)
+/// The latest time folder, and its time.
+std::pair<std::string, double> latestIn(const std::filesystem::path& folder)
 {
-    const Prepared c(channelCase());
+    std::pair<std::string, double> latest{"", 0};
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (const auto name = entry.path().filename().string(); std::isdigit(name[0]) && name.find("partial") == std::string::npos)
+            if (const double time = std::stod(name); time > latest.second) latest = {name, time};
+    return latest;
+}
+
+/// A run without end of which one rank is killed: it ends soon, and not as a success.
+void runUntilOneDies(const TestCase& c)
+{
     c.replace("system/controlDict", "endTime 0.08", "endTime 1000");
     const auto outcome = runParallel(c, 3, "sleep 3; pkill -9 -n -f 'sphFoamLike -parallel -case " + c.folder().string() + "';");
     EXPECT_NE(outcome.code, 0);
     EXPECT_NE(outcome.code, 124) << "they went on until they were stopped";
-    double latest = 0;
-    std::string name;
-    for (const auto& entry : std::filesystem::directory_iterator(c.folder()))
-        if (const auto folder = entry.path().filename().string(); std::isdigit(folder[0]) && folder.find("partial") == std::string::npos)
-            if (const double time = std::stod(folder); time > latest)
-            {
-                latest = time;
-                name = folder;
-            }
-    ASSERT_GT(latest, 0) << outcome.err;
+}
+
+// What had been written is whole, and a new run goes on from there.
+TEST(RanksThatDie, TakeTheOthersWithThem)
+{
+    const Prepared c(channelCase());
+    runUntilOneDies(c);
+    const auto [name, latest] = latestIn(c.folder());
+    ASSERT_GT(latest, 0);
     EXPECT_EQ(cloudOf(c, name).size(), cloudOf(c, "0").size());
     c.replace("system/controlDict", "endTime 1000", "endTime " + std::to_string(latest + 0.02));
     EXPECT_EQ(runParallel(c, 2).code, 0);
+}
+
+TEST(RanksThatDie, LeaveFoldersThatOthersGoOnFrom)
+{
+    const Prepared c(channelCase());
+    const Decomposed shared(c, 3);
+    runUntilOneDies(shared);
+    const double latest = latestIn(shared.folder() / "processor0").second;
+    ASSERT_GT(latest, 0);
+    shared.replace("system/controlDict", "endTime 1000", "endTime " + std::to_string(latest + 0.04));
+    const auto outcome = runParallel(shared, 3);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto end = latestIn(shared.folder() / "processor2");
+    EXPECT_NEAR(end.second, latest + 0.04, 1e-6);
+    shared.runWell("reconstructParticles", "-time " + end.first);
+    EXPECT_EQ(cloudOf(shared, end.first).size(), cloudOf(c, "0").size());
+}
+
+// Each rank reads and writes its folder; put together, the particles are those of one process, each by its number, and any number of ranks
+// goes on from there.
+TEST(RanksOfADecomposedCase, ReadAndWriteTheirFolders)
+{
+    const Prepared c(labelledChannel());
+    const CopyOf alone(c);
+    alone.runWell("sphFoamLike");
+    for (const auto* method : {"rcb", "rib", "hilbert"})
+    {
+        const Decomposed shared(c, 3, method);
+        shared.replace("system/controlDict", "endTime 0.08", "endTime 0.06");
+        const auto outcome = runParallel(shared, 3);
+        ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+        EXPECT_EQ(outcome.out.find("boxes for the ranks") != std::string::npos, std::string(method) != "rcb");
+        EXPECT_FALSE(shared.has("0.06"));
+        for (const auto* rank : {"1", "2"})
+            for (const auto* file : {"sphState", "time"})
+                EXPECT_EQ(shared.read(std::string("processor") + rank + "/0.06/uniform/" + file),
+                          shared.read(std::string("processor0/0.06/uniform/") + file));
+        shared.runWell("reconstructParticles");
+        const auto whole = cloudOf(alone, "0.06");
+        for (const auto* field : {"U", "rho"}) EXPECT_LT(labelledDifference(whole, cloudOf(shared, "0.06"), field), 1e-9) << method;
+        EXPECT_TRUE(shared.has("0.02"));
+
+        shared.replace("system/controlDict", "endTime 0.06", "endTime 0.08");
+        if (std::string(method) == "rcb") EXPECT_EQ(runParallel(shared, 3).code, 0) << "from the folders";
+        else if (std::string(method) == "rib")
+        {
+            shared.decompose(2, "rcb", "-force");
+            EXPECT_EQ(runParallel(shared, 2).code, 0) << "from others";
+        }
+        else shared.runWell("sphFoamLike"); // from what has been put together
+        if (!shared.has("0.08")) shared.runWell("reconstructParticles", "-newTimes");
+        EXPECT_LT(labelledDifference(cloudOf(alone, "0.08"), cloudOf(shared, "0.08"), "U"), 1e-9) << method;
+    }
+}
+
+// Particles that ranks read of the case itself have the same numbers, too.
+TEST(RanksOfACase, NumberItsParticles)
+{
+    const Prepared c(labelledChannel());
+    const CopyOf alone(c), shared(c);
+    alone.runWell("sphFoamLike");
+    ASSERT_EQ(runParallel(shared, 3).code, 0);
+    EXPECT_LT(labelledDifference(cloudOf(alone, "0.08"), cloudOf(shared, "0.08"), "U"), 1e-9);
+}
+
+TEST(RanksRefuse, FoldersThatAreNotTheirs)
+{
+    const Prepared c(channelCase());
+    const Decomposed two(c, 2);
+    std::filesystem::remove(two.folder() / "system/decomposeParDict");
+    isRefused(two, 3, {"number of processor directories = 2 is not equal to the number of processors = 3"});
+    isRefused(two, 1, {"number of processor directories = 2 is not equal to the number of processors = 1"});
+    const Decomposed three(c, 3);
+    std::filesystem::remove_all(three.folder() / "processor1");
+    isRefused(three, 3, {"processor1", "is missing, and processor2 is there"});
+    three.decompose(3, "rcb", "-force");
+    std::filesystem::rename(three.folder() / "processor2/0", three.folder() / "processor2/0.02");
+    isRefused(three, 3, {"no time is in all of the 3 processor directories"});
+    three.decompose(3, "rcb", "-force");
+    three.write("processor1/constant/decomposition", "numberOfSubdomains 3; part 1; stamp \"other\"; times (\"0\");\n");
+    isRefused(three, 3, {"processor1/constant/decomposition", "another decomposition"});
+    three.decompose(3, "rcb", "-force");
+    three.write("processor1/0/lagrangian/sph/U", "FoamFile {}");
+    isRefused(three, 3, {"processor1/0/lagrangian/sph/U"});
+}
+
+// A time that not all have written does not count: the run begins with the last that all have, and writes the others anew.
+TEST(RanksOfADecomposedCase, GoOnFromWhatAllHaveWritten)
+{
+    const Prepared c(channelCase());
+    const Decomposed shared(c, 2);
+    ASSERT_EQ(runParallel(shared, 2).code, 0);
+    const auto whole = shared.files("processor1/0.08");
+    std::filesystem::remove_all(shared.folder() / "processor1/0.08");
+    const auto before = shared.run("reconstructParticles");
+    EXPECT_EQ(before.code, 1);
+    EXPECT_NE(before.err.find("processor1/0.08: is missing, and others have that time"), std::string::npos) << before.err;
+    const auto outcome = runParallel(shared, 2);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("times 0.08 are not in all of the 2 directories"), std::string::npos) << outcome.out;
+    shared.runWell("reconstructParticles", "-latestTime");
+    EXPECT_EQ(cloudOf(shared, "0.08").size(), cloudOf(c, "0").size());
+}
+
+TEST(DecomposeParticles, RefusesWhatIsThereAndWhatIsWrong)
+{
+    const Prepared c(channelCase());
+    const Decomposed shared(c, 2);
+    const auto refused = [&](const std::string& application, const std::string& arguments, const std::vector<std::string>& words)
+    {
+        const auto outcome = shared.run(application, arguments);
+        EXPECT_EQ(outcome.code, 1) << application;
+        for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in\n" << outcome.err;
+    };
+    refused("decomposeParticles", "", {"already decomposed with 2 domains", "-force"});
+    refused("decomposeParticles", "-force -time 7", {"-time", "no time folder", "There are: 0"});
+    EXPECT_TRUE(shared.has("processor1/0/lagrangian/sph/U"));
+    shared.write("system/decomposeParDict", "numberOfSubdomains 4;\n");
+    refused("reconstructParticles", "", {"system/decomposeParDict:1", "numberOfSubdomains is 4, and the case has 2 processor folders"});
+    shared.write("system/decomposeParDict", "method hilbrt;\n");
+    refused("decomposeParticles", "-force", {"numberOfSubdomains", "hilbert"});
+    std::filesystem::remove(shared.folder() / "system/decomposeParDict");
+    refused("decomposeParticles", "-force", {"system/decomposeParDict"});
+    const auto times = shared.runWell("reconstructParticles");
+    EXPECT_NE(times.find("No further times"), std::string::npos) << times;
+}
+
+/// The number behind the last of these words.
+double numberBehind(const std::string& text, const std::string& words)
+{
+    const auto at = text.rfind(words);
+    if (at == std::string::npos) throw std::logic_error("no \"" + words + "\" in\n" + text);
+    return std::stod(text.substr(at + words.size()));
+}
+
+/// Liquid that fills a periodic box.
+Files blockCase()
+{
+    auto files = bedCase();
+    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\nintegration { scheme predictorCorrector; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1; velocity { type taylorGreen; U 1; L 1; }\nfill ( { region all; phase water; } );\n";
+    return files;
+}
+
+// Steps have two evaluations, and there are a few at the start and before a time is written: within a fifth for some ten steps.
+TEST(EstimateOfRanks, IsWhatTheySend)
+{
+    const Prepared c(blockCase());
+    const auto estimate = c.runWell("decomposeParticles", "-estimate 3");
+    EXPECT_FALSE(c.has("processor0"));
+    const auto at = estimate.find("bytes of a step");
+    double least, mean;
+    std::istringstream(estimate.substr(at + std::string("bytes of a step").size())) >> least >> mean;
+    const auto run = runParallel(c, 3);
+    ASSERT_EQ(run.code, 0) << run.err;
+    double sent = 0;
+    for (const auto* rank : {"Rank 0", "Rank 1", "Rank 2"})
+    {
+        const auto line = run.out.substr(run.out.find(rank));
+        sent += 1e6 * numberBehind(line.substr(0, line.find(" MB sent")), "s, ") / 3;
+    }
+    EXPECT_NEAR(sent / (mean * numberBehind(run.out, "\nstep ")), 1, 0.2) << estimate << run.out;
+}
+
+TEST(EstimateOfRanks, RefusesWhatMakesNoSense)
+{
+    const Prepared c(channelCase());
+    for (const auto* arguments : {"-estimate 0", "-estimate 200000", "-latency 1e-6", "-estimate 4 -bandwidth -1", "-estimate 1000"})
+        EXPECT_EQ(c.run("decomposeParticles", arguments).code, 1) << arguments;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,

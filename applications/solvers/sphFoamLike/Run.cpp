@@ -3,6 +3,7 @@
 #include "Walls.hpp"
 #include "WholeCloud.hpp"
 #include "outliers.hpp"
+#include "placeOfRank.hpp"
 #include "reduce.hpp"
 #include "stopSignals.hpp"
 #include "viewOfScene.hpp"
@@ -71,15 +72,6 @@ Cloud partOf(Cloud cloud, bool eachNeedsOne)
         for (auto& a : field.component) cut(a);
     return cloud;
 }
-
-/// Domains without a periodic face on either side may be drawn a little larger than the particles' box.
-void writeBox(const Case& theCase, const Geometry& g)
-{
-    const double thickness = g.dimension == 2 ? 0.01 * std::max(g.length(0), g.length(1)) : 0;
-    const double low[3] = {g.low.x, g.low.y, g.dimension == 2 ? -thickness : g.low.z};
-    const double high[3] = {g.high.x, g.high.y, g.dimension == 2 ? thickness : g.high.z};
-    writeBoundingMesh(theCase.folder(), low, high);
-}
 }
 
 Geometry Run::loadGeometry(const Case& theCase)
@@ -100,10 +92,11 @@ Geometry Run::loadGeometry(const Case& theCase)
     return geometry;
 }
 
-Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
-    : case_((waitForFirst(), caseFolder)),
+Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parallel)
+    : case_(caseFolder),
+      place_(parallel ? placeOfRank(case_, ranks()) : RunTime::Place{}),
       log_(log),
-      time_(case_),
+      time_((waitForFirst(), case_), place_),
       geometry_(loadGeometry(case_)),
       settings_(readSettings(case_, geometry_))
 {
@@ -111,11 +104,15 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log)
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    const Cloud cloud = partOf(readCloud(case_.folder(), time_.startName(), "sph", case_.diagnostics(), settings_.writtenClasses()),
-                               settings_.needsParticles);
+    Cloud cloud = readCloud(case_.folder(), time_.startFolder(), "sph", case_.diagnostics(), settings_.writtenClasses());
+    if (!isDecomposed()) cloud = partOf(std::move(cloud), settings_.needsParticles);
     case_.diagnostics().throwIfAny();
     firstIsThrough();
-    if (ranks()) time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
+    if (ranks())
+    {
+        if (isDecomposed()) time_.useBarrier([] { ranks()->barrier(); });
+        time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
+    }
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
@@ -337,8 +334,16 @@ void Run::sample(bool writeTime, bool end)
     for (const auto& report : functions_->execute(whole, time_, writeTime, end)) log_ << report << '\n';
 }
 
+void Run::writePart()
+{
+    time_.write([&](const std::filesystem::path& folder)
+                { writeCloud(folder, "sph", simulation_->size(), simulation_->positions(), simulation_->fields(), time_.writeOptions()); },
+                simulation_->state(), isFirstRank() ? functions_->histories() : Histories{});
+}
+
 void Run::write()
 {
+    if (isDecomposed()) return writePart();
     WholeCloud cloud(simulation_->size());
     const auto positions = cloud.whole(simulation_->positions());
     std::vector<FieldView> fields;
@@ -381,7 +386,11 @@ void Run::solve()
 {
     onStopSignals(requestStop);
     reportPlan();
-    if (isFirstRank()) writeBox(case_, geometry_);
+    if (isFirstRank())
+    {
+        const auto [low, high] = boundingBox(geometry_);
+        writeBoundingMesh(case_.folder(), low, high);
+    }
     sample(true, false);
     noteLeaks();
     if (!time_.running())

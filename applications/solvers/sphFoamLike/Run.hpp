@@ -20,8 +20,8 @@ namespace sph
 class Run
 {
 public:
-    /// Reads everything; throws CaseError with all mistakes of the case at once.
-    Run(const std::filesystem::path& caseFolder, std::ostream& log);
+    /// Reads everything; throws CaseError with all mistakes of the case at once. A parallel run of a decomposed case is one of its processor folders.
+    Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parallel);
 
     void printPlan() const;
     /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends.
@@ -29,6 +29,7 @@ public:
 
 private:
     Case case_;
+    RunTime::Place place_;
     std::ostream& log_;
     Clock clock_;
     RunTime time_;
@@ -67,7 +68,10 @@ private:
     void noteLeaks();
     std::string leaked() const;
     void reportLeaks() const;
+    bool isDecomposed() const { return !place_.folder.empty(); }
     void write();
+    /// What this rank owns, into its folder of a decomposed case.
+    void writePart();
     void sample(bool writeTime, bool end);
     /// Of all ranks, on the first.
     ParticleView view(WholeCloud&) const;

@@ -29,7 +29,7 @@ int main(int argc, char** argv)
                 // A plan can be looked at while a run goes on.
                 std::optional<sph::CaseLock> lock;
                 if (first && !dryRun) lock.emplace(caseFolder, "sphFoamLike");
-                sph::Run run(caseFolder, first ? std::cout : nowhere);
+                sph::Run run(caseFolder, first ? std::cout : nowhere, parallel);
                 if (dryRun) run.printPlan();
                 else run.solve();
             }

@@ -6,6 +6,7 @@
 #include "SweepPlan.hpp"
 #include "TestCase.hpp"
 #include "declaredEntries.hpp"
+#include "readDecomposition.hpp"
 #include "readPhases.hpp"
 #include "readSettings.hpp"
 #include "reference.hpp"
@@ -111,6 +112,11 @@ TEST(Declared, soil)
         readSettings(soil, readGeometry(soil.dictionary("constant/geometry"), 1));
     };
     EXPECT_EQ(differenceOf(soilProperties, read), "");
+}
+
+TEST(Declared, decomposition)
+{
+    EXPECT_EQ(differenceOf(decompositionDictionary, [](const Case& c) { readDecomposition(c); }), "");
 }
 
 TEST(Declared, packing)

@@ -1,0 +1,28 @@
+/// system/decomposeParDict: how particles are shared, between ranks and between folders. OpenFOAM's name and words.
+#pragma once
+#include "Case.hpp"
+#include "EntryList.hpp"
+#include "divide.hpp"
+#include <optional>
+
+namespace sph
+{
+
+inline constexpr const char* decompositionDictionary = "system/decomposeParDict";
+
+struct Decomposition
+{
+    int parts = 1;
+    Division method = Division::rcb; ///< of decomposeParticles
+    double maxImbalance = 1.1;       ///< of ranks: processor time of the busiest over the mean
+};
+
+///     numberOfSubdomains 4;
+///     method rcb;
+///     maxImbalance 1.1;
+///
+/// For a run of so many ranks the file may be missing, and another number of subdomains is an error; without `ranks` both must be there.
+Decomposition readDecomposition(const Case&, std::optional<int> ranks = {});
+EntryList decompositionEntries();
+
+}

@@ -1,0 +1,39 @@
+/// Gives labels to particles that have none yet: those that came in since the lists were built last.
+#pragma once
+#include "Particles.hpp"
+#include "labelEntries.hpp"
+
+namespace sph
+{
+
+struct ParticleNumber
+{
+    static constexpr FieldInfo info{origId, "1"};
+    template<int dim> struct At
+    {
+        Label id;
+    };
+};
+struct RankOfOrigin
+{
+    static constexpr FieldInfo info{origProcId, "1"};
+    template<int dim> struct At
+    {
+        Label rank;
+    };
+};
+
+template<int dim> class LabelsPart final : public Part<dim>
+{
+    static constexpr const char* nextName = "nextOrigId";
+    std::optional<double> next_; ///< number of the next new particle; nothing before the first is known
+
+public:
+    static constexpr double notYet = -1;
+
+    LabelsPart(Particles<dim>&, const Numbers& restored);
+    std::size_t exchange(Particles<dim>&, std::size_t owned) override;
+    void save(Numbers&) const override;
+};
+
+}

@@ -1,0 +1,50 @@
+#include "labels.hpp"
+#include "LabelsPart.hpp"
+#include "reduce.hpp"
+
+namespace sph
+{
+
+namespace
+{
+template<class F> Evolving label(F field)
+{
+    Evolving evolving{stateField(field)};
+    evolving.inlet = [](const Dictionary&, std::size_t) { return LabelsPart<3>::notYet; };
+    return evolving;
+}
+
+/// By the place of each in the time folder, of which every rank has read a part.
+Evolving number()
+{
+    auto evolving = label(ParticleNumber{});
+    evolving.missing = [](const Loading& loading)
+    {
+        const auto before = sumOfRanksBefore(loading.size());
+        for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] = double(before + i);
+    };
+    return evolving;
+}
+
+void prepare(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    for (const auto& name : entry::shown(reading.schemes)) settings.state.push_back(name == origId ? number() : label(RankOfOrigin{}));
+}
+
+void read(const Reading& reading)
+{
+    const auto isLabel = [](const Evolving& e) { return e.value.name == origId || e.value.name == origProcId; };
+    // Not when preparing: what openings bring must be there first.
+    if (std::ranges::any_of(reading.settings.state, isLabel)) reading.settings.parts.push_back(partOf<LabelsPart>());
+}
+}
+
+const Model& labelsModel()
+{
+    static const Model model{"labels", "what particles are called for life",   read, {}, {}, prepare, {},
+                             {},       {{"system/sphSchemes", {entry::shown}}}};
+    return model;
+}
+
+}

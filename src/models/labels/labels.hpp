@@ -1,0 +1,9 @@
+#pragma once
+#include "Model.hpp"
+
+namespace sph
+{
+
+const Model& labelsModel();
+
+}
