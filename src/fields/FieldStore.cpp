@@ -44,8 +44,10 @@ template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order)
         if (!field.state) continue;
         for (auto& a : field.component)
         {
+#pragma omp parallel for schedule(static)
             for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = a[order[k]];
-            std::copy(sorted.begin(), sorted.end(), a.begin());
+#pragma omp parallel for simd schedule(static)
+            for (std::size_t k = 0; k < order.size(); ++k) a[k] = sorted[k];
         }
     }
 }

@@ -91,7 +91,13 @@ template<int dim> void predict(Particles<dim>& p, double deltaT)
                   [&](const Evolving& q)
                   {
                       for (int c = 0; c < q.value.in(dim); ++c)
-                          std::copy_n(p.store().component(q.value.name, c), p.size(), p.store().component(q.startName(), c));
+                      {
+                          const double* const value = p.store().component(q.value.name, c);
+                          double* const start = p.store().component(q.startName(), c);
+                          const std::size_t n = p.size();
+#pragma omp parallel for simd schedule(static)
+                          for (std::size_t i = 0; i < n; ++i) start[i] = value[i];
+                      }
                   });
     kick(p, deltaT);
     p.setPredicted(true);

@@ -12,9 +12,15 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
     {
         low_[c] = extent[c] = 0;
         if (count == 0) continue;
-        const auto [a, b] = std::minmax_element(x[c], x[c] + count);
-        low_[c] = *a;
-        extent[c] = *b - *a;
+        double low = x[c][0], high = low;
+#pragma omp parallel for schedule(static) reduction(min : low) reduction(max : high)
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            low = std::min(low, x[c][i]);
+            high = std::max(high, x[c][i]);
+        }
+        low_[c] = low;
+        extent[c] = high - low;
     }
     const double most = 4 * double(count) + 1000;
     const auto cells = [&](double s)

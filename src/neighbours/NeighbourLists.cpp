@@ -1,5 +1,6 @@
 #include "NeighbourLists.hpp"
 #include "CaseError.hpp"
+#include "Stretches.hpp"
 #include "select.hpp"
 #include <fmt/format.h>
 
@@ -17,11 +18,10 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     for (int c = 0; c < dim; ++c) position[c] = sorted[c];
 
     std::size_t crowded = total;
-#pragma omp parallel
+    const auto list = [&](std::size_t begin, std::size_t end)
     {
         std::vector<typename CellList<dim>::Run> runs;
-#pragma omp for schedule(dynamic)
-        for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk)
+        for (std::size_t chunk = begin; chunk < end; ++chunk)
         {
             Chunk& out = chunks_[chunk];
             out.pairs = 0;
@@ -58,7 +58,10 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                 out.begin[i % chunkSize + 1] = used;
             }
         }
-    }
+    };
+    Stretches stretches(chunks_.size(), 1);
+#pragma omp parallel
+    stretches.forEach(list);
     if (crowded < total)
     {
         Vector<dim> p;

@@ -1,5 +1,6 @@
 /// Allocating, binding, evaluating and printing a plan.
 #include "Plan.hpp"
+#include "Stretches.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
@@ -126,19 +127,18 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
     const long null = long(images.nullParticle());
-    const long n = long(images.owned());
     const auto* const layers = images.layers();
     std::vector<InLayersOf> inLayers; // of the columns
     for (const auto& f : pass.columns) inLayers.push_back({images.anyRule(f.info.ofRule), images.interpolates(f.info)});
 
+    Stretches stretches(images.owned(), 256);
     std::visit(
         [&](const auto& k)
         {
-#pragma omp parallel
+            const auto gather = [&](std::size_t begin, std::size_t end)
             {
                 static thread_local Stencil<dim> stencil;
-#pragma omp for schedule(dynamic, 256)
-                for (long i = 0; i < n; ++i)
+                for (std::size_t i = begin; i < end; ++i)
                 {
                     stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize,
                                  pass.sources, k, pass.readsKernel, null);
@@ -147,7 +147,9 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
                     if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
                     for (const auto& o : pass.operations) o->gather(stencil);
                 }
-            }
+            };
+#pragma omp parallel
+            stretches.forEach(gather);
         },
         kernel.choice());
 }
@@ -157,7 +159,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
                          std::size_t group, double deltaT)
 {
     const auto& g = groups_[group];
-    const std::size_t n = images.owned(), block = 4096;
+    const std::size_t n = images.owned(), block = 1024;
     bool within = group > 0; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {

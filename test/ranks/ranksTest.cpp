@@ -189,6 +189,7 @@ TEST_P(Ranks, GiveTheSameAnswer)
         const auto outcome = runParallel(shared, ranks);
         ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
         EXPECT_NE(outcome.out.find("nProcs : " + std::to_string(ranks)), std::string::npos);
+        EXPECT_NE(outcome.out.find("messages cost more than a rank brings"), std::string::npos);
         const auto cloud = cloudOf(shared, end);
         ASSERT_EQ(cloud.size(), expected.size());
         EXPECT_LT(difference(expected, cloud, "U"), GetParam().bound) << ranks;
@@ -291,6 +292,20 @@ void runUntilOneDies(const TestCase& c)
     const auto outcome = runParallel(c, 3, "sleep 3; pkill -9 -n -f 'sphFoamLike -parallel -case " + c.folder().string() + "';");
     EXPECT_NE(outcome.code, 0);
     EXPECT_NE(outcome.code, 124) << "they went on until they were stopped";
+}
+
+// Whichever of them is asked to stop: the present time is written whole, and the run ends well.
+TEST(RanksThatAreAsked, StopTogether)
+{
+    const Prepared c(channelCase());
+    c.replace("system/controlDict", "endTime 0.08", "endTime 1000");
+    c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 500");
+    const auto outcome = runParallel(c, 3, "sleep 3; pkill -TERM -n -f 'sphFoamLike -parallel -case " + c.folder().string() + "';");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\nEnd\n"), std::string::npos);
+    const auto [name, latest] = latestIn(c.folder());
+    ASSERT_GT(latest, 0) << outcome.out;
+    EXPECT_EQ(cloudOf(c, name).size(), cloudOf(c, "0").size());
 }
 
 // What had been written is whole, and a new run goes on from there.

@@ -37,6 +37,9 @@ constexpr int tracedForEnergy = 200; // some periods of the sound of a few spaci
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
+/// Particles of a thread or a rank below which it costs more than it brings.
+constexpr std::size_t fewForOne = 2000;
+
 /// Speed over sound speed, and density over rest density, beyond which the log warns: the density varies by the square of the first.
 constexpr double suspectMach = 0.3, suspectCompression = 1.1;
 
@@ -116,11 +119,21 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
     log_ << banner(caseFolder);
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
-    omp_set_num_threads(std::clamp(int(cloud.size() / 2000), 1, omp_get_max_threads()));
+    omp_set_num_threads(std::clamp(int(cloud.size() / fewForOne), 1, omp_get_max_threads()));
     simulation_ = makeSimulation(settings_, geometry_, cloud, time_.restored());
     for (std::size_t k = 0; k < settings_.coefficients.phases.size(); ++k)
         if (simulation_->summary().count[k] == 0)
             log_ << fmt::format("--> Warning: phase \"{}\" has no particles\n", settings_.coefficients.phases[k]);
+    if (ranks()) warnOfFewParticles();
+}
+
+void Run::warnOfFewParticles() const
+{
+    const std::size_t total = simulation_->total(), all = std::size_t(ranks()->count());
+    if (total < fewForOne * all)
+        log_ << fmt::format(
+            "--> Warning: {} ranks have {} particles each: below {} messages cost more than a rank brings, and {} would be as fast\n", all,
+            total / all, fewForOne, std::max<std::size_t>(1, total / fewForOne));
 }
 
 void Run::reportPlan() const

@@ -47,6 +47,7 @@ private:
     std::string deepestLeakAt_;
 
     static Geometry loadGeometry(const Case&);
+    void warnOfFewParticles() const;
     void reportPlan() const;
     void reportStep(const StepLimit&, double deltaT) const;
     /// Throws DivergedError where the state is none of a weakly compressible fluid.

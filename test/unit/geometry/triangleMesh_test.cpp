@@ -36,6 +36,30 @@ TEST(TriangleMesh, TellsTheSignedDistanceToACube)
     EXPECT_EQ(bodies[0]->foot({5, 0, 0}, 1).distance, Box::infinity);
 }
 
+// A bound that is never wrong, for the fluid around a body and for that in it, and that spares most places further off than a cell's half diagonal a search.
+TEST(TriangleMesh, KnowsWhatIsFarOff)
+{
+    for (const bool inside : {false, true})
+    {
+        const auto s = icosphere(3, 1);
+        const auto body = bodiesOf(ofOneRegion(inside ? inverted(s) : s), scale)[0];
+        int far = 0, known = 0;
+        for (int k = 0; k < 8000; ++k)
+        {
+            const auto at = [&](int n) { return -1.3 + 0.1371 * (k / n % 20); };
+            const Vector<3> x{at(1), at(20), at(400)};
+            const double d = body->distance(x);
+            for (const double least : {0.0, 0.05})
+                EXPECT_TRUE(!body->isBeyond(x, least) || d > least) << x.x << " " << x.y << " " << x.z;
+            far += d > std::sqrt(3) * scale.spacing;
+            known += d > std::sqrt(3) * scale.spacing && body->isBeyond(x, 0);
+        }
+        EXPECT_GT(far, 500);
+        EXPECT_EQ(known, far);
+        EXPECT_FALSE(body->isBeyond({std::nan(""), 0, 0}, 0));
+    }
+}
+
 // What a cube looks like to the fluid around it and to the fluid in it: six faces; every edge convex, or concave.
 TEST(TriangleMesh, TellsConvexFromConcave)
 {
