@@ -49,8 +49,7 @@ TEST(TriangleMesh, KnowsWhatIsFarOff)
             const auto at = [&](int n) { return -1.3 + 0.1371 * (k / n % 20); };
             const Vector<3> x{at(1), at(20), at(400)};
             const double d = body->distance(x);
-            for (const double least : {0.0, 0.05})
-                EXPECT_TRUE(!body->isBeyond(x, least) || d > least) << x.x << " " << x.y << " " << x.z;
+            for (const double least : {0.0, 0.05}) EXPECT_TRUE(!body->isBeyond(x, least) || d > least) << x.x << " " << x.y << " " << x.z;
             far += d > std::sqrt(3) * scale.spacing;
             known += d > std::sqrt(3) * scale.spacing && body->isBeyond(x, 0);
         }
