@@ -4,37 +4,19 @@ import sys
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkIOParallel import vtkPOpenFOAMReader
 from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
 
 import sample
-
-
-def blocks(data):
-    for k in range(data.GetNumberOfBlocks()):
-        block = data.GetBlock(k)
-        if block is not None and block.IsA("vtkMultiBlockDataSet"):
-            yield from blocks(block)
-        elif block is not None:
-            yield data.GetMetaData(k).Get(vtkCompositeDataSet.NAME()), block
+from vtkOutput import blocks, output
 
 
 def particles(case, time):
     """Place, velocity and density of each, by place."""
     reader = vtkPOpenFOAMReader()
-    reader.SetFileName(case)
     reader.SetCaseType(vtkPOpenFOAMReader.DECOMPOSED_CASE)
-    reader.SkipZeroTimeOff()
-    reader.UpdateInformation()
-    times = reader.GetTimeValues()
-    sample.expect_equal("times", [times.GetValue(k) for k in range(times.GetNumberOfValues())], sample.TIMES)
-    for k in range(reader.GetNumberOfPatchArrays()):
-        reader.SetPatchArrayStatus(reader.GetPatchArrayName(k), 1)
-    reader.SetTimeValue(time)
-    reader.Update()
     found = []
-    for name, cloud in blocks(reader.GetOutput()):
+    for name, cloud in blocks(output(reader, case, time)):
         if not name.endswith("sph"):
             continue
         data = cloud.GetPointData()

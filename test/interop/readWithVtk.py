@@ -4,41 +4,17 @@ import sys
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 
 import sample
+from vtkOutput import blocks, output
 
 # VTK shows symmetric tensors as xx yy zz xy yz xz: where each of OpenFOAM's xx xy xz yy yz zz is found.
 SYMM_TENSOR = [0, 3, 5, 1, 4, 2]
 
 
-def read(case, time):
-    reader = vtkOpenFOAMReader()
-    reader.SetFileName(case)
-    reader.SkipZeroTimeOff()
-    reader.UpdateInformation()
-    times = reader.GetTimeValues()
-    sample.expect_equal("times", [times.GetValue(k) for k in range(times.GetNumberOfValues())], sample.TIMES)
-    for k in range(reader.GetNumberOfPatchArrays()):
-        reader.SetPatchArrayStatus(reader.GetPatchArrayName(k), 1)
-    reader.SetTimeValue(time)
-    reader.Update()
-    return reader.GetOutput()
-
-
-def blocks(data, prefix=""):
-    for k in range(data.GetNumberOfBlocks()):
-        name = prefix + data.GetMetaData(k).Get(vtkCompositeDataSet.NAME())
-        block = data.GetBlock(k)
-        if block is not None and block.IsA("vtkMultiBlockDataSet"):
-            yield from blocks(block, name + "/")
-        else:
-            yield name, block
-
-
 def check(case, time):
-    found = dict(blocks(read(case, time)))
+    found = dict(blocks(output(vtkOpenFOAMReader(), case, time)))
     cloud = next(block for name, block in found.items() if name.endswith("sph"))
     points = [cloud.GetPoint(i) for i in range(cloud.GetNumberOfPoints())]
     sample.expect(f"positions at {time}", points, sample.positions(time), sample.SINGLE_PRECISION)
