@@ -1,6 +1,7 @@
 /// Particles shared between ranks: the same answer on any number of them.
 #include "Case.hpp"
 #include "Cloud.hpp"
+#include "Largest.hpp"
 #include "smallCases.hpp"
 #include <cctype>
 #include <cmath>
@@ -73,29 +74,36 @@ Cloud cloudOf(const TestCase& c, const std::string& time)
     return cloud;
 }
 
-/// The largest difference of a field between particles at the same place, over the largest value; infinite where one has no partner within 1e-3.
-double difference(const Cloud& a, const Cloud& b, const std::string& name)
+/// The largest difference of a field between particles i of one cloud and partner[i] of another, over the largest value. NaN where there is one: then no bound holds.
+double difference(const Cloud& a, const Cloud& b, const std::vector<std::size_t>& partner, const std::string& name)
 {
     const auto &fieldA = a.fields.at(name), &fieldB = b.fields.at(name);
-    double worst = 0, largest = 0;
+    Largest worst, largest;
+    for (std::size_t k = 0; k < fieldA.component.size(); ++k)
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            worst(fieldA.component[k][i] - fieldB.component[k][partner[i]]);
+            largest(fieldA.component[k][i]);
+        }
+    return worst.value() / largest.value();
+}
+
+/// Of particles at the same place; infinite where one has no partner within 1e-3.
+double difference(const Cloud& a, const Cloud& b, const std::string& name)
+{
+    std::vector<std::size_t> partner(a.size());
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-        std::size_t partner = 0;
         double nearest = INFINITY;
         for (std::size_t j = 0; j < b.size(); ++j)
             if (const double d = std::hypot(a.x[i] - b.x[j], a.y[i] - b.y[j], a.z[i] - b.z[j]); d < nearest)
             {
                 nearest = d;
-                partner = j;
+                partner[i] = j;
             }
         if (nearest > 1e-3) return INFINITY;
-        for (std::size_t k = 0; k < fieldA.component.size(); ++k)
-        {
-            worst = std::max(worst, std::fabs(fieldA.component[k][i] - fieldB.component[k][partner]));
-            largest = std::max(largest, std::fabs(fieldA.component[k][i]));
-        }
     }
-    return worst / largest;
+    return difference(a, b, partner, name);
 }
 
 /// Masses that openings have let pass, as a restart finds them.
@@ -115,7 +123,7 @@ void expectSameMasses(const TestCase& expected, const TestCase& c, const std::st
     for (const auto& [name, mass] : massesOf(expected, time)) EXPECT_NEAR(masses.at(name), mass, tolerance) << name;
 }
 
-/// The same of particles of one number, without a look at their places; infinite where the numbers are not the same.
+/// Of particles of the same number, without a look at their places; infinite where the numbers are not the same.
 double labelledDifference(const Cloud& a, const Cloud& b, const std::string& name)
 {
     const auto numbered = [](const Cloud& cloud)
@@ -127,18 +135,13 @@ double labelledDifference(const Cloud& a, const Cloud& b, const std::string& nam
     };
     const auto inA = numbered(a), inB = numbered(b);
     if (inA.size() != a.size() || inB.size() != a.size() || b.size() != a.size()) return INFINITY;
-    double worst = 0, largest = 0;
+    std::vector<std::size_t> partner(a.size());
     for (const auto& [id, i] : inA)
     {
         if (!inB.contains(id)) return INFINITY;
-        for (std::size_t k = 0; k < a.fields.at(name).component.size(); ++k)
-        {
-            const double q = a.fields.at(name).component[k][i];
-            worst = std::max(worst, std::fabs(q - b.fields.at(name).component[k][inB.at(id)]));
-            largest = std::max(largest, std::fabs(q));
-        }
+        partner[i] = inB.at(id);
     }
-    return worst / largest;
+    return difference(a, b, partner, name);
 }
 
 struct Scene
