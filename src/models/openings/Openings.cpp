@@ -8,7 +8,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <tuple>
 
 namespace sph
 {
@@ -25,12 +24,6 @@ constexpr double leastGap = 0.8;
 /// Of a line of an outlet.
 bool comesBack(double velocity) { return velocity > 0 && std::isfinite(velocity); }
 
-template<int dim> Vector<dim> at(const std::array<double*, dim>& a, std::size_t i)
-{
-    Vector<dim> q;
-    fetch(q, [&](int c) { return a[c][i]; });
-    return q;
-}
 template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vector<dim> q)
 {
     store(q, [&](int c, double value) { a[c][i] = value; });
@@ -314,7 +307,7 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
     kept.reserve(owned);
     for (std::size_t i = 0; i < owned; ++i)
     {
-        const auto x_i = in3D(at<dim>(x, i));
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
         const int now = assign(store, holder[i], i, x_i, predicted);
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
@@ -370,7 +363,7 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     for (std::size_t i = 0; i < owned; ++i)
     {
         if (int(holder[i]) != k + 1 && opening.inlet) continue;
-        const auto x_i = in3D(at<dim>(x, i));
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
         if (!opening.inlet && opening.distance(x_i) < coefficients_.spacing) others.push_back(x_i);
         if (int(holder[i]) != k + 1) continue;
         if (const int line = gate.section.lineAt(x_i); line >= 0)
@@ -418,7 +411,7 @@ template<int dim> void Openings<dim>::locate(FieldStore<dim>& store, std::size_t
     close_.clear();
     for (std::size_t i = 0; i < owned; ++i)
     {
-        const auto x_i = in3D(at<dim>(x, i));
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
         if (holder[i] > 0 || std::ranges::any_of(gates_, [&](const Gate& gate) { return std::fabs(gate.opening.distance(x_i)) < reach; }))
             close_.push_back(int(i));
     }
@@ -429,7 +422,7 @@ template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predic
 {
     const auto x = store.pointers(Position{});
     double* const holder = store.component(Holder::info.name, 0);
-    for (const int i : close_) assign(store, holder[i], std::size_t(i), in3D(at<dim>(x, std::size_t(i))), predicted);
+    for (const int i : close_) assign(store, holder[i], std::size_t(i), in3D(valueAt<Vector<dim>>(x, std::size_t(i))), predicted);
     list(store);
 }
 
@@ -450,7 +443,7 @@ template<int dim> void Openings<dim>::list(FieldStore<dim>& store)
     for (auto& passed : account_.gates) passed.held = 0;
     for (const int i : close_)
     {
-        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, std::size_t(i)));
         if (holder[i] > 0)
         {
             held_.push_back(i);
@@ -488,166 +481,6 @@ template<int dim> void Openings<dim>::hold(FieldStore<dim>& store)
         if (evolving.rate && !evolving.advancedByModel) clear(evolving.rate->name);
     clear(ShiftDirection::info.name);
     clear(TransportAcceleration::info.name);
-}
-
-template<int dim> typename Openings<dim>::Sums& Openings<dim>::Sums::operator+=(const Sums& b)
-{
-    count += b.count;
-    n += b.n;
-    v0 += b.v0;
-    s1 += b.s1;
-    s2 += b.s2;
-    p0 += b.p0;
-    p1 += b.p1;
-    return *this;
-}
-
-template<int dim> typename Openings<dim>::LineSums& Openings<dim>::LineSums::operator+=(const LineSums& b)
-{
-    n += b.n;
-    v0 += b.v0;
-    others += b.others;
-    held += b.held;
-    heldV += b.heldV;
-    return *this;
-}
-
-template<int dim> typename Openings<dim>::Sums Openings<dim>::sumsOf(FieldStore<dim>& store, const Gate& gate, const auto& counts) const
-{
-    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
-    const double* const p = store.component(Pressure::info.name, 0);
-    std::size_t count = 0;
-    double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
-    for (const int i : gate.near)
-    {
-        if (!counts(std::size_t(i))) continue;
-        const double s = gate.opening.distance(in3D(at<dim>(x, std::size_t(i)))), w = weight(s);
-        ++count;
-        n += w;
-        v0 += w * dot(in3D(at<dim>(v, std::size_t(i))), gate.opening.normal);
-        s1 += w * s;
-        s2 += w * s * s;
-        p0 += w * p[i];
-        p1 += w * s * p[i];
-    }
-    return {n, v0, s1, p0, s2, double(count), p1};
-}
-
-template<int dim> std::vector<typename Openings<dim>::Sums> Openings<dim>::sumsNear(FieldStore<dim>& store) const
-{
-    const auto phase = phasesOf(store);
-    std::vector<Sums> sums;
-    for (const auto& gate : gates_)
-    {
-        sums.push_back(sumsOf(store, gate, [](std::size_t) { return true; }));
-        for (std::size_t k = 0; phases_ > 1 && k < phases_; ++k)
-            sums.push_back(sumsOf(store, gate, [&](std::size_t i) { return phase(i) == k; }));
-    }
-    return ofAllRanks(sums, std::vector<Sums>(sums.size()), AddEach{});
-}
-
-template<int dim> std::vector<typename Openings<dim>::LineSums> Openings<dim>::sumsOfLines(FieldStore<dim>& store) const
-{
-    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
-    const double* const m = phases_ > 1 ? store.component(Mass::info.name, 0) : nullptr;
-    const double* const holder = store.component(Holder::info.name, 0);
-    const auto phase = phasesOf(store);
-    std::vector<LineSums> sums;
-    for (std::size_t g = 0; g < gates_.size(); ++g)
-    {
-        const auto& [opening, section] = std::tie(gates_[g].opening, gates_[g].section);
-        if (opening.inlet) continue;
-        const std::size_t first = sums.size();
-        sums.resize(first + section.lines().size());
-        for (const int near : gates_[g].near)
-        {
-            const auto i = std::size_t(near);
-            const auto x_i = in3D(at<dim>(x, i));
-            const int line = section.lineAt(x_i);
-            if (line < 0) continue;
-            auto& along = sums[first + std::size_t(line)];
-            const double w = weight(opening.distance(x_i)) * (m ? m[i] : 1);
-            along.v0 += w * dot(in3D(at<dim>(v, i)), opening.normal);
-            along.n += w;
-            along.others += phase(i) != opening.stream.phase;
-        }
-        // A line that keeps what it has is filled up all the same.
-        for (std::size_t q = 0; q < held_.size() && opening.backflow; ++q)
-        {
-            const auto i = std::size_t(held_[q]);
-            if (std::size_t(holder[i]) != g + 1) continue;
-            const int line = section.lineAt(in3D(at<dim>(x, i)));
-            if (line < 0) continue;
-            sums[first + std::size_t(line)].heldV += dot(in3D(at<dim>(v, i)), opening.normal);
-            ++sums[first + std::size_t(line)].held;
-        }
-    }
-    return ofAllRanks(sums, std::vector<LineSums>(sums.size()), AddEach{});
-}
-
-/// p = a + b s by least squares.
-template<int dim> typename Openings<dim>::Fit Openings<dim>::fit(const Gate& gate, double a, const Sums& near) const
-{
-    const auto& [n, v0, s1, p0, s2, count, p1] = near;
-    Fit fit{near, a, 0, false};
-    const double spread = n * s2 - s1 * s1;
-    fit.enough = count > 2 && spread > sqr(0.25 * coefficients_.spacing * n); // more than a row
-    if (gate.opening.inlet)
-    {
-        fit.slope = fit.enough ? (n * p1 - s1 * p0) / spread : 0;
-        fit.pressure = n > 0 ? (p0 - fit.slope * s1) / n : coefficients_.backgroundPressure;
-    }
-    else fit.slope = fit.enough ? (p1 - a * s1) / s2 : 0;
-    return fit;
-}
-
-/// A phase of which there is not enough before the plane has the pressure of all fluid there. At an outlet beside the phase that may come back others
-/// have its pressure and, as a constant, what they have more than it in the mean: the jump across their surface, which is not the outlet's to give. What comes
-/// back starts from rest at the outlet's pressure: a = p - rho u^2/2, u its mean velocity inwards.
-template<int dim> void Openings<dim>::measure(Gate& gate, std::span<const Sums> near) const
-{
-    const auto& opening = gate.opening;
-    const double area = gate.section.area();
-    const auto& ofAll = near[0];
-    const auto ofPhase = [&](std::size_t k) -> const Sums& { return near[std::min(1 + k, near.size() - 1)]; };
-    double given = opening.inlet ? 0 : coefficients_.backgroundPressure + *opening.pressure;
-    if (opening.backflow)
-    {
-        const auto& back = ofPhase(opening.stream.phase);
-        given -= 0.5 * gate.density * sqr(back.n > 0 ? std::max(0.0, back.v0 / back.n) : 0);
-    }
-    const auto all = fit(gate, given, ofAll);
-    gate.inflow = ofAll.n > 0 ? area * ofAll.v0 / ofAll.n : 0;
-    std::vector<Fit> fits;
-    for (std::size_t k = 0; k < phases_; ++k) fits.push_back(fit(gate, given, ofPhase(k)));
-    const auto& gas = fits[opening.stream.phase];
-    for (std::size_t k = 0; k < phases_; ++k)
-    {
-        const auto& own = fits[k];
-        const auto& used = own.enough ? own : all;
-        gate.inflows[k] = ofAll.n > 0 ? area * own.of.v0 / ofAll.n : 0;
-        gate.pressure[k] = used.pressure;
-        gate.slope[k] = used.slope;
-        if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.of.n == 0) continue;
-        gate.slope[k] = gas.slope;
-        gate.pressure[k] = (own.of.p0 - gas.slope * own.of.s1) / own.of.n;
-    }
-}
-
-/// Along the normal, of each line of an outlet [m/s]; infinite where its particles keep what they have, for none comes along behind them. Of several phases
-/// the mean is by mass: liquid decides. Inwards goes what comes back in alone: a line along which another phase comes stands still.
-template<int dim> std::vector<double> Openings<dim>::velocities(const Gate& gate, std::span<const LineSums> lines) const
-{
-    std::vector<double> velocities;
-    for (const auto& along : lines)
-    {
-        const double u = along.n > 0      ? along.v0 / along.n
-                         : along.held > 0 ? along.heldV / along.held
-                                          : std::numeric_limits<double>::infinity();
-        const bool mayReturn = gate.opening.backflow && along.others == 0;
-        velocities.push_back(along.n > 0 && !mayReturn ? std::min(0.0, u) : u);
-    }
-    return velocities;
 }
 
 /// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
@@ -694,7 +527,7 @@ template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double delta
     for (const int i : held_)
     {
         const auto& gate = gates_[std::size_t(holder[i]) - 1];
-        const auto x_i = in3D(at<dim>(x, std::size_t(i)));
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, std::size_t(i)));
         if (const int line = gate.section.lineAt(x_i); line >= 0 && std::isfinite(gate.velocity[std::size_t(line)]))
             put<dim>(v, std::size_t(i), in<dim>(gate.velocity[std::size_t(line)] * gate.opening.normal));
         impose(store, std::size_t(i), x_i);
