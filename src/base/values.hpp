@@ -43,6 +43,13 @@ template<class T> constexpr void fetch(T& q, const auto& component)
     T::parts(q, [&]<class... Part>(Part&... part)
              { ((fetch(part, [&](int c) { return component(first + c); }), first += components<Part>), ...); });
 }
+/// The value whose components the arrays have at i.
+template<class Value> constexpr Value valueAt(const auto& arrays, std::size_t i)
+{
+    Value q;
+    fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
+    return q;
+}
 constexpr void store(double q, const auto& set) { set(0, q); }
 template<class T> constexpr void store(const T& q, const auto& set)
 {

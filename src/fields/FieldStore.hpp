@@ -27,14 +27,6 @@ template<class T> struct AlignedAllocator
 };
 using Array = std::vector<double, AlignedAllocator<double>>;
 
-/// The value whose components the arrays have at i.
-template<class Value> Value valueAt(const auto& arrays, std::size_t i)
-{
-    Value q;
-    fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
-    return q;
-}
-
 template<int dim> class FieldStore
 {
 public:

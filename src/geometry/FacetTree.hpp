@@ -39,11 +39,11 @@ public:
     struct Node
     {
         Box box;
-        Vector<3> axis;       ///< of the cone of normals
-        double halfAngle = 0; ///< [rad]; pi where normals point everywhere
-        double cosine = 1;    ///< of halfAngle
-        double seenCosine = -1,
-               seenSine = 0;     ///< of the cone from where triangles can be looked at: halfAngle and by how much their normals may be off
+        Vector<3> axis;         ///< of the cone of normals
+        double halfAngle = 0;   ///< [rad]; pi where normals point everywhere
+        double cosine = 1;      ///< of halfAngle
+        double seenCosine = -1; ///< of the cone from where triangles can be looked at: halfAngle and by how much their normals may be off
+        double seenSine = 0;
         int patch = -1;          ///< of all triangles below; -1 where they differ
         bool creased = false;    ///< some triangle below has an edge that is no smooth one
         int first = 0, last = 0; ///< positions in order()

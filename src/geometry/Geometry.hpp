@@ -1,6 +1,5 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
-#include "Case.hpp"
 #include "EntryList.hpp"
 #include "Resolution.hpp"
 #include "Shape.hpp"
@@ -15,6 +14,8 @@
 
 namespace sph
 {
+
+class Case;
 
 /// What is small in a mesh: facets that stand for a curved surface, and radii that reflection cannot represent.
 struct FacetScale

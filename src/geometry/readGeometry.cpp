@@ -1,3 +1,4 @@
+#include "Case.hpp"
 #include "Geometry.hpp"
 #include "components.hpp"
 #include "readShapes.hpp"

@@ -44,8 +44,7 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < count; ++i)
     {
-        Vector<dim> p;
-        fetch(p, [&](int c) { return x[c][i]; });
+        const auto p = valueAt<Vector<dim>>(x, i);
         cell_[i] = index(cellOf(p));
     }
     for (std::size_t i = 0; i < count; ++i) ++begin_[cell_[i] + 1];

@@ -433,8 +433,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     {
         const Entry& e = entries_[k];
         Feet* const feet = feet_.data() + firstFoot_[k];
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][e.source]; });
+        const auto x_i = valueAt<Vector<dim>>(x, std::size_t(e.source));
         double w = 1;
         sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr),
                    [&](int c, double q) { x[c][sources_ + k] = q; });

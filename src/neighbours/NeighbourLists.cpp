@@ -31,8 +31,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
             std::size_t candidates = 0;
             for (std::size_t i = chunk * chunkSize; i < std::min(owned, (chunk + 1) * chunkSize); ++i)
             {
-                Vector<dim> x_i;
-                fetch(x_i, [&](int c) { return x[c][i]; });
+                const auto x_i = valueAt<Vector<dim>>(x, i);
                 if (const auto cell = cells_.cellOf(x_i); cell != last)
                 {
                     cells_.runsAround(cell, radius, runs);
@@ -64,8 +63,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     stretches.forEach(list);
     if (crowded < total)
     {
-        Vector<dim> p;
-        fetch(p, [&](int c) { return x[c][crowded]; });
+        const auto p = valueAt<Vector<dim>>(x, crowded);
         const auto q = in3D(p);
         throw CaseError(
             fmt::format("particle {} at ({:.6g} {:.6g} {:.6g}) has more than {} neighbours: particles lie on top of one another, "

@@ -268,8 +268,7 @@ void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& f
                 {
                     const auto [i, j] = pairs_[pair];
                     const Particle& particle = particles[std::size_t(j)];
-                    Vector<dim> x_i;
-                    fetch(x_i, [&, i = i](int c) { return x[c][i]; });
+                    const auto x_i = valueAt<Vector<dim>>(x, i);
                     if (const double r = mag(x_i - particle.x); r < kernel.H) f(std::size_t(i), x_i, particle, kernel.W(r));
                 }
             };
@@ -295,8 +294,7 @@ void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& f
                 forEachSeen(k,
                             [&](std::size_t i, Vector<dim> x_i, const Particle& particle, double W)
                             {
-                                Value q_j;
-                                fetch(q_j, [&](int c) { return q[std::size_t(c)][i]; });
+                                auto q_j = valueAt<Value>(q, i);
                                 if (rule)
                                     for (const Behind& behind : wallsOf(particle))
                                         q_j =

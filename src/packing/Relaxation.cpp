@@ -240,12 +240,7 @@ private:
 #pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < n_; ++i) f(i);
     }
-    Vector<dim> position(std::size_t i) const
-    {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x_[c][i]; });
-        return x_i;
-    }
+    Vector<dim> position(std::size_t i) const { return valueAt<Vector<dim>>(x_, i); }
     void place(std::size_t i, Vector<dim> x_i)
     {
         store(x_i, [&](int c, double q) { x_[c][i] = q; });

@@ -228,10 +228,7 @@ template<int dim> void Particles<dim>::checkApart() const
 
 template<int dim> Vector<dim> Particles<dim>::position(std::size_t i) const
 {
-    const auto& x = store_.fields().at(Position::info.name).component;
-    Vector<dim> x_i;
-    fetch(x_i, [&](int c) { return x[c][i]; });
-    return x_i;
+    return valueAt<Vector<dim>>(store_.fields().at(Position::info.name).component, i);
 }
 
 template<int dim> void Particles<dim>::evaluate()

@@ -21,12 +21,7 @@ template<int dim> auto positionsOf(const Particles<dim>& particles)
 {
     std::array<const double*, dim> at;
     for (int c = 0; c < dim; ++c) at[std::size_t(c)] = componentOf(particles, Position::info.name, c);
-    return [at](std::size_t i)
-    {
-        Vector<dim> x;
-        fetch(x, [&](int c) { return at[std::size_t(c)][i]; });
-        return x;
-    };
+    return [at](std::size_t i) { return valueAt<Vector<dim>>(at, i); };
 }
 
 /// int_(rho_0)^rho (p - p_b)/rho^2 drho [J/kg] of Tait's equation

@@ -22,11 +22,8 @@ template<int dim> void Shifter<dim>::shift(Particles<dim>& p, double deltaT) con
     p.moved(most(p.size(),
                  [&](std::size_t i)
                  {
-                     Vector<dim> v_i, s_i, x_i;
-                     fetch(v_i, [&](int c) { return v[c][i]; });
-                     fetch(s_i, [&](int c) { return s[c][i]; });
-                     fetch(x_i, [&](int c) { return x[c][i]; });
-                     auto dx = std::fmin(largest, by * (byLargestSpeed_ ? p.maxSpeed() : mag(v_i))) * s_i;
+                     const auto x_i = valueAt<Vector<dim>>(x, i), v_i = valueAt<Vector<dim>>(v, i);
+                     auto dx = std::fmin(largest, by * (byLargestSpeed_ ? p.maxSpeed() : mag(v_i))) * valueAt<Vector<dim>>(s, i);
                      if (const double d = mag(dx); d > furthest) dx = furthest / d * dx;
                      sph::store(x_i + dx, [&](int c, double q) { x[c][i] = q; });
                      return mag(dx);
@@ -45,9 +42,7 @@ template<int dim> std::vector<Stage<dim>> Transporter<dim>::stages(Place place)
                  p.moved(substep.deltaT * most(p.size(),
                                                [&](std::size_t i)
                                                {
-                                                   Vector<dim> a_i;
-                                                   fetch(a_i, [&](int c) { return a[c][i]; });
-                                                   auto w_i = 0.5 * substep.deltaT * a_i;
+                                                   auto w_i = 0.5 * substep.deltaT * valueAt<Vector<dim>>(a, i);
                                                    if (const double speed = mag(w_i); speed > furthest) w_i = furthest / speed * w_i;
                                                    sph::store(w_i, [&](int c, double q) { w[c][i] = q; });
                                                    return mag(w_i);

@@ -60,9 +60,7 @@ private:
     /// n b + b n
     SymmTensor<dim> withShear(SymmTensor<dim> S, std::size_t source, Vector<dim> n) const
     {
-        SymmTensor<dim> T;
-        fetch(T, [&](int c) { return shear_[std::size_t(c)][source]; });
-        const auto lacking = (T - S) * n, b = 2 * (lacking - dot(n, lacking) * n);
+        const auto lacking = (valueAt<SymmTensor<dim>>(shear_, source) - S) * n, b = 2 * (lacking - dot(n, lacking) * n);
         return 2.0 * symm(outer(n, b));
     }
 };

@@ -12,13 +12,6 @@ namespace sph
 
 namespace
 {
-template<class Value, std::size_t n, class Pointer> Value valueAt(const std::array<Pointer, n>& arrays, std::size_t i)
-{
-    Value q;
-    fetch(q, [&](int c) { return arrays[std::size_t(c)][i]; });
-    return q;
-}
-
 /// c = sqrt(M/rho) [m/s], and with it the speed of what pushes compacted soil apart.
 double soundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
 {

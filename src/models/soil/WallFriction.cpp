@@ -43,15 +43,10 @@ template<int dim> void WallFriction<dim>::slide(Particles<dim>& p, std::size_t i
     auto& store = p.store();
     const auto& geometry = p.geometry();
     const auto& c = p.coefficients();
-    const auto value = [i](const auto& arrays, auto q)
-    {
-        fetch(q, [&](int k) { return arrays[std::size_t(k)][i]; });
-        return q;
-    };
     const auto ofJoint = store.pointers(WallShear{});
-    const auto x = value(store.pointers(Position{}), Vector<dim>{}), v = value(store.pointers(Velocity{}), Vector<dim>{});
-    const auto sigma = inPlane(value(store.pointers(SoilStress{}), StressTensor<dim>{}));
-    auto T = value(ofJoint, SymmTensor<dim>{});
+    const auto x = valueAt<Vector<dim>>(store.pointers(Position{}), i), v = valueAt<Vector<dim>>(store.pointers(Velocity{}), i);
+    const auto sigma = inPlane(valueAt<StressTensor<dim>>(store.pointers(SoilStress{}), i));
+    auto T = valueAt<SymmTensor<dim>>(ofJoint, i);
     const auto& numbers = c.template of<SoilNumbers>();
     const double rho = store.component(Density::info.name, 0)[i], besides = numbers.compactionPressure(rho) - numbers.floorPressure;
     const double stiffness = rho * sqr(store.component(SoilSound::info.name, 0)[i]) / c.spacing;

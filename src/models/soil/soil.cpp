@@ -148,9 +148,7 @@ template<int dim> void checkStress(const Loading& loading, const Soil& soil)
                          0};
     for (std::size_t i = 0; i < loading.size(); ++i)
     {
-        StressTensor<dim> sigma;
-        fetch(sigma, [&](int c) { return loading.values[std::size_t(c)][i]; });
-        const auto s = in3D(sigma);
+        const auto s = in3D(valueAt<StressTensor<dim>>(loading.values, i));
         const bool admitted = std::visit([&](const auto& law) { return norm(s) == 0 || law.admits(s); }, soil.law);
         if (admitted && std::isfinite(norm(s))) continue;
         throw CaseError(

@@ -217,9 +217,7 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
                 if (r < nextParticle) of.most = std::max(of.most, (phi[i] / phi[j] - 1) / std::max(1.0, r));
             }
             if (of.most == 0) return of;
-            Vector<dim> x_i;
-            fetch(x_i, [&](int k) { return x[k][i]; });
-            return Rise{of.most, phi[i], in3D(x_i)};
+            return Rise{of.most, phi[i], in3D(valueAt<Vector<dim>>(x, i))};
         },
         larger);
     const double densest = most(particles.size(), [&](std::size_t i) { return phi[i]; });

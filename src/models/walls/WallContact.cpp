@@ -32,9 +32,7 @@ template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
     const double within = 0.5 * p.coefficients().spacing + p.skin();
     for (const auto& [i, d] : p.images().layers() ? nearFeet(p, within) : p.images().nearFaces(within))
     {
-        Vector<dim> x_i;
-        fetch(x_i, [&, i = i](int c) { return x[c][i]; });
-        near_.push_back({i, x_i, std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
+        near_.push_back({i, valueAt<Vector<dim>>(x, i), std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
     }
 }
 
@@ -45,9 +43,8 @@ template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::
     const auto x = p.store().pointers(Position{});
     for (std::size_t i = 0; i < p.size(); ++i)
     {
-        Vector<dim> x_i;
-        fetch(x_i, [&](int c) { return x[c][i]; });
-        if (const double d = p.images().nearestFoot(x_i, distance).foot.distance; d < distance) near.emplace_back(i, d);
+        if (const double d = p.images().nearestFoot(valueAt<Vector<dim>>(x, i), distance).foot.distance; d < distance)
+            near.emplace_back(i, d);
     }
     return near;
 }
@@ -57,8 +54,7 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
 {
     const auto x = p.store().pointers(Position{}), v = p.store().pointers(Velocity{});
     const std::size_t i = near.particle;
-    Vector<dim> x_i, v_i;
-    fetch(x_i, [&](int c) { return x[c][i]; });
+    const auto x_i = valueAt<Vector<dim>>(x, i);
     const double walls = p.movingWalls().travelled();
     if (mag(x_i - near.x) + (walls - near.walls) < near.clear) return 0;
 
@@ -68,8 +64,8 @@ template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near
     const double d = std::min(reach, foot.distance);
     near = {i, x_i, std::max(0.0, d - closest), walls};
     if (d >= closest) return 0;
-    fetch(v_i, [&](int c) { return v[c][i]; });
-    const auto before = v_i;
+    const auto before = valueAt<Vector<dim>>(v, i);
+    auto v_i = before;
     HeldVelocity<dim> velocity(v_i);
     const auto held =
         offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });

@@ -46,8 +46,7 @@ Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t sour
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     const auto continued = v_w + change(v - v_w, r);
     if (!once) return continued;
-    Vector<dim> a;
-    fetch(a, [&](int c) { return a_[c][source]; });
+    auto a = valueAt<Vector<dim>>(a_, source);
     const WallProperties& wall = geometry_.walls[r.wall];
     const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_) / rho;
     a += in<dim>(g_) + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
