@@ -3,6 +3,7 @@
 #include "CaseError.hpp"
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -11,8 +12,14 @@ namespace sph
 
 class OutputFile
 {
+public:
+    /// Takes what would be written, in long pieces.
+    using Taker = std::function<void(std::string_view)>;
+
+private:
     static constexpr std::size_t capacity_ = 1 << 20;
     std::filesystem::path shown_;
+    Taker taker_;
     std::unique_ptr<char[]> buffer_ = std::make_unique_for_overwrite<char[]>(capacity_);
     std::size_t used_ = 0;
     int descriptor_ = -1;
@@ -25,6 +32,8 @@ public:
     explicit OutputFile(const std::filesystem::path&);
     /// `shown`: its name in messages.
     OutputFile(const std::filesystem::path&, const std::filesystem::path& shown);
+    /// No file: the taker gets the bytes.
+    explicit OutputFile(Taker taker) : taker_(std::move(taker)) {}
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     /// Drops what has not been flushed: a file is whole only after `close`, which can fail where a destructor must not.
