@@ -503,7 +503,7 @@ TEST_P(CollatedFiles, AreThoseOfOneProcess)
         ASSERT_EQ(writeOnRanks(alone, GetParam(), {std::accumulate(counts.begin(), counts.end(), 0)}).code, 0);
         const auto files = together.files("");
         EXPECT_EQ(files.size(), 6u);
-        EXPECT_EQ(difference(alone.files(""), files), "") << counts[0];
+        EXPECT_EQ(test::difference(alone.files(""), files), "") << counts[0];
     }
 }
 
@@ -520,15 +520,15 @@ TEST_P(CollatedFiles, ThatCannotBeWrittenEndAllRanks)
 {
     const TestCase together(Files{}), alone(Files{});
     const std::string words = "field phase: 10000000000 of particle 9 is not a label\n";
-    EXPECT_EQ(writeOnRanks(alone, GetParam(), {20}, 9).err, words);
+    EXPECT_EQ(countOf(writeOnRanks(alone, GetParam(), {20}, 9).err, words), 1);
     const auto outcome = writeOnRanks(together, GetParam(), {5, 5, 10}, 9);
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(countOf(outcome.err, words), 3) << outcome.err;
     EXPECT_TRUE(std::filesystem::is_empty(together.folder()));
 }
 
-/// A disk of 128 kB; null where this machine does not permit to mount one.
-std::shared_ptr<const TestCase> smallDisk()
+/// A small disk; null where this machine does not permit to mount one.
+std::shared_ptr<const TestCase> smallDisk(const char* size)
 {
     const auto unmount = [](const TestCase* place)
     {
@@ -536,13 +536,13 @@ std::shared_ptr<const TestCase> smallDisk()
         delete place;
     };
     const std::shared_ptr<const TestCase> place(new TestCase(Files{}), unmount);
-    return ::mount("tmpfs", place->folder().c_str(), "tmpfs", 0, "size=128k") == 0 ? place : nullptr;
+    return ::mount("tmpfs", place->folder().c_str(), "tmpfs", 0, size) == 0 ? place : nullptr;
 }
 
 // 600 particles fit, 5000 do not, be it the share of the first rank or of the last: the last good time is whole.
 TEST_P(CollatedFiles, OfAFullDiskAreRemoved)
 {
-    const auto disk = smallDisk();
+    const auto disk = smallDisk("size=128k");
     if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
     const TestCase c(Files{}, disk->folder());
     ASSERT_EQ(writeOnRanks(c, GetParam(), {100, 200, 300}).code, 0);
@@ -552,7 +552,7 @@ TEST_P(CollatedFiles, OfAFullDiskAreRemoved)
         const auto outcome = writeOnRanks(c, GetParam(), counts);
         EXPECT_EQ(outcome.code, 1);
         EXPECT_EQ(countOf(outcome.err, ": cannot be written: No space left on device\n"), 3) << outcome.err;
-        EXPECT_EQ(difference(before, c.files("")), "");
+        EXPECT_EQ(test::difference(before, c.files("")), "");
     }
 }
 
@@ -561,7 +561,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, CollatedFiles, testing::Values("ascii", "binar
 // A run whose second time has no place: one message, exit code 1, and the times before are whole.
 TEST(RanksOfAFullDisk, EndWithOneMessage)
 {
-    const auto disk = smallDisk();
+    const auto disk = smallDisk("size=1m");
     if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
     const Prepared prepared(channelCase());
     const TestCase c(Files{}, disk->folder());
