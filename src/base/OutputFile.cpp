@@ -1,7 +1,6 @@
 #include "OutputFile.hpp"
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
@@ -63,12 +62,11 @@ void OutputFile::send(const char* data, std::size_t size)
     }
 }
 
-void OutputFile::write(std::string_view text)
+void OutputFile::writeLong(std::string_view text)
 {
-    if (text.size() > capacity_ - used_) flush();
+    flush();
     if (text.size() > capacity_) return send(text.data(), text.size());
-    std::memcpy(buffer_.get() + used_, text.data(), text.size());
-    used_ += text.size();
+    write(text);
 }
 
 void OutputFile::write(double value, int precision)

@@ -2,6 +2,7 @@
 #pragma once
 #include "CaseError.hpp"
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -26,6 +27,7 @@ private:
 
     [[noreturn]] void fail(int reason) const;
     void send(const char* data, std::size_t size);
+    void writeLong(std::string_view);
 
 public:
     /// Creates the file, or empties it.
@@ -39,7 +41,13 @@ public:
     /// Drops what has not been flushed: a file is whole only after `close`, which can fail where a destructor must not.
     ~OutputFile();
 
-    void write(std::string_view);
+    /// Inlined: what is written are a few bytes of known length, millions of times.
+    void write(std::string_view text)
+    {
+        if (text.size() > capacity_ - used_) return writeLong(text);
+        std::memcpy(buffer_.get() + used_, text.data(), text.size());
+        used_ += text.size();
+    }
     void writeBytes(const void* data, std::size_t size) { write({static_cast<const char*>(data), size}); }
     /// `precision` significant digits; 0: the shortest text that reads back to the same number.
     void write(double, int precision);

@@ -122,10 +122,12 @@ void writeBinary(OutputFile& file, const FieldView& field, const Share& share, s
         const auto label = share.label(field, i);
         return file.writeBytes(&label, sizeof label);
     }
-    double value[9];
     const int components = componentsOf(field.type);
-    for (int c = 0; c < components; ++c) value[c] = valueOf(field, c, i);
-    file.writeBytes(value, binaryBytes(field.type));
+    for (int c = 0; c < components; ++c)
+    {
+        const double value = valueOf(field, c, i);
+        file.writeBytes(&value, sizeof value);
+    }
 }
 
 /// OpenFOAM writes an empty binary list without its parentheses and ParaView wants them: both read an empty ascii list.

@@ -78,15 +78,22 @@ void speed(const fs::path& folder, std::size_t all)
     const std::size_t rank = std::size_t(those.rank()), count = std::size_t(those.count());
     const std::size_t before = rank * all / count, n = (rank + 1) * all / count - before;
     const Particles particles(before, n, all);
-    std::vector<fs::path> files;
+    const auto filesOfTime = [&]
+    {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder / "1"))
+            if (entry.is_regular_file()) files.push_back(entry.path());
+        std::ranges::sort(files);
+        return files;
+    };
     const auto collated = [&]
     {
         writeCloud(folder / "1", "sph", n, particles.positions(), particles.fields(), {});
-        byFirst(
+        allOrNone(
             [&]
             {
-                for (const auto& entry : fs::recursive_directory_iterator(folder / "1"))
-                    if (entry.is_regular_file()) toDisk(entry.path());
+                const auto files = filesOfTime();
+                for (std::size_t k = rank; k < files.size(); k += count) toDisk(files[k]);
             });
     };
     std::uintmax_t bytes = 0;
@@ -113,8 +120,7 @@ void speed(const fs::path& folder, std::size_t all)
             [&]
             {
                 bytes = 0;
-                for (const auto& entry : fs::recursive_directory_iterator(folder / "1"))
-                    if (entry.is_regular_file()) bytes += entry.file_size();
+                for (const auto& file : filesOfTime()) bytes += fs::file_size(file);
                 fs::remove(folder / "plain");
                 ::sync();
                 bestPlain = std::min(bestPlain, timeOf(plain));
