@@ -195,16 +195,18 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
     return field;
 }
 
-/// How far n records are from one another of which the first begins here and the last ends before the closing parenthesis; 0 where they are not even, for
-/// white space may stand between them.
+/// How far n records are from one another of which the first begins here and the last ends before the closing parenthesis of the file; 0 where they are not
+/// even, for white space may stand between them.
 std::size_t evenDistance(FoamScanner in, std::size_t bytes, std::size_t n)
 {
-    const auto first = in.here();
+    auto end = in;
     if (in.remaining() < bytes) return 0;
     in.advance(bytes);
     in.skip();
-    const auto distance = std::size_t(in.here() - first);
-    return !in.atEnd() && (in.remaining() - 1) / distance >= n - 1 && first[n * distance] == ')' ? distance : 0;
+    const auto distance = std::size_t(in.here() - end.here());
+    if (in.atEnd() || (in.remaining() - 1) / distance < n - 1) return 0;
+    end.advance(n * distance);
+    return end.takeHere(')') && end.peek() == '\0' && end.atEnd() ? distance : 0;
 }
 
 Positions parsePositions(std::string_view text, const Slice& slice)

@@ -227,15 +227,14 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
     if (written_.empty()) byFirst([&] { removePartialFolders(timesFolder()); });
     const auto time = name();
-    const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
-                                      "deltaT          {};\ndeltaT0         {};\n",
-                                      shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
-    const auto stateText = inWords(state);
     const auto writeUniform = [&](const std::filesystem::path& folder)
     {
+        const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
+                                          "deltaT          {};\ndeltaT0         {};\n",
+                                          shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
         createFolders(folder / "uniform");
         writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
-        writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
+        writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", inWords(state)));
         if (!histories.empty()) writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
     };
     writeFolder(timesFolder(), time,

@@ -77,7 +77,7 @@ bool isFirstRank();
 bool isLastRank();
 /// Processor time of this process, all threads together, without what it spent in waiting for others [s].
 double busyTime();
-/// Reading the case in turns: the first rank finds its mistakes, and brings about what it needs, before the others look.
+/// Reading the case in turns: the first rank brings about what it needs, and ends the run by what it throws, before the others look.
 void waitForFirst();
 void firstIsThrough();
 
