@@ -296,6 +296,9 @@ TEST(RanksRefuse, BadParticlesOfTheirSlices)
     isRefused(c, 3, {U, "the value of particle " + std::to_string(n / 2) + " is not finite"});
     c.write(U, good.substr(0, good.size() - 30));
     isRefused(c, 3, {U, "the file is truncated"});
+    withNaN({n - 1});
+    c.replace("system/controlDict", "endTime 0.04", "endTime often");
+    isRefused(c, 3, {U, "is not finite", "system/controlDict", "often"});
 }
 
 TEST(RanksRefuse, MistakesOfTheirDictionary)

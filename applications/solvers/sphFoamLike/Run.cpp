@@ -118,12 +118,22 @@ Cloud Run::readCloud() const
     const std::size_t all = ranks() ? std::size_t(ranks()->count()) : 1;
     const Slice slice = ranks() && !isDecomposed() ? Slice{std::size_t(ranks()->rank()), all} : Slice{};
     Cloud cloud;
-    allOrNone(
-        [&]
-        {
-            cloud = sph::readCloud(case_.folder(), time_.startFolder(), "sph", case_.diagnostics(), settings_.writtenClasses(), slice);
-            case_.diagnostics().throwIfAny();
-        });
+    Diagnostics ofRank;
+    auto& diagnostics = ranks() ? ofRank : case_.diagnostics();
+    try
+    {
+        allOrNone(
+            [&]
+            {
+                cloud = sph::readCloud(case_.folder(), time_.startFolder(), "sph", diagnostics, settings_.writtenClasses(), slice);
+                ofRank.throwIfAny();
+            });
+    }
+    catch (const CaseError& e)
+    {
+        case_.diagnostics().error({}, e.what());
+    }
+    case_.diagnostics().throwIfAny();
     // Where openings bring particles there may be none for some ranks yet.
     const auto n = ofAllRanks(cloud.size(), std::size_t(0), Add{});
     if (!isDecomposed() && settings_.needsParticles && n > 0 && n < all)
