@@ -1,7 +1,6 @@
 #include "OutputFile.hpp"
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <system_error>
@@ -52,6 +51,7 @@ void OutputFile::fail(int reason) const
 
 void OutputFile::send(const char* data, std::size_t size)
 {
+    if (taker_) return taker_({data, size});
     while (size > 0)
     {
         const auto sent = ::write(descriptor_, data, size);
@@ -62,12 +62,11 @@ void OutputFile::send(const char* data, std::size_t size)
     }
 }
 
-void OutputFile::write(std::string_view text)
+void OutputFile::writeLong(std::string_view text)
 {
-    if (text.size() > capacity_ - used_) flush();
+    flush();
     if (text.size() > capacity_) return send(text.data(), text.size());
-    std::memcpy(buffer_.get() + used_, text.data(), text.size());
-    used_ += text.size();
+    write(text);
 }
 
 void OutputFile::write(double value, int precision)
@@ -93,6 +92,7 @@ void OutputFile::flush()
 void OutputFile::close()
 {
     flush();
+    if (taker_) return;
     // Some file systems (NFS, quotas) report a full disk only here.
     const int descriptor = descriptor_;
     descriptor_ = -1;

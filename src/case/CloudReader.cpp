@@ -28,8 +28,8 @@ std::vector<std::string> fieldsIn(const std::filesystem::path& folder)
 
 /// What was written must be there: a field that is lost, or copied without, would be taken for one that was never given. OpenFOAM's tools
 /// write this file without the names, and then nothing is known.
-void checkComplete(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, const Cloud& read,
-                   const std::vector<std::string>& files, Diagnostics& diagnostics)
+void checkComplete(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, const std::string& folder,
+                   std::size_t particles, const std::vector<std::string>& files, Diagnostics& diagnostics)
 {
     const auto file = time + "/uniform/lagrangian/" + cloud + "/cloudProperties";
     std::error_code none;
@@ -37,7 +37,7 @@ void checkComplete(const std::filesystem::path& caseFolder, const std::string& t
     const auto mistakes = std::make_shared<Diagnostics>();
     const auto written = Dictionary::read(caseFolder, file, mistakes);
     std::vector<std::string> names;
-    int count = int(read.size());
+    int count = int(particles);
     if (written.found("fields"))
     {
         names = written.get<std::vector<std::string>>("fields");
@@ -51,11 +51,11 @@ void checkComplete(const std::filesystem::path& caseFolder, const std::string& t
     {
         return diagnostics.error({}, e.what());
     }
-    if (std::size_t(count) != read.size())
-        diagnostics.error({read.folder + "/positions", 0}, fmt::format("has {} particles, and {} says {}", read.size(), file, count));
+    if (std::size_t(count) != particles)
+        diagnostics.error({folder + "/positions", 0}, fmt::format("has {} particles, and {} says {}", particles, file, count));
     for (const auto& name : names)
         if (std::ranges::find(files, name) == files.end())
-            diagnostics.error({read.folder + "/" + name, 0},
+            diagnostics.error({folder + "/" + name, 0},
                               fmt::format("is missing, and was written with the others: see `fields` in {}, and leave it out "
                                           "there if it is not meant to be read",
                                           file));
@@ -65,29 +65,33 @@ std::string cloudFolder(const std::string& time, const std::string& cloud) { ret
 
 }
 
-std::string Cloud::particle(std::size_t i) const { return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", i, x[i], y[i], z[i]); }
+std::string Cloud::particle(std::size_t i) const
+{
+    return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", before + i, x[i], y[i], z[i]);
+}
 
 Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, Diagnostics& diagnostics,
-                const FieldClasses& wanted)
+                const FieldClasses& wanted, const Slice& slice)
 {
     const auto folder = cloudFolder(time, cloud);
     Cloud result;
     result.folder = folder;
-    auto positions = readPositions(caseFolder, folder + "/positions", diagnostics);
+    auto positions = readPositions(caseFolder, folder + "/positions", diagnostics, slice);
     // How long the fields must be is not known without positions.
     if (!positions) return result;
     result.x = std::move(positions->x);
     result.y = std::move(positions->y);
     result.z = std::move(positions->z);
+    result.before = slice.begin(positions->count);
     const auto files = fieldsIn(caseFolder / folder);
-    checkComplete(caseFolder, time, cloud, result, files, diagnostics);
+    checkComplete(caseFolder, time, cloud, folder, positions->count, files, diagnostics);
     for (const auto& name : files)
     {
         const auto file = folder + "/" + name;
         const auto its = wanted.find(name);
         if (name.ends_with(".gz")) diagnostics.error({file, 0}, "compressed files are not read: gunzip it");
-        else if (auto field = readField(caseFolder, file, result.size(), its == wanted.end() ? std::nullopt : std::optional(its->second),
-                                        diagnostics))
+        else if (auto field = readField(caseFolder, file, positions->count, its == wanted.end() ? std::nullopt : std::optional(its->second),
+                                        diagnostics, slice))
             result.fields[name] = std::move(*field);
     }
     return result;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <stdexcept>
 
 namespace sph
@@ -33,11 +34,14 @@ class ListReader
 {
     FoamScanner& in_;
     const FoamHeader& header_;
+    const Slice& slice_;
+    std::vector<std::vector<double>*> values_; ///< one array per component, of the slice
     bool hasCount_ = false;
     std::size_t count_ = 0;
 
 public:
-    ListReader(FoamScanner& in, const FoamHeader& header) : in_(in), header_(header)
+    ListReader(FoamScanner& in, const FoamHeader& header, const Slice& slice, std::vector<std::vector<double>*> values)
+        : in_(in), header_(header), slice_(slice), values_(std::move(values))
     {
         std::int64_t count = 0;
         if (in_.peek() == '(' && !header.binary) return;
@@ -50,18 +54,28 @@ public:
     {
         if (hasCount_ && count_ != n) in_.fail(fmt::format("field {} has {} values, positions has {}", field, count_, n));
     }
+    std::size_t count() const { return count_; }
 
-    /// `append(i)` reads value i; all of it, or throws. `bytes`: of one value in binary; `repeat(n)`: makes n of the only one.
-    /// Returns how many there are.
-    std::size_t read(std::size_t bytes, const auto& reserve, const auto& append, const auto& repeat)
+    /// `append(i)` reads value i and appends it to the arrays; all of it, or throws. `bytes`: of one value in binary; `pass(begin, end)` goes past
+    /// some. Returns how many there are.
+    std::size_t read(std::size_t bytes, const auto& append, const auto& pass)
     {
-        const auto n = header_.binary ? readBinary(bytes, reserve, append) : readAscii(reserve, append, repeat);
+        const auto n = header_.binary ? readBinary(bytes, append, pass) : readAscii(append);
         if (in_.peek() != '\0' || !in_.atEnd()) in_.fail(fmt::format("unexpected {} after the list", in_.found()));
         return n;
     }
+    void dropLast()
+    {
+        for (auto* a : values_) a->pop_back();
+    }
 
 private:
-    std::size_t readBinary(std::size_t bytes, const auto& reserve, const auto& append)
+    void reserve(std::size_t n)
+    {
+        for (auto* a : values_) a->reserve(n);
+    }
+
+    std::size_t readBinary(std::size_t bytes, const auto& append, const auto& pass)
     {
         // OpenFOAM writes an empty list as its count alone.
         if (count_ == 0 && in_.peek() == '\0') return 0;
@@ -71,32 +85,41 @@ private:
         if (count_ > in_.remaining() / bytes)
             in_.fail(fmt::format("the file is truncated: {} values need {:.0f} bytes, {} are there", count_, double(count_) * double(bytes),
                                  in_.remaining()));
-        reserve(count_);
-        for (std::size_t i = 0; i < count_; ++i) append(i);
+        const auto begin = slice_.begin(count_), end = slice_.end(count_);
+        reserve(end - begin);
+        pass(0, begin);
+        for (std::size_t i = begin; i < end; ++i) append(i);
+        pass(end, count_);
         if (!in_.takeHere(')')) in_.fail(fmt::format("expected ) right after {} values, found {}", count_, in_.found()));
         return count_;
     }
 
-    std::size_t readAscii(const auto& reserve, const auto& append, const auto& repeat)
+    std::size_t readAscii(const auto& append)
     {
+        // Where a list does not say how long it is, its slice is cut at its end.
+        const auto begin = hasCount_ ? slice_.begin(count_) : 0,
+                   end = hasCount_ ? slice_.end(count_) : std::numeric_limits<std::size_t>::max();
         if (hasCount_ && in_.take('{'))
         {
             append(0);
             if (!in_.take('}')) in_.fail("expected } after the value, found " + in_.found());
-            repeat(count_);
+            for (auto* a : values_) a->assign(end - begin, double((*a)[0]));
             return count_;
         }
         if (!in_.take('(')) in_.fail("expected ( and the values, found " + in_.found());
         // A value takes two characters at least: a wrong count must not ask for memory that no file of this size can fill.
-        reserve(std::min(count_, in_.remaining() / 2 + 1));
+        reserve(hasCount_ ? std::min(end - begin, in_.remaining() / 2) + 1 : 0);
         std::size_t i = 0;
         for (; !in_.take(')'); ++i)
         {
             if (in_.atEnd()) in_.fail(fmt::format("the file is truncated: it ends after {}", progress(i)));
             if (hasCount_ && i == count_) in_.fail(fmt::format("expected ) after {} values, found {}", count_, in_.found()));
             append(i);
+            if (i < begin || i >= end) dropLast();
         }
         if (hasCount_ && i < count_) in_.fail(fmt::format("the list ends after {}", progress(i)));
+        if (!hasCount_)
+            for (auto* a : values_) *a = {a->begin() + long(slice_.begin(i)), a->begin() + long(slice_.end(i))};
         return i;
     }
 
@@ -143,7 +166,8 @@ double binaryNumber(FoamScanner& in, int bits, std::size_t i)
 
 double binaryLabel(FoamScanner& in, int bits) { return bits == 64 ? double(in.raw<std::int64_t>()) : double(in.raw<std::int32_t>()); }
 
-CloudField parseField(std::string_view text, const std::string& name, std::size_t expected, std::optional<FieldClass> wanted)
+CloudField parseField(std::string_view text, const std::string& name, std::size_t expected, std::optional<FieldClass> wanted,
+                      const Slice& slice)
 {
     FoamScanner in(text);
     const auto header = readFoamHeader(in);
@@ -153,7 +177,9 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
     const bool isLabel = field.type == FieldClass::label;
     field.component.resize(std::size_t(components));
 
-    ListReader list(in, header);
+    std::vector<std::vector<double>*> arrays;
+    for (auto& values : field.component) arrays.push_back(&values);
+    ListReader list(in, header, slice, arrays);
     list.expect(expected, name);
     const auto append = [&](std::size_t i)
     {
@@ -163,27 +189,35 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
                                            : (isLabel ? asciiLabel(in, i) : asciiNumber(in, i)));
         if (!header.binary && components > 1) bracket(in, ')', i, components);
     };
-    const auto reserve = [&](std::size_t n)
-    {
-        for (auto& values : field.component) values.reserve(n);
-    };
-    const auto repeat = [&](std::size_t n)
-    {
-        for (auto& values : field.component) values.assign(n, double(values[0]));
-    };
     const auto bytes = std::size_t(isLabel ? header.labelBits : components * header.scalarBits) / 8;
-    const auto n = list.read(bytes, reserve, append, repeat);
+    const auto n = list.read(bytes, append, [&](std::size_t begin, std::size_t end) { in.advance((end - begin) * bytes); });
     if (n != expected) in.fail(fmt::format("field {} has {} values, positions has {}", name, n, expected));
     return field;
 }
 
-Positions parsePositions(std::string_view text)
+/// How far n records are from one another of which the first begins here and the last ends before the closing parenthesis of the file; 0 where they are not
+/// even, for white space may stand between them.
+std::size_t evenDistance(FoamScanner in, std::size_t bytes, std::size_t n)
+{
+    auto end = in;
+    if (in.remaining() < bytes) return 0;
+    in.advance(bytes);
+    in.skip();
+    const auto distance = std::size_t(in.here() - end.here());
+    if (in.atEnd() || (in.remaining() - 1) / distance < n - 1) return 0;
+    end.advance(n * distance);
+    return end.takeHere(')') && end.peek() == '\0' && end.atEnd() ? distance : 0;
+}
+
+Positions parsePositions(std::string_view text, const Slice& slice)
 {
     FoamScanner in(text);
     const auto header = readFoamHeader(in);
     if (header.className != "Cloud" && !header.className.starts_with("Cloud<"))
         throw ScanError(header.classLine, fmt::format("class \"{}\" is not that of positions, Cloud<...>", header.className));
     Positions p;
+    ListReader list(in, header, slice, {&p.x, &p.y, &p.z});
+    if (!header.binary && in.peek() == '{') in.fail("positions cannot be a compact list");
     const auto ascii = [&](std::size_t i)
     {
         bracket(in, '(', i, 3);
@@ -192,25 +226,29 @@ Positions parsePositions(std::string_view text)
         std::int64_t cell;
         if (!in.integer(cell)) in.fail(fmt::format("expected the cell label after the position of particle {}, found {}", i, in.found()));
     };
+    const auto bytes = std::size_t(3 * header.scalarBits + header.labelBits) / 8 + 2;
     const auto binary = [&](std::size_t i)
     {
-        const auto bytes = std::size_t(3 * header.scalarBits + header.labelBits) / 8;
         if (!in.take('(')) in.fail(fmt::format("expected ( before the position of particle {}, found {}", i, in.found()));
-        if (in.remaining() < bytes) in.fail(fmt::format("the file is truncated in the position of particle {}", i));
+        if (in.remaining() < bytes - 2) in.fail(fmt::format("the file is truncated in the position of particle {}", i));
         for (auto* values : {&p.x, &p.y, &p.z}) values->push_back(binaryNumber(in, header.scalarBits, i));
         binaryLabel(in, header.labelBits);
         if (!in.takeHere(')')) in.fail(fmt::format("expected ) right after the position of particle {}", i));
         in.skip();
     };
-    const auto reserve = [&](std::size_t n)
+    const auto pass = [&](std::size_t begin, std::size_t end)
     {
-        for (auto* values : {&p.x, &p.y, &p.z}) values->reserve(n);
+        if (begin == end) return;
+        in.skip();
+        if (const auto distance = evenDistance(in, bytes, list.count() - begin); distance > 0) return in.advance((end - begin) * distance);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+            binary(i);
+            list.dropLast();
+        }
     };
-    const auto repeat = [&](std::size_t) { in.fail("positions cannot be a compact list"); };
-    const auto bytes = std::size_t(3 * header.scalarBits + header.labelBits) / 8 + 2;
-    ListReader list(in, header);
-    list.read(
-        bytes, reserve, [&](std::size_t i) { header.binary ? binary(i) : ascii(i); }, repeat);
+    p.count = list.read(
+        bytes, [&](std::size_t i) { header.binary ? binary(i) : ascii(i); }, pass);
     return p;
 }
 
@@ -235,17 +273,18 @@ std::optional<Result> guarded(const std::filesystem::path& caseFolder, const std
 
 }
 
-std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics)
+std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics& diagnostics,
+                                       const Slice& slice)
 {
-    return guarded<Positions>(caseFolder, file, diagnostics, parsePositions);
+    return guarded<Positions>(caseFolder, file, diagnostics, [&](std::string_view text) { return parsePositions(text, slice); });
 }
 
 std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
-                                    std::optional<FieldClass> wanted, Diagnostics& diagnostics)
+                                    std::optional<FieldClass> wanted, Diagnostics& diagnostics, const Slice& slice)
 {
     const auto name = std::filesystem::path(file).filename().string();
     return guarded<CloudField>(caseFolder, file, diagnostics,
-                               [&](std::string_view text) { return parseField(text, name, expected, wanted); });
+                               [&](std::string_view text) { return parseField(text, name, expected, wanted, slice); });
 }
 
 }

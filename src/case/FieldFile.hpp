@@ -9,16 +9,17 @@ namespace sph
 
 struct Positions
 {
-    std::vector<double> x, y, z;
+    std::vector<double> x, y, z; ///< of the slice
+    std::size_t count = 0;       ///< in the file
 };
 
 /// Both record what is wrong, with file (as given, relative to the case) and line, and then return nothing. Lines are given for
 /// ascii data and for the header; in binary data there are none.
 
-std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics&);
+std::optional<Positions> readPositions(const std::filesystem::path& caseFolder, const std::string& file, Diagnostics&, const Slice& = {});
 
-/// `expected`: how many positions there are; a list of another length is an error, and so is a class other than the wanted one.
+/// `expected`: how many positions are in their file; a list of another length is an error, and so is a class other than the wanted one.
 std::optional<CloudField> readField(const std::filesystem::path& caseFolder, const std::string& file, std::size_t expected,
-                                    std::optional<FieldClass> wanted, Diagnostics&);
+                                    std::optional<FieldClass> wanted, Diagnostics&, const Slice& = {});
 
 }

@@ -78,6 +78,8 @@ public:
     bool number(double&);
     bool integer(std::int64_t&);
 
+    /// Over bytes that are there.
+    void advance(std::size_t bytes) { at_ += bytes; }
     template<class T> T raw()
     {
         T value;

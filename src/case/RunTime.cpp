@@ -1,6 +1,7 @@
 #include "RunTime.hpp"
 #include "FoamHeader.hpp"
 #include "OutputFile.hpp"
+#include "Ranks.hpp"
 #include "TimeFolder.hpp"
 #include "words.hpp"
 #include <algorithm>
@@ -224,21 +225,23 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
                     const Histories& histories)
 {
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
-    if (written_.empty()) removePartialFolders(timesFolder());
+    if (written_.empty()) byFirst([&] { removePartialFolders(timesFolder()); });
     const auto time = name();
-    const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
-                                      "deltaT          {};\ndeltaT0         {};\n",
-                                      shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
-    const auto stateText = inWords(state);
+    const auto writeUniform = [&](const std::filesystem::path& folder)
+    {
+        const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"
+                                          "deltaT          {};\ndeltaT0         {};\n",
+                                          shortestText(value_), time, index_, shortestText(deltaT_), shortestText(deltaT_));
+        createFolders(folder / "uniform");
+        writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
+        writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", inWords(state)));
+        if (!histories.empty()) writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
+    };
     writeFolder(timesFolder(), time,
                 [&](const std::filesystem::path& folder)
                 {
                     fill(folder);
-                    createFolders(folder / "uniform");
-                    writeFile(folder / "uniform" / "time", uniformFile(time, "time", timeText));
-                    writeFile(folder / "uniform" / "sphState", uniformFile(time, "sphState", stateText));
-                    if (!histories.empty())
-                        writeFile(folder / "uniform" / "functionObjects", uniformFile(time, "functionObjects", inWords(histories)));
+                    byFirst([&] { writeUniform(folder); });
                     barrier_();
                 });
     barrier_();
@@ -252,7 +255,8 @@ void RunTime::purge()
 {
     while (controls_.purgeWrite > 0 && written_.size() > std::size_t(controls_.purgeWrite))
     {
-        if (written_.front() != startName_ && timeValue(written_.front()) != 0) removeFolder(timesFolder(), written_.front());
+        if (written_.front() != startName_ && timeValue(written_.front()) != 0)
+            byFirst([&] { removeFolder(timesFolder(), written_.front()); });
         written_.erase(written_.begin());
     }
 }

@@ -66,9 +66,8 @@ public:
 
     /// Writes into `<name>.partial/` beside the final name and renames when `fill` has returned, then purges. `fill` gets the folder
     /// to write into. A failure (full disk) leaves no folder of that name and the last good one whole, and throws CaseError.
+    /// Ranks write it together; numbers and histories are those of the first.
     void write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers&, const Histories& = {});
-    /// The present time is written by another rank.
-    void writtenElsewhere() { named_[name()] = value_; }
     WriteOptions writeOptions() const { return controls_.writeOptions; }
 
     /// The numbers stored with the folder that the run started from; empty at a fresh start.

@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "FoamHeader.hpp"
 #include "OutputFile.hpp"
+#include "Ranks.hpp"
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -59,7 +60,7 @@ struct Partial
     ~Partial()
     {
         std::error_code ignored;
-        fs::remove_all(folder, ignored);
+        if (isFirstRank()) fs::remove_all(folder, ignored);
     }
 };
 
@@ -68,10 +69,14 @@ struct Partial
 void writeFolder(const fs::path& parent, const std::string& name, const std::function<void(const fs::path&)>& fill)
 {
     const Partial partial{parent / (name + partialSuffix)};
-    removeAll(partial.folder);
-    createFolders(partial.folder);
+    byFirst(
+        [&]
+        {
+            removeAll(partial.folder);
+            createFolders(partial.folder);
+        });
     fill(partial.folder);
-    moveIntoPlace(partial.folder, parent / name);
+    byFirst([&] { moveIntoPlace(partial.folder, parent / name); });
 }
 
 void removeFolder(const fs::path& parent, const std::string& name)

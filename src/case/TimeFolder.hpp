@@ -8,7 +8,8 @@ namespace sph
 {
 
 /// Fills `parent/name`, replacing what has that name. When `fill` throws, or the disk is full, neither the folder nor anything of it is
-/// left and what had the name before is untouched; the failure goes on as CaseError, or as whatever `fill` threw.
+/// left and what had the name before is untouched; the failure goes on as CaseError, or as whatever `fill` threw. Ranks fill one folder together:
+/// `fill` throws on all of them or on none (allOrNone).
 void writeFolder(const std::filesystem::path& parent, const std::string& name,
                  const std::function<void(const std::filesystem::path&)>& fill);
 

@@ -1,4 +1,6 @@
 #include "Ranks.hpp"
+#include "CaseError.hpp"
+#include <algorithm>
 #include <ctime>
 #include <dlfcn.h>
 #include <stdexcept>
@@ -15,6 +17,7 @@ const Ranks* present = nullptr;
 
 const Ranks* ranks() { return present; }
 bool isFirstRank() { return !present || present->rank() == 0; }
+bool isLastRank() { return !present || present->rank() == present->count() - 1; }
 double busyTime()
 {
     timespec now;
@@ -28,6 +31,38 @@ void waitForFirst()
 void firstIsThrough()
 {
     if (present && isFirstRank()) present->barrier();
+}
+
+void allOrNone(const std::function<void()>& act)
+{
+    if (!present) return act();
+    std::string failure;
+    try
+    {
+        act();
+    }
+    catch (const std::exception& e)
+    {
+        failure = e.what();
+    }
+    std::vector<std::size_t> lengths(std::size_t(present->count()));
+    const std::size_t length = failure.size();
+    present->gatherAll(std::as_bytes(std::span(&length, 1)), std::as_writable_bytes(std::span(lengths)));
+    const auto first = std::ranges::find_if(lengths, [](std::size_t n) { return n > 0; });
+    if (first == lengths.end()) return;
+    failure.resize(*first);
+    std::string failures(*first * lengths.size(), ' ');
+    present->gatherAll(std::as_bytes(std::span(failure)), std::as_writable_bytes(std::span(failures)));
+    throw CaseError(failures.substr(std::size_t(first - lengths.begin()) * *first, *first));
+}
+
+void byFirst(const std::function<void()>& act)
+{
+    allOrNone(
+        [&]
+        {
+            if (isFirstRank()) act();
+        });
 }
 
 void startRanks()

@@ -3,10 +3,13 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sph
@@ -40,6 +43,16 @@ public:
     /// Cuts space so that each rank has about the same sum of weights. `x` three numbers a place, of this rank's particles.
     virtual std::vector<RankBox> cut(int dimension, std::span<const double> x, std::span<const float> weights) const = 0;
     virtual void barrier() const = 0;
+    /// A file in which each rank writes where it likes; all close it. Throws std::runtime_error with the reason.
+    class SharedFile
+    {
+    public:
+        virtual ~SharedFile() = default;
+        virtual void write(std::size_t at, std::string_view bytes) = 0;
+        virtual void close() = 0;
+    };
+    /// Makes one that is not there yet, on all ranks, or throws on all.
+    virtual std::unique_ptr<SharedFile> create(const std::filesystem::path&) const = 0;
     /// In all that has been exchanged, gathered and waited for so far [s]: wall time, and processor time of this process.
     struct Waited
     {
@@ -61,11 +74,18 @@ const Ranks* ranks();
 void startRanks();
 /// Whether this process reads, writes and speaks for all; also where it is alone.
 bool isFirstRank();
+bool isLastRank();
 /// Processor time of this process, all threads together, without what it spent in waiting for others [s].
 double busyTime();
-/// Reading the case in turns: the first rank finds its mistakes, and brings about what it needs, before the others look.
+/// Reading the case in turns: the first rank brings about what it needs, and ends the run by what it throws, before the others look.
 void waitForFirst();
 void firstIsThrough();
+
+/// All ranks act. What one throws, the first of them where there are several, all throw, as a CaseError of the same words: they go on or end together.
+/// The act must not wait for other ranks.
+void allOrNone(const std::function<void()>& act);
+/// The first rank acts for all, who wait until it is through, or throw what it throws.
+void byFirst(const std::function<void()>& act);
 
 /// What this process does within its scope it does for itself: sums are of what it is given.
 class Alone

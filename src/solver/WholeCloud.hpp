@@ -1,4 +1,4 @@
-/// What all ranks have, behind one another on the first of them: for writing, and for whoever looks at the whole. One process alone shows what it has.
+/// What all ranks have, behind one another on the first of them, for function objects. One process alone shows what it has.
 #pragma once
 #include "Cloud.hpp"
 #include "Ranks.hpp"

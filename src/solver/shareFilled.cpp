@@ -4,6 +4,7 @@
 #include "fluidFraction.hpp"
 #include "processorFolders.hpp"
 #include <cmath>
+#include <limits>
 
 namespace sph
 {
@@ -16,8 +17,9 @@ std::size_t particlesAtStart(const Case& theCase)
     const auto count = [&](const std::string& time)
     {
         Diagnostics ofReader; // who loads the cloud reports what is wrong with it
-        const auto positions = readPositions(theCase.folder(), time + "/lagrangian/sph/positions", ofReader);
-        return positions ? positions->x.size() : 0;
+        constexpr Slice none{0, std::numeric_limits<std::size_t>::max()};
+        const auto positions = readPositions(theCase.folder(), time + "/lagrangian/sph/positions", ofReader, none);
+        return positions ? positions->count : 0;
     };
     for (const auto& time : theCase.times())
         if (hasCloud(theCase.folder(), time, "sph")) return count(time);

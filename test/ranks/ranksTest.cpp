@@ -7,28 +7,35 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <sstream>
+#include <sys/mount.h>
 
 using namespace sph;
 using namespace sph::test;
 
 namespace
 {
-/// sphFoamLike on so many ranks, all on whatever processors there are. `meanwhile` runs beside it.
-Outcome runParallel(const TestCase& c, int ranks, const std::string& meanwhile = "")
+/// A program of the suite on so many ranks, all on whatever processors there are. `meanwhile` runs beside it.
+Outcome onRanks(int ranks, const std::string& program, const TestCase& c, const std::string& meanwhile = "")
 {
     const auto log = std::filesystem::temp_directory_path() / (c.folder().filename().string() + ".ranks");
     const std::string command =
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
         "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1; timeout 100 mpirun -np " +
-        std::to_string(ranks) + " '" SPH_APPLICATIONS "/sphFoamLike' -parallel -case '" + c.folder().string() + "' < /dev/null > '" +
-        log.string() + ".out' 2> '" + log.string() + ".err' & run=$!; " + meanwhile + " wait $run";
+        std::to_string(ranks) + " " SPH_APPLICATIONS "/" + program + " < /dev/null > '" + log.string() + ".out' 2> '" + log.string() +
+        ".err' & run=$!; " + meanwhile + " wait $run";
     const int status = std::system(command.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128, contentsOf(log.string() + ".out"), contentsOf(log.string() + ".err")};
     std::filesystem::remove(log.string() + ".out");
     std::filesystem::remove(log.string() + ".err");
     return outcome;
+}
+
+Outcome runParallel(const TestCase& c, int ranks, const std::string& meanwhile = "")
+{
+    return onRanks(ranks, "sphFoamLike -parallel -case " + c.folder().string(), c, meanwhile);
 }
 
 struct Prepared : TestCase
@@ -266,6 +273,34 @@ TEST(RanksRefuse, WhatTheyCannotShare)
     isRefused(Prepared(few), 7, {"7 ranks for 4 particles"});
 }
 
+// Each rank reads its slice: whoever finds the mistake, one message names file and particle, and so it does where several ranks find one.
+TEST(RanksRefuse, BadParticlesOfTheirSlices)
+{
+    const Prepared c(channelCase());
+    c.replace("system/controlDict", "endTime 0.08", "endTime 0.02");
+    c.runWell("sphFoamLike");
+    const std::string U = "0.02/lagrangian/sph/U";
+    const auto good = c.read(U);
+    const auto n = cloudOf(c, "0.02").size();
+    const auto at = [&](std::size_t i) { return good.size() - 2 - 24 * (n - i); }; // 24 bytes each, and ")" and a line end behind them
+    const auto withNaN = [&](std::initializer_list<std::size_t> particles)
+    {
+        auto text = good;
+        for (const auto i : particles) text.replace(at(i) + 6, 2, "\xf8\x7f");
+        c.write(U, text);
+    };
+    c.replace("system/controlDict", "endTime 0.02", "endTime 0.04");
+    withNaN({n - 1});
+    isRefused(c, 3, {U, "the value of particle " + std::to_string(n - 1) + " is not finite"});
+    withNaN({n / 2, n - 1});
+    isRefused(c, 3, {U, "the value of particle " + std::to_string(n / 2) + " is not finite"});
+    c.write(U, good.substr(0, good.size() - 30));
+    isRefused(c, 3, {U, "the file is truncated"});
+    withNaN({n - 1});
+    c.replace("system/controlDict", "endTime 0.04", "endTime often");
+    isRefused(c, 3, {U, "is not finite", "system/controlDict", "often"});
+}
+
 TEST(RanksRefuse, MistakesOfTheirDictionary)
 {
     const Prepared c(channelCase());
@@ -446,6 +481,99 @@ TEST(DecomposeParticles, RefusesWhatIsThereAndWhatIsWrong)
     refused("decomposeParticles", "-force", {"system/decomposeParDict"});
     const auto times = shared.runWell("reconstructParticles");
     EXPECT_NE(times.find("No further times"), std::string::npos) << times;
+}
+
+/// A cloud of so many particles of each rank, whose values are those of their numbers in the whole; -1: each phase is a label.
+Outcome writeOnRanks(const TestCase& c, const std::string& format, std::vector<int> counts, int withoutLabel = -1)
+{
+    std::string words = "collatedWriting write " + c.folder().string() + " " + format + " " + std::to_string(withoutLabel);
+    for (const int n : counts) words += " " + std::to_string(n);
+    return onRanks(int(counts.size()), words, c);
+}
+
+class CollatedFiles : public testing::TestWithParam<const char*>
+{};
+
+// One file a field, to the last byte that of one process; ascii lines are of any length, rho is one value of all, and some ranks have nothing. The
+// last cloud is longer than the buffer of an OutputFile.
+TEST_P(CollatedFiles, AreThoseOfOneProcess)
+{
+    for (const auto& counts : std::vector<std::vector<int>>{{5, 0, 9}, {0, 0, 3}, {0, 1, 0}, {4, 6, 0}, {0, 0, 0}, {60000, 90000, 1}})
+    {
+        const TestCase together(Files{}), alone(Files{});
+        const auto outcome = writeOnRanks(together, GetParam(), counts);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        ASSERT_EQ(writeOnRanks(alone, GetParam(), {std::accumulate(counts.begin(), counts.end(), 0)}).code, 0);
+        const auto files = together.files("");
+        EXPECT_EQ(files.size(), 6u);
+        EXPECT_EQ(test::difference(alone.files(""), files), "") << counts[0];
+    }
+}
+
+/// How often these words are there.
+int countOf(const std::string& text, const std::string& words)
+{
+    int n = 0;
+    for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++n;
+    return n;
+}
+
+// Particle 9 is the fifth of the second rank: all three say so, in the words of one process, and nothing is left.
+TEST_P(CollatedFiles, ThatCannotBeWrittenEndAllRanks)
+{
+    const TestCase together(Files{}), alone(Files{});
+    const std::string words = "field phase: 10000000000 of particle 9 is not a label\n";
+    EXPECT_EQ(countOf(writeOnRanks(alone, GetParam(), {20}, 9).err, words), 1);
+    const auto outcome = writeOnRanks(together, GetParam(), {5, 5, 10}, 9);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(countOf(outcome.err, words), 3) << outcome.err;
+    EXPECT_TRUE(std::filesystem::is_empty(together.folder()));
+}
+
+/// A small disk; null where this machine does not permit to mount one.
+std::shared_ptr<const TestCase> smallDisk(const char* size)
+{
+    const auto unmount = [](const TestCase* place)
+    {
+        ::umount2(place->folder().c_str(), MNT_DETACH);
+        delete place;
+    };
+    const std::shared_ptr<const TestCase> place(new TestCase(Files{}), unmount);
+    return ::mount("tmpfs", place->folder().c_str(), "tmpfs", 0, size) == 0 ? place : nullptr;
+}
+
+// 600 particles fit, 5000 do not, be it the share of the first rank or of the last: the last good time is whole.
+TEST_P(CollatedFiles, OfAFullDiskAreRemoved)
+{
+    const auto disk = smallDisk("size=128k");
+    if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
+    const TestCase c(Files{}, disk->folder());
+    ASSERT_EQ(writeOnRanks(c, GetParam(), {100, 200, 300}).code, 0);
+    const auto before = c.files("");
+    for (const auto& counts : std::vector<std::vector<int>>{{100, 0, 5000}, {5000, 1, 1}})
+    {
+        const auto outcome = writeOnRanks(c, GetParam(), counts);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_EQ(countOf(outcome.err, ": cannot be written: No space left on device\n"), 3) << outcome.err;
+        EXPECT_EQ(test::difference(before, c.files("")), "");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, CollatedFiles, testing::Values("ascii", "binary"), [](const auto& format) { return format.param; });
+
+// A run whose second time has no place: one message, exit code 1, and the times before are whole.
+TEST(RanksOfAFullDisk, EndWithOneMessage)
+{
+    const auto disk = smallDisk("size=1m");
+    if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
+    const Prepared prepared(channelCase());
+    const TestCase c(Files{}, disk->folder());
+    for (const auto* part : {"0", "constant", "system"}) c.copyFrom(prepared, part);
+    c.replace("system/controlDict", "endTime 0.08", "endTime 8");
+    isRefused(c, 3, {"cannot be written: No space left on device"});
+    const auto [name, latest] = latestIn(c.folder());
+    EXPECT_EQ(cloudOf(c, name).size(), cloudOf(prepared, "0").size());
+    for (const auto& entry : std::filesystem::directory_iterator(c.folder())) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
 /// The number behind the last of these words.

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <omp.h>
+#include <optional>
 #include <unistd.h>
 
 namespace sph
@@ -62,19 +63,6 @@ std::string banner(const std::filesystem::path& folder)
 
 /// What the first rank has, on all.
 double ofFirst(double mine) { return ofAllRanks(isFirstRank() ? mine : 0.0, 0.0, Add{}); }
-
-/// An even part of a cloud that all ranks have read. Where openings bring particles there may be none for some ranks yet.
-Cloud partOf(Cloud cloud, bool eachNeedsOne)
-{
-    if (!ranks()) return cloud;
-    const std::size_t n = cloud.size(), all = std::size_t(ranks()->count()), rank = std::size_t(ranks()->rank());
-    if (n < all && eachNeedsOne) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
-    const auto cut = [&](std::vector<double>& a) { a = {a.begin() + long(rank * n / all), a.begin() + long((rank + 1) * n / all)}; };
-    for (auto* a : {&cloud.x, &cloud.y, &cloud.z}) cut(*a);
-    for (auto& [_, field] : cloud.fields)
-        for (auto& a : field.component) cut(a);
-    return cloud;
-}
 }
 
 Geometry Run::loadGeometry(const Case& theCase)
@@ -107,13 +95,11 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
-    Cloud cloud = readCloud(case_.folder(), time_.startFolder(), "sph", case_.diagnostics(), settings_.writtenClasses());
-    if (!isDecomposed()) cloud = partOf(std::move(cloud), settings_.needsParticles);
-    case_.diagnostics().throwIfAny();
     firstIsThrough();
+    const Cloud cloud = readCloud();
     if (ranks())
     {
-        if (isDecomposed()) time_.useBarrier([] { ranks()->barrier(); });
+        if (isDecomposed()) time_.useBarrier([all = ranks()] { all->barrier(); });
         time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
     }
     log_ << banner(caseFolder);
@@ -125,6 +111,34 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
         if (simulation_->summary().count[k] == 0)
             log_ << fmt::format("--> Warning: phase \"{}\" has no particles\n", settings_.coefficients.phases[k]);
     if (ranks()) warnOfFewParticles();
+}
+
+Cloud Run::readCloud() const
+{
+    const std::size_t all = ranks() ? std::size_t(ranks()->count()) : 1;
+    const Slice slice = ranks() && !isDecomposed() ? Slice{std::size_t(ranks()->rank()), all} : Slice{};
+    Cloud cloud;
+    Diagnostics ofRank;
+    auto& diagnostics = ranks() ? ofRank : case_.diagnostics();
+    try
+    {
+        allOrNone(
+            [&]
+            {
+                cloud = sph::readCloud(case_.folder(), time_.startFolder(), "sph", diagnostics, settings_.writtenClasses(), slice);
+                ofRank.throwIfAny();
+            });
+    }
+    catch (const CaseError& e)
+    {
+        case_.diagnostics().error({}, e.what());
+    }
+    case_.diagnostics().throwIfAny();
+    // Where openings bring particles there may be none for some ranks yet.
+    const auto n = ofAllRanks(cloud.size(), std::size_t(0), Add{});
+    if (!isDecomposed() && settings_.needsParticles && n > 0 && n < all)
+        throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
+    return cloud;
 }
 
 void Run::warnOfFewParticles() const
@@ -347,25 +361,17 @@ void Run::sample(bool writeTime, bool end)
     for (const auto& report : functions_->execute(whole, time_, writeTime, end)) log_ << report << '\n';
 }
 
-void Run::writePart()
-{
-    time_.write([&](const std::filesystem::path& folder)
-                { writeCloud(folder, "sph", simulation_->size(), simulation_->positions(), simulation_->fields(), time_.writeOptions()); },
-                simulation_->state(), isFirstRank() ? functions_->histories() : Histories{});
-}
-
 void Run::write()
 {
-    if (isDecomposed()) return writePart();
-    WholeCloud cloud(simulation_->size());
-    const auto positions = cloud.whole(simulation_->positions());
-    std::vector<FieldView> fields;
-    for (const auto& field : simulation_->fields()) fields.push_back(cloud.whole(field));
+    const auto positions = simulation_->positions();
+    const auto fields = simulation_->fields();
     const auto state = simulation_->state();
-    if (!isFirstRank()) return time_.writtenElsewhere();
+    const auto histories = isFirstRank() ? functions_->histories() : Histories{};
+    std::optional<Alone> ownFolder;
+    if (isDecomposed()) ownFolder.emplace();
     time_.write([&](const std::filesystem::path& folder)
-                { writeCloud(folder, "sph", cloud.size(), positions, fields, time_.writeOptions()); },
-                state, functions_->histories());
+                { writeCloud(folder, "sph", simulation_->size(), positions, fields, time_.writeOptions()); },
+                state, histories);
 }
 
 void Run::noteLeaks()

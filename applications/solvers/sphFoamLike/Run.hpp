@@ -47,6 +47,8 @@ private:
     std::string deepestLeakAt_;
 
     static Geometry loadGeometry(const Case&);
+    /// Of particles that ranks share, an even part: they go to their owners when the lists are first made.
+    Cloud readCloud() const;
     void warnOfFewParticles() const;
     void reportPlan() const;
     void reportStep(const StepLimit&, double deltaT) const;
@@ -70,9 +72,8 @@ private:
     std::string leaked() const;
     void reportLeaks() const;
     bool isDecomposed() const { return !place_.folder.empty(); }
+    /// All ranks into the case together or, of a decomposed one, each into its folder.
     void write();
-    /// What this rank owns, into its folder of a decomposed case.
-    void writePart();
     void sample(bool writeTime, bool end);
     /// Of all ranks, on the first.
     ParticleView view(WholeCloud&) const;

@@ -1,9 +1,11 @@
 /// Ranks by Open MPI, cut by Zoltan's recursive coordinate bisection: a library of its own, loaded where a run is parallel.
 #include "Ranks.hpp"
+#include <cerrno>
 #include <ctime>
 #include <limits>
 #include <mpi.h>
 #include <stdexcept>
+#include <system_error>
 #include <zoltan.h>
 
 namespace sph
@@ -37,6 +39,51 @@ public:
         timespec now;
         clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
         return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+    }
+};
+
+std::string inWords(int code)
+{
+    char text[MPI_MAX_ERROR_STRING];
+    int length = 0;
+    MPI_Error_string(code, text, &length);
+    return {text, std::size_t(length)};
+}
+
+/// Each rank writes by itself: what it has is in one piece and long, and to collect it on fewer ranks first (MPI_File_write_at_all) brought nothing.
+class MpiFile final : public Ranks::SharedFile
+{
+    MPI_File file_;
+    Ranks::Waited& waited_;
+
+public:
+    MpiFile(MPI_File file, Ranks::Waited& waited) : file_(file), waited_(waited) {}
+    ~MpiFile() override
+    {
+        if (file_ != MPI_FILE_NULL) MPI_File_close(&file_);
+    }
+
+    void write(std::size_t at, std::string_view bytes) override
+    {
+        while (!bytes.empty())
+        {
+            MPI_Status status;
+            int written = 0;
+            errno = 0;
+            const int code = MPI_File_write_at(file_, MPI_Offset(at), bytes.data(), int(bytes.size()), MPI_BYTE, &status);
+            const int reason = errno;
+            if (code == MPI_SUCCESS) MPI_Get_count(&status, MPI_BYTE, &written);
+            // A full disk is a success of no bytes to Open MPI's own input and output, and errno alone has the reason.
+            if (written <= 0) throw std::runtime_error(reason != 0 ? std::generic_category().message(reason) : inWords(code));
+            at += std::size_t(written);
+            bytes.remove_prefix(std::size_t(written));
+        }
+    }
+
+    void close() override
+    {
+        const Stopwatch stopwatch(waited_);
+        if (const int code = MPI_File_close(&file_); code != MPI_SUCCESS) throw std::runtime_error(inWords(code));
     }
 };
 
@@ -158,6 +205,16 @@ public:
     {
         const Stopwatch stopwatch(waited_);
         MPI_Barrier(MPI_COMM_WORLD);
+    }
+    std::unique_ptr<SharedFile> create(const std::filesystem::path& path) const override
+    {
+        const Stopwatch stopwatch(waited_);
+        MPI_File file;
+        int code = MPI_File_open(MPI_COMM_WORLD, path.c_str(), MPI_MODE_CREATE | MPI_MODE_EXCL | MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
+        // Who has it open cannot close it without those who have not.
+        MPI_Allreduce(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+        if (code != MPI_SUCCESS) throw std::runtime_error(inWords(code));
+        return std::make_unique<MpiFile>(file, waited_);
     }
     void abort() const override { MPI_Abort(MPI_COMM_WORLD, 1); }
 };

@@ -136,6 +136,27 @@ void expectRead(const TestCase& c, const std::string& time, const Cloud& cloud)
     }
 }
 
+/// Slices of a cloud are accepted, all of them, where the whole is, and are what it is made of.
+void expectSlices(const TestCase& c, const std::string& time, const Cloud& cloud, bool isAccepted)
+{
+    Diagnostics diagnostics;
+    constexpr std::size_t parts = 3;
+    for (std::size_t part = 0; part < parts; ++part)
+    {
+        const auto slice = readCloud(c.folder(), time, "sph", diagnostics, {}, {part, parts});
+        if (!isAccepted) continue;
+        const auto isPart = [&](const std::vector<double>& own, const std::vector<double>& whole) {
+            return sameBits(own,
+                            {whole.begin() + long(part * whole.size() / parts), whole.begin() + long((part + 1) * whole.size() / parts)});
+        };
+        EXPECT_TRUE(isPart(slice.x, cloud.x) && isPart(slice.y, cloud.y) && isPart(slice.z, cloud.z));
+        for (const auto& [name, field] : cloud.fields)
+            for (std::size_t k = 0; k < field.component.size(); ++k)
+                EXPECT_TRUE(isPart(slice.fields.at(name).component[k], field.component[k])) << name;
+    }
+    EXPECT_EQ(diagnostics.ok(), isAccepted);
+}
+
 /// A file that is emptied and written again waits for the disk on some systems; a new one does not.
 void replace(const TestCase& c, const std::string& file, const std::string& text)
 {
@@ -170,6 +191,7 @@ TEST(Fuzz, FieldFiles)
              Diagnostics diagnostics;
              const auto cloud = readCloud(c.folder(), "0", "sph", diagnostics);
              if (diagnostics.ok()) expectRead(c, "0", cloud);
+             expectSlices(c, "0", cloud, diagnostics.ok());
              replace(c, file, good.at("lagrangian/sph/" + name));
          });
 }

@@ -202,6 +202,89 @@ TEST(Cloud, isReadInTheLayoutsOfOthers)
     expectSameBits(cloud.fields.at("phase").component[0], {3, 3});
 }
 
+/// The slices of a cloud that so many ranks read, behind one another, are the whole.
+void expectSlicesOf(const TemporaryCase& c, const std::string& time)
+{
+    Diagnostics diagnostics;
+    const auto whole = readCloud(c.folder(), time, "sph", diagnostics);
+    for (const std::size_t parts : {1, 2, 3, 7})
+    {
+        Cloud joined;
+        const auto add = [](std::vector<double>& all, const std::vector<double>& part) { all.insert(all.end(), part.begin(), part.end()); };
+        for (std::size_t part = 0; part < parts; ++part)
+        {
+            const auto slice = readCloud(c.folder(), time, "sph", diagnostics, {}, {part, parts});
+            EXPECT_EQ(slice.before, joined.size());
+            EXPECT_LE(slice.size(), whole.size() / parts + 1);
+            add(joined.x, slice.x);
+            add(joined.y, slice.y);
+            add(joined.z, slice.z);
+            for (const auto& [name, field] : slice.fields)
+            {
+                auto& to = joined.fields[name].component;
+                to.resize(field.component.size());
+                for (std::size_t k = 0; k < to.size(); ++k)
+                {
+                    EXPECT_EQ(field.component[k].size(), slice.size()) << name;
+                    add(to[k], field.component[k]);
+                }
+            }
+        }
+        EXPECT_EQ(messages(diagnostics), "") << parts;
+        expectSameBits(joined.x, whole.x);
+        expectSameBits(joined.y, whole.y);
+        expectSameBits(joined.z, whole.z);
+        ASSERT_EQ(joined.fields.size(), whole.fields.size());
+        for (const auto& [name, field] : whole.fields)
+            for (std::size_t k = 0; k < field.component.size(); ++k) expectSameBits(joined.fields[name].component[k], field.component[k]);
+    }
+}
+
+// In both formats, with compact lists, lists that do not say how long they are, and binary positions with white space of any length between them.
+TEST(Cloud, isTheSumOfItsSlices)
+{
+    const TemporaryCase c;
+    for (const auto format : {WriteFormat::ascii, WriteFormat::binary})
+    {
+        writeCloud(c.folder() / "1", "sph", 3, positionsView(), fieldViews(), {format, 0});
+        expectSlicesOf(c, "1");
+    }
+    c.write("2/lagrangian/sph/positions", header("ascii", "Cloud<passiveParticle>", "positions") + "((0 1 2) 0 (3 4 5) 0 (6 7 8) 0)");
+    c.write("2/lagrangian/sph/p", header("ascii", "scalarField", "p") + "(1 2 3)");
+    expectSlicesOf(c, "2");
+    const std::int32_t cell = 0;
+    for (const std::string between : {"", "\n", " \n\n"})
+    {
+        const auto of = [&](double x) { return "(" + bytes(x, 2 * x, 3 * x, cell) + ")"; };
+        c.write("3/lagrangian/sph/positions", header("binary", "Cloud<passiveParticle>", "positions") + "4\n(\n" + of(1) + "\n" + of(2) +
+                                                  between + of(3) + between + of(4) + "\n)\n");
+        expectSlicesOf(c, "3");
+    }
+}
+
+// A slice of a binary file names what is wrong with its own particles, by their numbers in the file, and with the length of the whole.
+TEST(Cloud, isCheckedSliceBySlice)
+{
+    const TemporaryCase c;
+    const std::vector<double> bad{1, 2, std::nan("")};
+    writeCloud(c.folder() / "1", "sph", 3, positionsView(), {{"p", FieldClass::scalar, {bad.data()}}}, {});
+    const auto said = [&](const Slice& slice)
+    {
+        Diagnostics diagnostics;
+        readCloud(c.folder(), "1", "sph", diagnostics, {}, slice);
+        return messages(diagnostics);
+    };
+    const std::string p = "1/lagrangian/sph/p";
+    EXPECT_EQ(said({0, 3}), "");
+    EXPECT_EQ(said({2, 3}), p + ": the value of particle 2 is not finite: nan");
+    const auto text = c.read(p);
+    c.write(p, text.substr(0, text.size() - 8));
+    for (const std::size_t part : {0, 1, 2})
+        EXPECT_EQ(said({part, 3}), p + ": the file is truncated: 3 values need 24 bytes, 18 are there");
+    c.write(p, text + "1");
+    EXPECT_EQ(said({0, 3}), p + ": unexpected \"1\" after the list");
+}
+
 // A disk that takes nothing: the file and the reason are named, whichever format.
 TEST(Cloud, onAFullDiskIsAnError)
 {

@@ -34,7 +34,7 @@ std::string estimateReport(const Case& theCase, const std::string& time, int ran
     const auto resolution = readResolution(theCase.dictionary("system/sphSchemes"));
     const auto positions = readPositions(theCase.folder(), time + "/lagrangian/sph/positions", theCase.diagnostics());
     theCase.diagnostics().throwIfAny();
-    const auto& [x, y, z] = *positions;
+    const auto &x = positions->x, &y = positions->y, &z = positions->z;
     if (x.size() < std::size_t(ranks)) throw CaseError(fmt::format("{} ranks for {} particles: take fewer", ranks, x.size()));
     std::vector<Vector<3>> places;
     for (std::size_t i = 0; i < x.size(); ++i) places.push_back({x[i], y[i], z[i]});
