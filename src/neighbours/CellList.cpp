@@ -52,20 +52,6 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
     for (std::size_t i = 0; i < count; ++i) order_[begin_[cell_[i]]++] = int(i);
     std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
     begin_[0] = 0;
-
-    for (int c = 0; c < dim; ++c)
-    {
-        sorted_[c].resize(count);
-#pragma omp parallel for schedule(static)
-        for (std::size_t k = 0; k < count; ++k) sorted_[c][k] = x[c][order_[k]];
-    }
-}
-
-template<int dim> std::array<const double*, dim> CellList<dim>::sorted() const
-{
-    std::array<const double*, dim> p;
-    for (int c = 0; c < dim; ++c) p[c] = sorted_[c].data();
-    return p;
 }
 
 template<int dim> int CellList<dim>::index(const Cell& a) const

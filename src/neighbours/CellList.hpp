@@ -18,8 +18,6 @@ public:
 
     /// Points by cell; the order within a cell is that of the indices.
     const std::vector<int>& order() const { return order_; }
-    /// Positions in that order.
-    std::array<const double*, dim> sorted() const;
 
     struct Run
     {
@@ -34,7 +32,6 @@ private:
     std::array<double, dim> low_{}, width_{};
     std::array<int, dim> n_{};
     std::vector<int> begin_, order_, cell_;
-    std::array<Array, dim> sorted_;
 
     int index(const Cell&) const;
 };

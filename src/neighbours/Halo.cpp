@@ -106,9 +106,10 @@ template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size
     return count_;
 }
 
-template<int dim> void Halo<dim>::refresh(FieldStore<dim>& store, std::span<const std::string> fields) const
+template<int dim> void Halo<dim>::start(FieldStore<dim>& store, std::span<const std::string> fields) const
 {
-    std::vector<double*> arrays;
+    auto& arrays = refreshed_;
+    arrays.clear();
     for (const auto& name : fields)
         for (std::size_t c = 0; c < store.fields().at(name).component.size(); ++c) arrays.push_back(store.component(name, int(c)));
     std::vector<Ranks::Message> send, receive;
@@ -124,12 +125,17 @@ template<int dim> void Halo<dim>::refresh(FieldStore<dim>& store, std::span<cons
         receive.push_back({rank, std::as_writable_bytes(std::span(received_[k]))});
         bytesSent_ += send.back().bytes.size();
     }
-    all_.exchange(send, receive);
+    underWay_ = all_.start(send, receive);
+}
+
+template<int dim> void Halo<dim>::finish() const
+{
+    underWay_.reset();
     std::size_t first = owned_;
     for (std::size_t k = 0; k < neighbours_.size(); ++k)
     {
         auto from = received_[k].begin();
-        for (double* a : arrays)
+        for (double* a : refreshed_)
         {
             std::copy_n(from, neighbours_[k].copies, a + first);
             from += long(neighbours_[k].copies);

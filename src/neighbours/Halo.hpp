@@ -44,8 +44,19 @@ public:
                                if (rank != all_.rank()) f(rank);
                            });
     }
-    /// Copies of these fields anew.
-    void refresh(FieldStore<dim>&, std::span<const std::string> fields) const;
+    /// Copies of these fields anew, in two parts: `start` sends what the arrays hold and returns, `finish` waits for the others and writes the copies. Between the two
+    /// nobody may read copies, nor resize the store.
+    void start(FieldStore<dim>&, std::span<const std::string> fields) const;
+    void progress() const
+    {
+        if (underWay_) underWay_->progress();
+    }
+    void finish() const;
+    void refresh(FieldStore<dim>& store, std::span<const std::string> fields) const
+    {
+        start(store, fields);
+        finish();
+    }
 
     std::size_t count() const { return count_; }
     std::size_t bytesSent() const { return bytesSent_; }
@@ -65,6 +76,8 @@ private:
     std::vector<Neighbour> neighbours_;
     std::size_t owned_ = 0, count_ = 0;
     mutable std::vector<std::vector<double>> sent_, received_; ///< room for messages
+    mutable std::unique_ptr<Ranks::Exchange> underWay_;
+    mutable std::vector<double*> refreshed_; ///< by what is under way
     mutable std::size_t bytesSent_ = 0;
     double busyAtCut_ = 0;
     long cuts_ = 0, sinceCut_ = 0; ///< rebuilds since the last one

@@ -12,15 +12,24 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
 {
     // Half the radius: 5^dim cells hold 40 % fewer candidates than 3^dim cells of the full radius.
     cells_.build(x, total, 0.5 * radius);
+    owned_ = owned;
+    nullParticle_ = int(total);
     chunks_.resize((owned + chunkSize - 1) / chunkSize);
-    const auto sorted = cells_.sorted();
+    std::array<Array, dim> sorted;
     const double* position[dim];
-    for (int c = 0; c < dim; ++c) position[c] = sorted[c];
+    for (int c = 0; c < dim; ++c)
+    {
+        sorted[c].resize(total);
+#pragma omp parallel for schedule(static)
+        for (std::size_t k = 0; k < total; ++k) sorted[c][k] = x[c][cells_.order()[k]];
+        position[c] = sorted[c].data();
+    }
 
     std::size_t crowded = total;
     const auto list = [&](std::size_t begin, std::size_t end)
     {
         std::vector<typename CellList<dim>::Run> runs;
+        static thread_local std::vector<int> room; // lists take what they need, and no more
         for (std::size_t chunk = begin; chunk < end; ++chunk)
         {
             Chunk& out = chunks_[chunk];
@@ -39,9 +48,9 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     candidates = 0;
                     for (const auto& r : runs) candidates += r.end - r.begin;
                 }
-                if (used + candidates + 2 * lanes > out.entries.size()) out.entries.resize(used + used / 2 + 8 * candidates + 2 * lanes);
+                if (used + candidates + 2 * lanes > room.size()) room.resize(used + used / 2 + 8 * candidates + 2 * lanes);
                 out.begin[i % chunkSize] = used;
-                int* const entries = out.entries.data() + used;
+                int* const entries = room.data() + used;
                 int n = 0;
                 for (const auto& r : runs)
                     n += selectWithin<dim>(position, cells_.order().data(), r.begin, r.end, x_i, sqr(radius), entries + n);
@@ -56,6 +65,8 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                 used += n;
                 out.begin[i % chunkSize + 1] = used;
             }
+            if (used > out.entries.capacity()) out.entries.reserve(used + used / 50);
+            out.entries.assign(room.begin(), room.begin() + used);
         }
     };
     Stretches stretches(chunks_.size(), 1);
@@ -83,9 +94,20 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
     }
 }
 
+template<int dim> void NeighbourLists<dim>::partInterior()
+{
+    std::vector<char> seesImages(owned_);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < owned_; ++i)
+        seesImages[i] = std::ranges::any_of(of(i), [&](int j) { return j >= int(owned_) && j != nullParticle_; });
+    interior_.clear();
+    border_.clear();
+    for (std::size_t i = 0; i < owned_; ++i) (seesImages[i] ? border_ : interior_).push_back(int(i));
+}
+
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
-    std::size_t n = 0;
+    std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int);
     for (const auto& c : chunks_)
         n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);
     return n;

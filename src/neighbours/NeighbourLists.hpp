@@ -42,6 +42,11 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.begin[i % chunkSize], std::size_t(c.withinCount[i % chunkSize])};
     }
+    /// Parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks can compute before they have heard
+    /// of one another, and what not. Anew after each build.
+    void partInterior();
+    std::span<const int> interior() const { return interior_; }
+    std::span<const int> border() const { return border_; }
     /// Without padding, self included.
     std::size_t pairs() const { return pairs_; }
     std::size_t bytes() const;
@@ -58,6 +63,9 @@ private:
     };
     std::vector<Chunk> chunks_;
     CellList<dim> cells_;
+    std::vector<int> interior_, border_;
+    std::size_t owned_ = 0;
+    int nullParticle_ = 0;
     std::size_t pairs_ = 0;
 };
 

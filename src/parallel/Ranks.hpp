@@ -38,8 +38,18 @@ public:
     virtual void gatherAll(std::span<const std::byte> part, std::span<std::byte> all) const = 0;
     /// One number to each rank, and what each had for this one.
     virtual std::vector<std::size_t> exchangeCounts(std::span<const std::size_t> toEach) const = 0;
-    /// Messages whose lengths both sides know; waits until all have come and gone.
-    virtual void exchange(std::span<const Message> send, std::span<const Message> receive) const = 0;
+    /// Messages under way. Their bytes stay where they are until all have come and gone, which the destructor too waits for.
+    class Exchange
+    {
+    public:
+        virtual ~Exchange() = default;
+        /// Brings them on while there is something else to do; by the thread that has started them.
+        virtual void progress() = 0;
+    };
+    /// Messages whose lengths both sides know.
+    virtual std::unique_ptr<Exchange> start(std::span<const Message> send, std::span<const Message> receive) const = 0;
+    /// Waits until all have come and gone.
+    void exchange(std::span<const Message> send, std::span<const Message> receive) const { start(send, receive); }
     /// Cuts space so that each rank has about the same sum of weights. `x` three numbers a place, of this rank's particles.
     virtual std::vector<RankBox> cut(int dimension, std::span<const double> x, std::span<const float> weights) const = 0;
     virtual void barrier() const = 0;

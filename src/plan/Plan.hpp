@@ -112,7 +112,8 @@ private:
     void order(Passes&, const std::set<std::string>& given, std::set<std::string>& fresh);
     void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&,
                        const Kernel<dim>&);
-    const double* pack(const Pass&, FieldStore<dim>&);
+    /// Positions and columns of the particles [begin, end), eight doubles to a cache line.
+    const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);
     /// What a pass reads of copies on other ranks and was written since they were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };

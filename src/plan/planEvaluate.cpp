@@ -88,8 +88,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
     }
 }
 
-/// Positions and columns of every particle, eight doubles to a cache line.
-template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store)
+template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, std::size_t begin, std::size_t end)
 {
     const std::size_t n = store.size();
     const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
@@ -102,16 +101,16 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
     from.resize(std::max<std::size_t>(from.size(), arrays * recordSize), from[0]);
-    const long block = 1024, blocks = long((n + block - 1) / block);
+    const std::size_t block = 1024;
     for (int a = 0; a < arrays; ++a)
     {
         double* const to = records_.data() + a * n * recordSize;
 #pragma omp parallel for schedule(static)
-        for (long b = 0; b < blocks; ++b)
+        for (std::size_t b = begin; b < end; b += block)
         {
             const double* part[recordSize];
-            for (int c = 0; c < recordSize; ++c) part[c] = from[a * recordSize + c] + b * block;
-            packRecords(part, std::min<std::size_t>(block, n - b * block), to + b * block * recordSize);
+            for (int c = 0; c < recordSize; ++c) part[c] = from[a * recordSize + c] + b;
+            packRecords(part, std::min(block, end - b), to + b * recordSize);
         }
     }
     return records_.data();
@@ -122,7 +121,6 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
                               NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
 {
     if (keeps) lists.makeRoomWithin();
-    const double* const records = pack(pass, store);
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
@@ -130,26 +128,55 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const auto* const layers = images.layers();
     std::vector<InLayersOf> inLayers; // of the columns
     for (const auto& f : pass.columns) inLayers.push_back({images.anyRule(f.info.ofRule), images.interpolates(f.info)});
+    const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
+    const double* records = nullptr;
 
-    Stretches stretches(images.owned(), 256);
+    // Of so many particles, all owned ones unless it says which.
+    const auto over = [&](std::size_t n, const int* which, const auto& k)
+    {
+        const auto gather = [&](std::size_t begin, std::size_t end)
+        {
+            static thread_local Stencil<dim> stencil;
+            for (std::size_t place = begin; place < end; ++place)
+            {
+                const std::size_t i = which ? std::size_t(which[place]) : place;
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize, pass.sources, k,
+                             pass.readsKernel, null);
+                if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
+                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
+                if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
+                for (const auto& o : pass.operations) o->gather(stencil);
+            }
+            if (halo && omp_get_thread_num() == 0) halo->progress();
+        };
+        Stretches stretches(n, 256);
+#pragma omp parallel
+        stretches.forEach(gather);
+    };
+    const auto refresh = [&]
+    {
+        for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
+    };
     std::visit(
         [&](const auto& k)
         {
-            const auto gather = [&](std::size_t begin, std::size_t end)
+            const std::size_t owned = images.owned();
+            if (halo)
             {
-                static thread_local Stencil<dim> stencil;
-                for (std::size_t i = begin; i < end; ++i)
-                {
-                    stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize,
-                                 pass.sources, k, pass.readsKernel, null);
-                    if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
-                    stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
-                    if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
-                    for (const auto& o : pass.operations) o->gather(stencil);
-                }
-            };
-#pragma omp parallel
-            stretches.forEach(gather);
+                halo->start(store, copiedFor(pass, store));
+                records = pack(pass, store, 0, owned);
+                over(lists.interior().size(), lists.interior().data(), k);
+                halo->finish();
+                refresh();
+                pack(pass, store, owned, store.size());
+                over(lists.border().size(), lists.border().data(), k);
+            }
+            else
+            {
+                refresh();
+                records = pack(pass, store, 0, store.size());
+                over(owned, nullptr, k);
+            }
         },
         kernel.choice());
 }
@@ -163,8 +190,6 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
     bool within = group > 0; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {
-        if (const auto* const halo = images.halo(); halo && !pass.refresh.empty()) halo->refresh(store, copiedFor(pass, store));
-        for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
         if (counts_)
             for (const auto* e : pass.entries) ++(*counts_)[g.group.name + "/" + e->name];
         if (pass.pair())

@@ -77,7 +77,7 @@ void Loading::checkScale(const std::string& name, const std::string& unit, doubl
 }
 
 template<int dim>
-Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, const Cloud& cloud,
+Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, const Catalogue<dim>& catalogue, Cloud cloud,
                           const Numbers& restored)
     : settings_(settings),
       geometry_(geometry),
@@ -106,7 +106,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
     afterEvaluation_ = stages(Place::afterEvaluation);
     store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
-    load(cloud, !restored.empty());
+    load(std::move(cloud), !restored.empty());
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();
@@ -138,7 +138,7 @@ template<int dim> void Particles<dim>::allocateState()
     for (const auto& rate : settings_.keptRates()) allocate(rate, rate.name);
 }
 
-template<int dim> void Particles<dim>::load(const Cloud& cloud, bool restarted)
+template<int dim> void Particles<dim>::load(Cloud cloud, bool restarted)
 {
     store_.resize(owned_ + 1, owned_);
     const auto phases = phasesOf(cloud, coefficients_.phases.size());
@@ -176,8 +176,11 @@ template<int dim> void Particles<dim>::rebuild()
     for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
     owned_ = leakGuard_(store_, owned_, images_);
     if (halo_) migrate();
-    cells_.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
-    store_.sortState(cells_.order());
+    {
+        CellList<dim> cells;
+        cells.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
+        store_.sortState(cells.order());
+    }
     makeLists();
     for (const auto& part : parts_) part->sorted(*this);
     travelled_ = 0;
@@ -198,6 +201,7 @@ template<int dim> void Particles<dim>::makeLists()
 {
     images_.build(store_, owned_);
     lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
+    if (halo_) lists_.partInterior();
     images_.listLayers(lists_);
     bind();
 }

@@ -21,7 +21,7 @@ template<int dim> class Particles
 {
 public:
     /// Settings and catalogue must outlive the particles. Throws CaseError where particles do not fit the scene.
-    Particles(const Settings&, const Geometry&, const Catalogue<dim>&, const Cloud&, const Numbers& restored);
+    Particles(const Settings&, const Geometry&, const Catalogue<dim>&, Cloud, const Numbers& restored);
 
     /// Rates and derived fields at the present state. A pure function of the state.
     void evaluate();
@@ -105,7 +105,6 @@ private:
     Images<dim> images_;
     LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
-    CellList<dim> cells_;
     Kernel<dim> kernel_;
     std::vector<std::unique_ptr<Part<dim>>> parts_;
     std::vector<Stage<dim>> afterEvaluation_;
@@ -119,7 +118,7 @@ private:
     /// Where ranks share the particles: each goes where it belongs.
     void migrate();
     void allocateState();
-    void load(const Cloud&, bool restarted);
+    void load(Cloud, bool restarted);
     void checkApart() const;
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();

@@ -86,10 +86,10 @@ template<int dim> class Simulation final : public AnySimulation
     }
 
 public:
-    Simulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud, const StateNumbers& restored)
+    Simulation(const Settings& settings, const Geometry& geometry, Cloud cloud, const StateNumbers& restored)
         : settings_(settings),
           terms_(termsOf(settings)),
-          particles_(settings, geometry, terms_, cloud, restored),
+          particles_(settings, geometry, terms_, std::move(cloud), restored),
           schedule_(particles_, [this](double deltaT) { measure(deltaT); }),
           summary_(firstSummary(restored)),
           energy_(particles_, settings_, particles_.geometry(), summary_)
@@ -242,13 +242,12 @@ private:
 };
 }
 
-std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, const Cloud& cloud,
-                                              const StateNumbers& restored)
+std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, Cloud cloud, const StateNumbers& restored)
 {
     if (settings.needsParticles && ofAllRanks(cloud.size(), std::size_t(0), Add{}) == 0)
         throw CaseError("there are no particles: has packParticles been run?");
-    if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, cloud, restored);
-    return std::make_unique<Simulation<3>>(settings, geometry, cloud, restored);
+    if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, std::move(cloud), restored);
+    return std::make_unique<Simulation<3>>(settings, geometry, std::move(cloud), restored);
 }
 
 }

@@ -88,6 +88,6 @@ public:
 
 /// Geometry and settings must outlive the simulation. Throws CaseError where the particles do not fit the scene: none at all, beyond a
 /// wall, outside the domain, on top of one another, of an unknown phase.
-std::unique_ptr<AnySimulation> makeSimulation(const Settings&, const Geometry&, const Cloud&, const StateNumbers& restored);
+std::unique_ptr<AnySimulation> makeSimulation(const Settings&, const Geometry&, Cloud, const StateNumbers& restored);
 
 }

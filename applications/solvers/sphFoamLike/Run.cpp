@@ -96,7 +96,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
     firstIsThrough();
-    const Cloud cloud = readCloud();
+    Cloud cloud = readCloud();
     if (ranks())
     {
         if (isDecomposed()) time_.useBarrier([all = ranks()] { all->barrier(); });
@@ -106,7 +106,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
     omp_set_num_threads(std::clamp(int(cloud.size() / fewForOne), 1, omp_get_max_threads()));
-    simulation_ = makeSimulation(settings_, geometry_, cloud, time_.restored());
+    simulation_ = makeSimulation(settings_, geometry_, std::move(cloud), time_.restored());
     for (std::size_t k = 0; k < settings_.coefficients.phases.size(); ++k)
         if (simulation_->summary().count[k] == 0)
             log_ << fmt::format("--> Warning: phase \"{}\" has no particles\n", settings_.coefficients.phases[k]);

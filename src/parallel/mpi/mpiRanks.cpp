@@ -87,6 +87,39 @@ public:
     }
 };
 
+class MpiExchange final : public Ranks::Exchange
+{
+    Ranks::Waited& waited_;
+    std::vector<MPI_Request> requests_;
+
+public:
+    MpiExchange(std::span<const Ranks::Message> send, std::span<const Ranks::Message> receive, Ranks::Waited& waited) : waited_(waited)
+    {
+        const Stopwatch stopwatch(waited_);
+        // An int counts bytes of a message: long ones go in pieces.
+        constexpr std::size_t most = std::size_t(1) << 30;
+        const auto start = [&](const Ranks::Message& m, const auto& f)
+        {
+            for (std::size_t begin = 0; begin < m.bytes.size(); begin += most)
+                f(m.bytes.data() + begin, int(std::min(most, m.bytes.size() - begin)), m.rank, &requests_.emplace_back());
+        };
+        for (const auto& m : receive)
+            start(m, [](std::byte* at, int n, int from, MPI_Request* r) { MPI_Irecv(at, n, MPI_BYTE, from, 0, MPI_COMM_WORLD, r); });
+        for (const auto& m : send)
+            start(m, [](std::byte* at, int n, int to, MPI_Request* r) { MPI_Isend(at, n, MPI_BYTE, to, 0, MPI_COMM_WORLD, r); });
+    }
+    ~MpiExchange() override
+    {
+        const Stopwatch stopwatch(waited_);
+        MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+    }
+    void progress() override
+    {
+        int through;
+        MPI_Testall(int(requests_.size()), requests_.data(), &through, MPI_STATUSES_IGNORE);
+    }
+};
+
 class MpiRanks final : public Ranks
 {
 public:
@@ -113,22 +146,9 @@ public:
         return from;
     }
 
-    void exchange(std::span<const Message> send, std::span<const Message> receive) const override
+    std::unique_ptr<Exchange> start(std::span<const Message> send, std::span<const Message> receive) const override
     {
-        const Stopwatch stopwatch(waited_);
-        // An int counts bytes of a message: long ones go in pieces.
-        constexpr std::size_t most = std::size_t(1) << 30;
-        std::vector<MPI_Request> requests;
-        const auto start = [&](const Message& m, const auto& f)
-        {
-            for (std::size_t begin = 0; begin < m.bytes.size(); begin += most)
-                f(m.bytes.data() + begin, int(std::min(most, m.bytes.size() - begin)), m.rank, &requests.emplace_back());
-        };
-        for (const auto& m : receive)
-            start(m, [](std::byte* at, int n, int from, MPI_Request* r) { MPI_Irecv(at, n, MPI_BYTE, from, 0, MPI_COMM_WORLD, r); });
-        for (const auto& m : send)
-            start(m, [](std::byte* at, int n, int to, MPI_Request* r) { MPI_Isend(at, n, MPI_BYTE, to, 0, MPI_COMM_WORLD, r); });
-        MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+        return std::make_unique<MpiExchange>(send, receive, waited_);
     }
 
     std::vector<RankBox> cut(int dimension, std::span<const double> x, std::span<const float> weights) const override

@@ -1,0 +1,96 @@
+/// A plan on a rank of two: what it sends before a pass is what the pass reads of neighbours and has not sent before, and its sums are those of one process.
+#include "Halo.hpp"
+#include "Toy.hpp"
+#include <limits>
+#include <utility>
+
+namespace sph::test
+{
+namespace
+{
+
+/// The second half of a torus 2 long, which repeats the first: what comes from there is what goes there, its positions 1 farther on.
+class Twin final : public Ranks
+{
+    struct Through final : Exchange
+    {
+        void progress() override {}
+    };
+
+public:
+    bool sendsPositions = true;
+
+    Twin() { count_ = 2; }
+    void gatherAll(std::span<const std::byte> part, std::span<std::byte> all) const override
+    {
+        for (std::size_t begin = 0; begin < all.size(); begin += part.size()) std::ranges::copy(part, all.begin() + long(begin));
+    }
+    std::vector<std::size_t> exchangeCounts(std::span<const std::size_t> toEach) const override { return {toEach.begin(), toEach.end()}; }
+    std::unique_ptr<Exchange> start(std::span<const Message> send, std::span<const Message> receive) const override
+    {
+        EXPECT_EQ(send.size(), receive.size());
+        for (std::size_t k = 0; k < send.size(); ++k)
+        {
+            std::ranges::copy(send[k].bytes, receive[k].bytes.begin());
+            auto* const x = reinterpret_cast<double*>(receive[k].bytes.data());
+            for (std::size_t i = 0; sendsPositions && i < receive[k].bytes.size() / sizeof(double) / 2; ++i) x[i] += 1;
+        }
+        return std::make_unique<Through>();
+    }
+    std::vector<RankBox> cut(int, std::span<const double>, std::span<const float>) const override
+    {
+        const double infinity = std::numeric_limits<double>::infinity();
+        return {{{-infinity, -infinity, -infinity}, {1, infinity, infinity}}, {{1, -infinity, -infinity}, {infinity, infinity, infinity}}};
+    }
+    void barrier() const override {}
+    void abort() const override {}
+};
+
+// Sums of 21 numbers in another order: 1e-12 of them.
+TEST(HaloOfAPlan, SendsWhatIsReadAtNeighboursAndSumsAsOneProcess)
+{
+    const auto terms = catalogue<2, Twice, Sum, Total, OtherSum>();
+    const std::vector<Group> groups{{"first", {"sum"}}, {"second", {"total", "otherSum"}, {"a"}}};
+    Toy whole(domain(2, {1, 1, 0}, {true, true, false}), terms, groups, Fields<A, Z>{});
+    whole.evaluate("first");
+    whole.evaluate("second");
+
+    Geometry geometry = domain(2, {2, 1, 0}, {true, true, false});
+    repeatPeriodically(geometry, 0.3);
+    Twin twin;
+    Halo<2> halo(twin, 0.28);
+    FieldStore<2> store;
+    Images<2> images(geometry, 0.28, 0.1, 0, &halo);
+    Plan<2> plan(terms, groups, {"a", "z"}, {});
+    plan.allocate(store);
+    store.allocateState(A{});
+    store.allocateState(Z{});
+    std::vector<Vector<2>> points;
+    for (std::size_t i = 0; i < whole.n; ++i) points.push_back(positionOf(whole.store, i));
+    setPositions(store, points);
+    for (const char* name : {"a", "z"}) std::copy_n(whole.of(name), whole.n, store.component(name, 0));
+    halo.balance(store, whole.n, 1.1);
+    images.build(store, whole.n);
+    NeighbourLists<2> lists;
+    lists.build(positions(store), whole.n, images.nullParticle(), 0.28);
+    lists.partInterior();
+    plan.bind(store, {});
+    // Within 0.28 of another half lie the particles up to 0.15 off its sides, and off the sides of the rows, whose images are this rank's own.
+    EXPECT_EQ(lists.interior().size() + lists.border().size(), whole.n);
+    EXPECT_EQ(lists.interior().size(), 36u);
+
+    twin.sendsPositions = false;
+    const Kernel<2> kernel("wendlandC2", 0.25);
+    const std::size_t copies = halo.count() * sizeof(double);
+    auto sent = [&, before = halo.bytesSent()]() mutable { return halo.bytesSent() - std::exchange(before, halo.bytesSent()); };
+    plan.evaluate(store, images, lists, kernel, plan.group("first"));
+    EXPECT_EQ(sent(), 1 * copies); // b alone
+    plan.evaluate(store, images, lists, kernel, plan.group("second"));
+    EXPECT_EQ(sent(), 2 * copies); // z, and b anew, which follows from a
+    for (const char* name : {"c", "d", "e"})
+        for (std::size_t i = 0; i < whole.n; ++i)
+            ASSERT_NEAR(store.component(name, 0)[i], whole.of(name)[i], 1e-12 * std::fabs(whole.of(name)[i])) << name << ' ' << i;
+}
+
+}
+}
