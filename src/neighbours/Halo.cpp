@@ -1,8 +1,10 @@
 #include "Halo.hpp"
 #include "CaseError.hpp"
+#include "Clock.hpp"
 #include "reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sph
 {
@@ -38,12 +40,17 @@ template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::siz
         if (++sinceCut_ < fewestRebuilds) return;
         const double busy = busyTime() - busyAtCut_, mean = ofAllRanks(busy, 0.0, Add{}) / all_.count(),
                      largest = ofAllRanks(busy, 0.0, Larger{});
-        if (mean < shortest || largest < maxImbalance * mean) return;
+        if (mean < shortest) return;
+        if (cuts_.count > 1 && !std::exchange(judged_, true)) Larger{}(cuts_.imbalance, largest / mean);
+        if (largest < maxImbalance * mean) return;
+        const Clock clock;
         cut(store, owned, owned > 0 ? busy / double(owned) : 1);
+        cuts_.seconds += clock.clockTime();
     }
     busyAtCut_ = busyTime();
     sinceCut_ = 0;
-    ++cuts_;
+    judged_ = false;
+    ++cuts_.count;
 }
 
 template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
@@ -56,6 +63,7 @@ template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
 
 template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::size_t owned)
 {
+    const Clock clock;
     const auto x = std::as_const(store).pointers(Position{});
     auto arrays = stateOf(store);
     std::vector<std::vector<double>> parts(std::size_t(all_.count()));
@@ -74,6 +82,7 @@ template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::si
     for (const auto& part : come)
         for (auto from = part.begin(); from != part.end(); ++i)
             for (double* a : arrays) a[i] = *from++;
+    if (cuts_.count > 1 && sinceCut_ == 0) cuts_.seconds += clock.clockTime();
     return n;
 }
 

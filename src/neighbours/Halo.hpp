@@ -60,7 +60,13 @@ public:
 
     std::size_t count() const { return count_; }
     std::size_t bytesSent() const { return bytesSent_; }
-    long cuts() const { return cuts_; }
+    struct Cuts
+    {
+        long count = 0;
+        double seconds = 0;   ///< of wall time, in all but the first: cutting, and what particles then take to their new owners
+        double imbalance = 1; ///< the largest that was found soon after one of them
+    };
+    const Cuts& cuts() const { return cuts_; }
     std::size_t bytes() const;
 
 private:
@@ -80,7 +86,9 @@ private:
     mutable std::vector<double*> refreshed_; ///< by what is under way
     mutable std::size_t bytesSent_ = 0;
     double busyAtCut_ = 0;
-    long cuts_ = 0, sinceCut_ = 0; ///< rebuilds since the last one
+    Cuts cuts_;
+    long sinceCut_ = 0;   ///< rebuilds since the last one
+    bool judged_ = false; ///< whether the imbalance that it has left is known
 
     void cut(const FieldStore<dim>&, std::size_t owned, double cost);
 

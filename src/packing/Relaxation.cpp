@@ -35,6 +35,14 @@ template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
     return kernel;
 }
 
+/// The density alone of points that are only looked at.
+std::vector<Group> groupsOf(bool moves)
+{
+    std::vector<Group> groups{{NumberDensity::name, {NumberDensity::name, WallDistance::name}}};
+    if (moves) groups.push_back({Repulsion::name, {Repulsion::name}});
+    return groups;
+}
+
 /// Which particle an image is of.
 struct Source
 {
@@ -106,7 +114,8 @@ template<int dim> class Relaxer
     Vector<dim> travelled_{}; ///< sum over all particles and steps [m]
 
 public:
-    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& points)
+    /// `moves`: whether `move` will be called.
+    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& points, bool moves)
         : geometry_(geometry),
           kernel_(kernel),
           repulsion_(repulsionOf(kernel)),
@@ -115,8 +124,7 @@ public:
           reach_(kernel.support() + skin * spacing),
           n_(points.size()),
           catalogue_(relaxationTerms<dim>(V0)),
-          plan_(catalogue_, {{NumberDensity::name, {NumberDensity::name, WallDistance::name}}, {Repulsion::name, {Repulsion::name}}},
-                {PackingPressure::info.name}),
+          plan_(catalogue_, groupsOf(moves), {PackingPressure::info.name}),
           images_(geometry, reach_, spacing)
     {
         plan_.allocate(store_);
@@ -336,7 +344,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
                        Points& points)
 {
     RelaxationResult result;
-    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points);
+    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points, settings.steps > 0);
     relaxer.updateDensity();
     result.before = result.after = relaxer.residual();
     while (result.steps < settings.steps && relaxer.scatter() > settings.tolerance)

@@ -227,7 +227,10 @@ public:
             total += busy;
             largest = std::max(largest, busy);
         }
-        return lines + fmt::format("Imbalance: {:.3f}, space cut {} times\n", largest * double(shares.size()) / total, halo->cuts());
+        const auto& cuts = halo->cuts();
+        lines += fmt::format("Imbalance: {:.3f}, space cut {} times", largest * double(shares.size()) / total, cuts.count);
+        if (cuts.count > 1) lines += fmt::format(", after the first in {:.3g} s, which left at most {:.3f}", cuts.seconds, cuts.imbalance);
+        return lines + '\n';
     }
     Leaks leaks() const override { return ofAllRanks(particles_.leaks(), Leaks{}, Add{}); }
     double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
