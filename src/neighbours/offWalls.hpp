@@ -30,18 +30,21 @@ template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<d
 /// keeps what it has along their edge, nothing in 2-D.
 template<int dim> class HeldVelocity
 {
+    /// What is put off a wall may lie a rounding short of it and touch it again: less than this of the velocity towards a wall is none.
+    static constexpr double rounding = 1e-9;
     Vector<dim> v_, last_{};
+    double speed_; ///< at first
     bool touched_ = false;
 
 public:
-    explicit HeldVelocity(const Vector<dim>& v) : v_(v) {}
+    explicit HeldVelocity(const Vector<dim>& v) : v_(v), speed_(mag(v)) {}
     operator const Vector<dim>&() const { return v_; }
     /// `speed` of the wall along n, as of withoutInward.
     void touch(const Vector<dim>& n, double speed)
     {
         v_ = withoutInward(v_, n, speed);
         const auto edge = cross(in3D(n), in3D(last_));
-        if (touched_ && speed == 0 && dot(v_, last_) < 0)
+        if (touched_ && speed == 0 && dot(v_, last_) < -rounding * speed_)
             v_ = in<dim>(dim == 2 ? Vector<3>{} : dot(in3D(v_), edge) / dot(edge, edge) * edge);
         last_ = n;
         touched_ = true;

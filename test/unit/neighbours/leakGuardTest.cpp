@@ -129,6 +129,25 @@ TEST(OffWalls, TakeAllThatPointsIntoAWedge)
     EXPECT_EQ(Vector<2>(outOfCorner), (Vector<2>{1, 0}));
 }
 
+// What lies a rounding short of a wall touches it again, by a normal that differs by roundings: one wall still, along which it goes on.
+TEST(OffWalls, TakeAWallThatIsTouchedTwiceForOne)
+{
+    for (int k = 0; k < 1000; ++k)
+    {
+        const double a = 0.7 * k, b = 0.3 * k, rounding = 1e-16 * (k % 7 - 3);
+        const Vector<3> n{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)}, again{n.x + rounding, n.y - rounding, n.z};
+        const auto v = -3 * n + Vector<3>{std::sin(2 * a), std::cos(3 * b), 0.5};
+        HeldVelocity<3> inSpace(v);
+        HeldVelocity<2> inPlane(in<2>(v));
+        const auto along = withoutInward(v, n);
+        const auto nInPlane = in<2>(n) / mag(in<2>(n)), againInPlane = in<2>(again) / mag(in<2>(again));
+        for (const auto& normal : {n, again, n}) inSpace.touch(normal, 0);
+        for (const auto& normal : {nInPlane, againInPlane, nInPlane}) inPlane.touch(normal, 0);
+        ASSERT_NEAR(mag(Vector<3>(inSpace) - along), 0, 1e-14) << k;
+        ASSERT_NEAR(mag(Vector<2>(inPlane) - withoutInward(in<2>(v), nInPlane)), 0, 1e-14) << k;
+    }
+}
+
 // Of the three within 0.06 m of the floor or of the block one is also near both, and is told once.
 TEST(Images, NameTheParticlesThatAreNearTheirFaces)
 {

@@ -42,6 +42,7 @@ public:
         const double infinity = std::numeric_limits<double>::infinity();
         return {{{-infinity, -infinity, -infinity}, {1, infinity, infinity}}, {{1, -infinity, -infinity}, {infinity, infinity, infinity}}};
     }
+    std::unique_ptr<SharedFile> create(const std::filesystem::path&) const override { return nullptr; }
     void barrier() const override {}
     void abort() const override {}
 };
