@@ -164,7 +164,12 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
             if (halo)
             {
                 halo->start(store, copiedFor(pass, store));
+                // Lists end with the null particle, whose values are else set with those of images.
+                for (const auto& f : pass.refresh)
+                    for (int c = 0; f.info.image != Image::placed && c < f.type.components; ++c)
+                        store.component(f.name, c)[null] = store.component(f.name, c)[0];
                 records = pack(pass, store, 0, owned);
+                pack(pass, store, std::size_t(null), std::size_t(null) + 1);
                 over(lists.interior().size(), lists.interior().data(), k);
                 halo->finish();
                 refresh();
