@@ -82,6 +82,9 @@ public:
     /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
 
+    /// Its value in one array: it has W = 0, but is computed with, and must be finite.
+    void setNullParticle(double* array) const { array[nullParticle()] = owned_ > 0 ? array[0] : 1.0; }
+
     /// Values of one field, by the rule that its tag states; `name` is the field's in this scene.
     template<class F> static void refresh(const Images& images, FieldStore<dim>& store, const std::string& name = F::info.name);
 
@@ -267,8 +270,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
     if (images.layers_ && images.interpolates(F::info))
         images.layers_->extrapolate(store, name, rule,
                                     F::info.inLayers == InLayers::extrapolated ? Extrapolation::mean : Extrapolation::fit);
-    // The null particle has W = 0 but its values are computed with: they must be finite.
-    for (double* a : p) a[images.nullParticle()] = images.owned_ > 0 ? a[0] : 1.0;
+    for (double* a : p) images.setNullParticle(a);
 }
 
 }

@@ -153,35 +153,28 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
 #pragma omp parallel
         stretches.forEach(gather);
     };
-    const auto refresh = [&]
-    {
-        for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
-    };
     std::visit(
         [&](const auto& k)
         {
             const std::size_t owned = images.owned();
+            std::size_t packed = 0;
             if (halo)
             {
                 halo->start(store, copiedFor(pass, store));
-                // Lists end with the null particle, whose values are else set with those of images.
+                // All that interior particles see: owned ones, and the null particle at the end of each list.
                 for (const auto& f : pass.refresh)
                     for (int c = 0; f.info.image != Image::placed && c < f.type.components; ++c)
-                        store.component(f.name, c)[null] = store.component(f.name, c)[0];
+                        images.setNullParticle(store.component(f.name, c));
                 records = pack(pass, store, 0, owned);
                 pack(pass, store, std::size_t(null), std::size_t(null) + 1);
                 over(lists.interior().size(), lists.interior().data(), k);
                 halo->finish();
-                refresh();
-                pack(pass, store, owned, store.size());
-                over(lists.border().size(), lists.border().data(), k);
+                packed = owned;
             }
-            else
-            {
-                refresh();
-                records = pack(pass, store, 0, store.size());
-                over(owned, nullptr, k);
-            }
+            for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
+            records = pack(pass, store, packed, store.size());
+            if (halo) over(lists.border().size(), lists.border().data(), k);
+            else over(owned, nullptr, k);
         },
         kernel.choice());
 }

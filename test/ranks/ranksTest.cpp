@@ -2,15 +2,14 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "Largest.hpp"
+#include "SmallDisk.hpp"
 #include "smallCases.hpp"
 #include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <sstream>
-#include <sys/mount.h>
 
 using namespace sph;
 using namespace sph::test;
@@ -530,24 +529,12 @@ TEST_P(CollatedFiles, ThatCannotBeWrittenEndAllRanks)
     EXPECT_TRUE(std::filesystem::is_empty(together.folder()));
 }
 
-/// A small disk; null where this machine does not permit to mount one.
-std::shared_ptr<const TestCase> smallDisk(const char* size)
-{
-    const auto unmount = [](const TestCase* place)
-    {
-        ::umount2(place->folder().c_str(), MNT_DETACH);
-        delete place;
-    };
-    const std::shared_ptr<const TestCase> place(new TestCase(Files{}), unmount);
-    return ::mount("tmpfs", place->folder().c_str(), "tmpfs", 0, size) == 0 ? place : nullptr;
-}
-
 // 600 particles fit, 5000 do not, be it the share of the first rank or of the last: the last good time is whole.
 TEST_P(CollatedFiles, OfAFullDiskAreRemoved)
 {
-    const auto disk = smallDisk("size=128k");
-    if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
-    const TestCase c(Files{}, disk->folder());
+    const SmallDisk disk("128k");
+    if (!disk.mounted()) GTEST_SKIP() << SmallDisk::notPermitted;
+    const TestCase c(Files{}, disk.folder());
     ASSERT_EQ(writeOnRanks(c, GetParam(), {100, 200, 300}).code, 0);
     const auto before = c.files("");
     for (const auto& counts : std::vector<std::vector<int>>{{100, 0, 5000}, {5000, 1, 1}})
@@ -564,10 +551,10 @@ INSTANTIATE_TEST_SUITE_P(Formats, CollatedFiles, testing::Values("ascii", "binar
 // A run whose second time has no place: one message, exit code 1, and the times before are whole.
 TEST(RanksOfAFullDisk, EndWithOneMessage)
 {
-    const auto disk = smallDisk("size=1m");
-    if (!disk) GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
+    const SmallDisk disk("1m");
+    if (!disk.mounted()) GTEST_SKIP() << SmallDisk::notPermitted;
     const Prepared prepared(channelCase());
-    const TestCase c(Files{}, disk->folder());
+    const TestCase c(Files{}, disk.folder());
     for (const auto* part : {"0", "constant", "system"}) c.copyFrom(prepared, part);
     c.replace("system/controlDict", "endTime 0.08", "endTime 8");
     isRefused(c, 3, {"cannot be written: No space left on device"});

@@ -1,12 +1,11 @@
 /// Walls that reflection cannot represent, runs that blow up, and disks that are full.
+#include "SmallDisk.hpp"
 #include "SmallFiles.hpp"
 #include "refusal.hpp"
 #include <csignal>
 #include <fcntl.h>
-#include <memory>
 #include <regex>
 #include <sstream>
-#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -243,13 +242,10 @@ TEST(Disk, FullForEveryProgramThatWrites)
 // a time's name.
 TEST(Disk, Full)
 {
-    const TestCase place(Files{});
-    if (::mount("tmpfs", place.folder().c_str(), "tmpfs", 0, "size=128k") != 0)
-        GTEST_SKIP() << "a small disk is made by mounting a tmpfs, which this machine does not permit";
-    const auto unmount = [](const TestCase* p) { ::umount2(p->folder().c_str(), MNT_DETACH); };
-    const std::unique_ptr<const TestCase, decltype(unmount)> mounted(&place, unmount);
+    const SmallDisk disk("128k");
+    if (!disk.mounted()) GTEST_SKIP() << SmallDisk::notPermitted;
     {
-        const TestCase c(Files{}, place.folder());
+        const TestCase c(Files{}, disk.folder());
         for (const char* part : {"system", "0.02", "constant/geometry", "constant/phaseProperties", "constant/g", "constant/walls"})
         {
             std::filesystem::create_directories((c.folder() / part).parent_path());

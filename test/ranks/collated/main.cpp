@@ -2,12 +2,12 @@
 ///
 ///   collatedWriting write <folder> ascii|binary <i> <particles of each rank>...    time folder `1`; the phase of particle i (-1: of none) is no label
 ///   mpirun -np N collatedWriting speed <folder> <particles>                        a name, a number and a unit a line
+#include "Clock.hpp"
 #include "Cloud.hpp"
 #include "OutputFile.hpp"
 #include "Ranks.hpp"
 #include "TimeFolder.hpp"
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -67,16 +67,17 @@ void toDisk(const fs::path& path)
 /// [s]
 double timeOf(const auto& act)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock clock;
     act();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return clock.clockTime();
 }
 
 void speed(const fs::path& folder, std::size_t all)
 {
     const auto& those = *ranks();
     const std::size_t rank = std::size_t(those.rank()), count = std::size_t(those.count());
-    const std::size_t before = rank * all / count, n = (rank + 1) * all / count - before;
+    const Slice slice{rank, count};
+    const std::size_t before = slice.begin(all), n = slice.end(all) - before;
     const Particles particles(before, n, all);
     const auto filesOfTime = [&]
     {

@@ -1,8 +1,8 @@
 #include "OutputFile.hpp"
 #include "RunTime.hpp"
+#include "SmallDisk.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 
 namespace sph
 {
@@ -20,24 +20,6 @@ RunTime runIn(const std::filesystem::path& folder)
     time.advance(0.5);
     return time;
 }
-
-/// A disk of 128 kB in a folder of the case; only root may make one.
-class SmallDisk
-{
-    std::filesystem::path folder_;
-
-public:
-    bool mounted = false;
-    explicit SmallDisk(const std::filesystem::path& folder) : folder_(folder)
-    {
-        std::filesystem::create_directories(folder);
-        mounted = ::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=128k") == 0;
-    }
-    ~SmallDisk()
-    {
-        if (mounted) ::umount2(folder_.c_str(), MNT_DETACH);
-    }
-};
 
 std::vector<std::string> entriesOf(const std::filesystem::path& folder)
 {
@@ -101,10 +83,9 @@ TEST(TimeFolder, leftPartialByAKilledRunIsRemovedAtTheFirstWrite)
 // A real full disk, 128 kB small: the last good time stays whole, the failed one is not there, and after making room the run goes on.
 TEST(TimeFolder, onAFullDiskLeavesTheLastGoodTimeWhole)
 {
-    const TemporaryCase c;
-    const SmallDisk disk(c.folder() / "disk");
-    if (!disk.mounted) GTEST_SKIP() << "no permission to mount a small disk";
-    const auto folder = c.folder() / "disk";
+    const test::SmallDisk disk("128k");
+    if (!disk.mounted()) GTEST_SKIP() << test::SmallDisk::notPermitted;
+    const auto& folder = disk.folder();
     auto time = runIn(folder);
     const std::vector<double> x(1000, 0.25), many(100000, 0.25);
     const auto filler = [](const std::vector<double>& values)
