@@ -65,6 +65,8 @@ public:
     virtual ~Part() = default;
     /// What joins each place, in order.
     virtual std::vector<Stage<dim>> stages(Place) { return {}; }
+    /// Once, when the particles of a time folder are there: before anybody takes away or adds.
+    virtual void loaded(Particles<dim>&) {}
     /// Before particles are sorted: takes away and adds, and returns how many there are now.
     virtual std::size_t exchange(Particles<dim>&, std::size_t owned) { return owned; }
     /// Positions are new and particles have not been sorted: before an evaluation between two of those.

@@ -107,6 +107,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     afterEvaluation_ = stages(Place::afterEvaluation);
     store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
     load(std::move(cloud), !restored.empty());
+    for (const auto& part : parts_) part->loaded(*this);
     const auto scale = restored.find("densityScale");
     if (scale != restored.end()) coefficients_.densityScale = scale->second;
     rebuild();

@@ -10,6 +10,14 @@ template<int dim> LabelsPart<dim>::LabelsPart(Particles<dim>&, const Numbers& re
     if (const auto found = restored.find(nextName); found != restored.end()) next_ = found->second;
 }
 
+template<int dim> void LabelsPart<dim>::loaded(Particles<dim>& particles)
+{
+    const auto& store = particles.store();
+    if (next_ || !store.has(ParticleNumber{})) return;
+    const double* const id = store.component(origId, 0);
+    next_ = std::max(0.0, 1 + most(particles.size(), [&](std::size_t i) { return id[i]; }));
+}
+
 template<int dim> std::size_t LabelsPart<dim>::exchange(Particles<dim>& particles, std::size_t owned)
 {
     auto& store = particles.store();
@@ -20,7 +28,6 @@ template<int dim> std::size_t LabelsPart<dim>::exchange(Particles<dim>& particle
     }
     if (!store.has(ParticleNumber{})) return owned;
     double* const id = store.component(origId, 0);
-    if (!next_) next_ = std::max(0.0, 1 + most(owned, [&](std::size_t i) { return id[i]; }));
     const auto isNew = [&](std::size_t i) { return id[i] == notYet; };
     std::size_t own = 0;
     for (std::size_t i = 0; i < owned; ++i) own += isNew(i);

@@ -32,6 +32,7 @@ public:
     static constexpr double notYet = -1;
 
     LabelsPart(Particles<dim>&, const Numbers& restored);
+    void loaded(Particles<dim>&) override;
     std::size_t exchange(Particles<dim>&, std::size_t owned) override;
     void save(Numbers&) const override;
 };

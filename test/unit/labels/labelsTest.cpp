@@ -103,6 +103,27 @@ TEST(Labels, OfWhatComesInAreNew)
     EXPECT_EQ(difference(whole, c.files("0.24")), "");
 }
 
+// What an outlet takes away at the start has the highest numbers; what comes in then gets others. Who has a number of the start is where it was then, but for
+// the way that the flow has gone.
+TEST(Labels, OfWhatIsTakenAwayAtTheStartAreNotGivenAgain)
+{
+    const TestCase c(labelled(openCase()));
+    c.replace("constant/geometry", "max (1.2 1 0)", "max (2 1 0)");
+    prepare(c);
+    const auto text = c.runWell("sphFoamLike");
+    EXPECT_NE(text.find("further beyond taken away at the start"), std::string::npos);
+    const auto start = cloudOf(c, "0"), first = cloudOf(c, "0.02");
+    const auto& ids = first.fields.at("origId").component[0];
+    EXPECT_GT(*std::ranges::max_element(start.x), 1.9);
+    EXPECT_GT(*std::ranges::max_element(ids), double(start.size() - 1)) << "particles have come in";
+    const double fastest = 5;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+        if (ids[i] >= double(start.size())) continue;
+        EXPECT_LT(std::abs(first.x[i] - start.x[std::size_t(ids[i])]), 0.02 * fastest) << ids[i];
+    }
+}
+
 TEST(Labels, ThatNobodyAskedForCostNothing)
 {
     const TestCase without(channelCase()), with(labelled(channelCase()));
