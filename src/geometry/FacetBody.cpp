@@ -40,6 +40,9 @@ double angleBetween(const Vector<3>& a, const Vector<3>& b) { return std::atan2(
 
 int cornerAt(const FacetBody::Facet& f, int point) { return int(std::ranges::find(f.points, point) - f.points.begin()); }
 
+/// Whether what a strip has been asked for lies in it.
+bool holds(const auto& strip) { return strip.s >= -onJoint && strip.s <= 1 + onJoint && strip.a > 0; }
+
 /// The volume factor has no curvature beyond which an image would stand for any volume.
 double boundedCurvature(double k, double distance, double spacing) { return std::min(k, mostCurved / std::max(distance, 1e-9 * spacing)); }
 
@@ -452,7 +455,7 @@ FacetBody::Place FacetBody::placeOf(int facet, const Vector<3>& x, Hidden hidden
     }
     for (int edge = 0; edge < 3; ++edge)
         if (f.edges[std::size_t(edge)] > EdgeKind::smooth)
-            if (const auto p = strip(facet, edge, x); p && p->s >= -onJoint && p->s <= 1 + onJoint && p->a > 0)
+            if (const auto p = strip(facet, edge, x); p && holds(*p))
                 if (ownsMore(p->foot, [&](std::size_t k) { return int(k) == edge; })) return {facet, Lies::beside, p->foot};
     return {facet};
 }
@@ -508,8 +511,13 @@ Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
     {
         over = prism(facet, x);
         if (over && over->inside) return withMargin({facet, Lies::over, over->foot}, x, hidden);
-        // Over the neighbour that x has gone furthest to, where no edge is between.
+        // Round the end of an edge the patch goes on to the far side, which x may be over as well: there it has another image.
         const auto& f = facets_[std::size_t(facet)];
+        if (f.isCreased() && !flatPatch_[std::size_t(f.patch)])
+            for (int edge = 0; edge < 3; ++edge)
+                if (f.edges[std::size_t(edge)] > EdgeKind::smooth)
+                    if (const auto p = strip(facet, edge, x); p && holds(*p)) return withMargin({facet, Lies::beside, p->foot}, x, hidden);
+        // Over the neighbour that x has gone furthest to, where no edge is between.
         const auto l = over ? over->l : plane(facet, x).l;
         int next = -1;
         double furthest = 0;

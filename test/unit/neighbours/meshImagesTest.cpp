@@ -281,6 +281,36 @@ TEST(MeshImages, OfARoughBodyHaveFiniteShares)
     }
 }
 
+// A body that is one smooth patch but for single edges of more than 30 degrees, round whose ends it goes on: what lies beyond such an edge is over its far side, too, and has an
+// image in either. No two of all particles and images are in one place. Once, images moved to the far side as soon as they were made, and what was mirrored twice there came back to its source.
+TEST(MeshImages, AtARidgeThatEndsAreNotInOnePlace)
+{
+    auto s = icosphere(1, 4 * spacing);
+    for (std::size_t p = 0; p < s.points.size(); ++p) s.points[p] = (1 + 0.05 * std::sin(7.0 * double(p * p))) * s.points[p];
+    for (const bool inside : {false, true})
+    {
+        const auto g = meshScene(inside ? inverted(s) : s);
+        std::vector<Vector<3>> points;
+        for (int k = 1; k <= 20000; ++k)
+        {
+            const auto at = [&](double a) { return 6.5 * spacing * (2 * std::fmod(0.5 + k * a, 1.0) - 1); };
+            if (const Vector<3> p{at(0.8191725134), at(0.6710436067), at(0.5497004779)}; g.distance(p) > 0.05 * spacing)
+                points.push_back(p);
+        }
+        WithImages all(g, points);
+        std::vector<Vector<3>> places;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (all.weights()[k] > 1e-3) places.push_back(positionOf(all.store, k));
+        std::ranges::sort(places, {}, &Vector<3>::x);
+        int pairs = 0;
+        for (std::size_t k = 0; k < places.size(); ++k)
+            for (std::size_t l = k + 1; l < places.size() && places[l].x - places[k].x < 1e-6 * spacing; ++l)
+                pairs += mag(places[l] - places[k]) < 1e-6 * spacing;
+        EXPECT_EQ(pairs, 0) << (inside ? "inside" : "outside");
+        EXPECT_GT(all.images.count(), 1000u);
+    }
+}
+
 // Whoever is near the surface is named, and not as farther off than it is. Images lie along the mean normals of corners, where the surface is farther
 // by 0.012 spacings at most here.
 TEST(MeshImages, NearFacesAreNoFartherThanTheSurface)
