@@ -36,9 +36,10 @@ template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
         }
 }
 
-template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order)
+template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order, std::span<double> room)
 {
-    Array sorted(order.size());
+    Array own(room.size() < order.size() ? order.size() : 0);
+    double* const sorted = own.empty() ? room.data() : own.data();
     for (auto& [_, field] : fields_)
     {
         if (!field.state) continue;

@@ -7,6 +7,7 @@
 #include <map>
 #include <new>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,8 +81,8 @@ public:
     std::size_t size() const { return size_; }
     std::size_t owned() const { return owned_; }
 
-    /// Brings owned particle order[k] to place k in every state field.
-    void sortState(const std::vector<int>& order);
+    /// Brings owned particle order[k] to place k in every state field. `room` is memory that nobody else uses meanwhile, and may be too small.
+    void sortState(const std::vector<int>& order, std::span<double> room = {});
 
     const std::map<std::string, Field>& fields() const { return fields_; }
     std::size_t bytesPerParticle() const;

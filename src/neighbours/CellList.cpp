@@ -5,6 +5,14 @@
 namespace sph
 {
 
+namespace
+{
+/// Points in a plane of rows beyond which rows come in bands: the records of five planes then fill more than the second-level cache of any machine.
+constexpr std::size_t manyInPlane = 1 << 15;
+/// Rows of a band.
+constexpr int bandRows = 16;
+}
+
 template<int dim> void CellList<dim>::build(const std::array<const double*, dim>& x, std::size_t count, double side)
 {
     std::array<double, dim> extent{};
@@ -40,25 +48,43 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
     }
     begin_.assign(total + 1, 0);
     order_.resize(count);
-    cell_.resize(count);
+    orderRows(count);
+    std::vector<int> cellOfPoint(count);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < count; ++i)
     {
         const auto p = valueAt<Vector<dim>>(x, i);
-        cell_[i] = index(cellOf(p));
+        cellOfPoint[i] = index(cellOf(p));
     }
-    for (std::size_t i = 0; i < count; ++i) ++begin_[cell_[i] + 1];
+    for (std::size_t i = 0; i < count; ++i) ++begin_[cellOfPoint[i] + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    for (std::size_t i = 0; i < count; ++i) order_[begin_[cell_[i]]++] = int(i);
+    for (std::size_t i = 0; i < count; ++i) order_[begin_[cellOfPoint[i]]++] = int(i);
     std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
     begin_[0] = 0;
 }
 
+template<int dim> void CellList<dim>::orderRows(std::size_t count)
+{
+    if constexpr (dim == 3)
+    {
+        const int rows = n_[1], inBand = count / std::size_t(n_[0]) > manyInPlane ? bandRows : rows;
+        rows_.resize(std::size_t(rows));
+        for (int row = 0; row < rows; ++row)
+        {
+            const int band = row / inBand * inBand;
+            rows_[std::size_t(row)] = {band * n_[0] + row - band, std::min(inBand, rows - band)};
+        }
+    }
+}
+
 template<int dim> int CellList<dim>::index(const Cell& a) const
 {
-    int k = 0;
-    for (int c = 0; c < dim; ++c) k = k * n_[c] + a[c];
-    return k;
+    if constexpr (dim == 2) return a[0] * n_[1] + a[1];
+    else
+    {
+        const Row& row = rows_[std::size_t(a[1])];
+        return (row.first + a[0] * row.stride) * n_[2] + a[2];
+    }
 }
 
 template<int dim> typename CellList<dim>::Cell CellList<dim>::cellOf(Vector<dim> x) const

@@ -1,5 +1,8 @@
 /// Points sorted into cells, row by row with the last direction fastest: the cells next to one another along it are one run.
 ///
+/// Where a plane of rows holds many points, rows come in bands of a few that go through all planes: what is near in space is then in a cache together,
+/// whatever the size of the scene (test/benchmark/README.md).
+///
 /// Cells are at least `side` wide; where points are so scattered that such cells would outnumber them by far, cells grow, so that
 /// memory is bounded by the number of points whatever the extent of the scene.
 #pragma once
@@ -31,8 +34,15 @@ public:
 private:
     std::array<double, dim> low_{}, width_{};
     std::array<int, dim> n_{};
-    std::vector<int> begin_, order_, cell_;
+    std::vector<int> begin_, order_;
+    /// Of a row by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
+    struct Row
+    {
+        int first, stride;
+    };
+    std::vector<Row> rows_;
 
+    void orderRows(std::size_t count);
     int index(const Cell&) const;
 };
 

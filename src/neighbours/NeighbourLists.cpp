@@ -7,33 +7,62 @@
 namespace sph
 {
 
+template<int dim> void NeighbourLists<dim>::sortPositions(std::size_t total, std::span<double> room)
+{
+    const auto& order = cells_.order();
+    for (int c = 0; c < dim; ++c)
+    {
+        double* sorted = room.data() + std::size_t(c) * total;
+        if (room.size() < dim * total)
+        {
+            ownSorted_[c].resize(total);
+            sorted = ownSorted_[c].data();
+        }
+#pragma omp parallel for schedule(static)
+        for (std::size_t k = 0; k < total; ++k) sorted[k] = x_[c][order[k]];
+        sorted_[c] = sorted;
+    }
+}
+
+template<int dim> int NeighbourLists<dim>::find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const
+{
+    int n = 0;
+    for (const auto& r : runs) n += selectWithin<dim>(sorted_, cells_.order().data(), r.begin, r.end, x, sqr(radius_), to + n);
+    return n;
+}
+
+template<int dim> std::span<const int> NeighbourLists<dim>::found(std::size_t i, Room& room) const
+{
+    static thread_local std::vector<typename CellList<dim>::Run> runs;
+    const auto x = valueAt<Vector<dim>>(x_, i);
+    cells_.runsAround(cells_.cellOf(x), radius_, runs);
+    return padded(room, find(x, runs, room.entries));
+}
+
 template<int dim>
-void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius)
+void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius, Stored stored,
+                                std::span<double> room)
 {
     // Half the radius: 5^dim cells hold 40 % fewer candidates than 3^dim cells of the full radius.
     cells_.build(x, total, 0.5 * radius);
     owned_ = owned;
     nullParticle_ = int(total);
-    chunks_.resize((owned + chunkSize - 1) / chunkSize);
-    std::array<Array, dim> sorted;
-    const double* position[dim];
-    for (int c = 0; c < dim; ++c)
-    {
-        sorted[c].resize(total);
-#pragma omp parallel for schedule(static)
-        for (std::size_t k = 0; k < total; ++k) sorted[c][k] = x[c][cells_.order()[k]];
-        position[c] = sorted[c].data();
-    }
+    radius_ = radius;
+    x_ = x;
+    sortPositions(total, stored == Stored::yes ? room : std::span<double>());
 
+    const std::size_t chunks = (owned + chunkSize - 1) / chunkSize;
+    chunks_.resize(stored == Stored::yes ? chunks : 0);
     std::size_t crowded = total;
+    pairs_ = 0;
     const auto list = [&](std::size_t begin, std::size_t end)
     {
         std::vector<typename CellList<dim>::Run> runs;
-        static thread_local std::vector<int> room; // lists take what they need, and no more
+        static thread_local std::vector<int> indices; // lists take what they need, and no more
+        static thread_local IndexPacker packer;
+        std::array<unsigned, chunkSize + 1> beginOf;
         for (std::size_t chunk = begin; chunk < end; ++chunk)
         {
-            Chunk& out = chunks_[chunk];
-            out.pairs = 0;
             unsigned used = 0;
             typename CellList<dim>::Cell last;
             last.fill(-1);
@@ -48,30 +77,45 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     candidates = 0;
                     for (const auto& r : runs) candidates += r.end - r.begin;
                 }
-                if (used + candidates + 2 * lanes > room.size()) room.resize(used + used / 2 + 8 * candidates + 2 * lanes);
-                out.begin[i % chunkSize] = used;
-                int* const entries = room.data() + used;
-                int n = 0;
-                for (const auto& r : runs)
-                    n += selectWithin<dim>(position, cells_.order().data(), r.begin, r.end, x_i, sqr(radius), entries + n);
-                out.pairs += n;
+                if (used + candidates + lanes > indices.size()) indices.resize(used + used / 2 + 8 * candidates + lanes);
+                beginOf[i % chunkSize] = used;
+                int n = find(x_i, runs, indices.data() + used);
                 if (n > mostNeighbours)
                 {
 #pragma omp critical
                     crowded = std::min(crowded, i);
                     n = mostNeighbours;
                 }
-                while (n % lanes) entries[n++] = int(total);
-                used += n;
-                out.begin[i % chunkSize + 1] = used;
+                used += unsigned(n);
             }
-            if (used > out.entries.capacity()) out.entries.reserve(used + used / 50);
-            out.entries.assign(room.begin(), room.begin() + used);
+            std::fill(beginOf.begin() + std::ptrdiff_t(std::min(owned - chunk * chunkSize, chunkSize)), beginOf.end(), used);
+#pragma omp atomic
+            pairs_ += used;
+            if (stored == Stored::no) continue;
+            Chunk& out = chunks_[chunk];
+            out.begin = beginOf;
+            const std::size_t size = used + lanes;
+            if (size > out.codes.capacity())
+            {
+                out.codes = std::vector<std::uint16_t>();
+                out.codes.reserve(size + size / 50);
+            }
+            out.codes.resize(size);
+            out.wide = std::vector<int>();
+            if (packer.pack({indices.data(), used}, total, out.pages, out.codes.data())) continue;
+            out.codes = std::vector<std::uint16_t>();
+            out.wide.assign(indices.begin(), indices.begin() + used);
         }
     };
-    Stretches stretches(chunks_.size(), 1);
+    Stretches stretches(chunks, 1);
 #pragma omp parallel
     stretches.forEach(list);
+    if (stored == Stored::yes)
+    {
+        for (auto& positions : ownSorted_) positions = Array();
+        std::fill(std::begin(sorted_), std::end(sorted_), nullptr);
+        cells_ = {};
+    }
     if (crowded < total)
     {
         const auto p = valueAt<Vector<dim>>(x, crowded);
@@ -81,15 +125,13 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                         "or the kernel support is too many spacings",
                         crowded, q.x, q.y, q.z, mostNeighbours));
     }
-    pairs_ = 0;
-    for (const auto& c : chunks_) pairs_ += c.pairs;
 }
 
 template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 {
     for (auto& c : chunks_)
     {
-        if (c.within.size() < c.entries.size()) c.within.resize(c.entries.size());
+        if (const auto size = c.withinBegin(chunkSize); c.within.size() < size) c.within.resize(size);
         c.withinCount.resize(chunkSize);
     }
 }
@@ -99,7 +141,10 @@ template<int dim> void NeighbourLists<dim>::partInterior()
     std::vector<char> seesImages(owned_);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned_; ++i)
-        seesImages[i] = std::ranges::any_of(of(i), [&](int j) { return j >= int(owned_) && j != nullParticle_; });
+    {
+        Room room;
+        seesImages[i] = std::ranges::any_of(of(i, room), [&](int j) { return j >= int(owned_) && j != nullParticle_; });
+    }
     interior_.clear();
     border_.clear();
     for (std::size_t i = 0; i < owned_; ++i) (seesImages[i] ? border_ : interior_).push_back(int(i));
@@ -109,7 +154,8 @@ template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
     std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int);
     for (const auto& c : chunks_)
-        n += sizeof(Chunk) + (c.entries.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);
+        n += sizeof(Chunk) + c.codes.capacity() * sizeof(std::uint16_t) +
+             (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);
     return n;
 }
 

@@ -1,9 +1,13 @@
 /// Full neighbour lists of the owned particles, each padded with the null particle to a multiple of the vector lanes.
 ///
+/// In memory they are codes of two bytes (IndexPages.hpp) without padding, or nothing at all, where each is to be read once or twice only: then they are
+/// found anew in the cells for who asks.
+///
 /// A list holds the particle itself: sums that include j = i need no extra line, and every difference vanishes. `radius` is the
 /// kernel's support plus a skin.
 #pragma once
 #include "CellList.hpp"
+#include "IndexPages.hpp"
 #include <span>
 #include <vector>
 
@@ -17,14 +21,33 @@ public:
     /// More neighbours than this mean particles on top of one another, and end in an error.
     static constexpr int mostNeighbours = 1024;
 
-    /// Lists the first `owned` of the particles 0 .. total - 1; index `total` is the null particle. Throws CaseError, with the position,
-    /// where a particle has more than mostNeighbours.
-    void build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius);
-
-    std::span<const int> of(std::size_t i) const
+    enum class Stored
     {
+        yes,
+        no
+    };
+
+    /// Lists the first `owned` of the particles 0 .. total - 1; index `total` is the null particle. Throws CaseError, with the position,
+    /// where a particle has more than mostNeighbours. Where lists are not stored, the positions must stay as they are. `room` is memory that nobody else
+    /// uses meanwhile, and may be too small.
+    void build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius, Stored stored = Stored::yes,
+               std::span<double> room = {});
+
+    /// For one list; uninitialised.
+    struct Room
+    {
+        alignas(64) int entries[mostNeighbours + 2 * lanes];
+    };
+    /// The list, in the room.
+    std::span<const int> of(std::size_t i, Room& room) const
+    {
+        if (chunks_.empty()) return found(i, room);
         const Chunk& c = chunks_[i / chunkSize];
-        return {c.entries.data() + c.begin[i % chunkSize], c.entries.data() + c.begin[i % chunkSize + 1]};
+        const unsigned begin = c.begin[i % chunkSize];
+        const int n = int(c.begin[i % chunkSize + 1] - begin);
+        if (c.wide.empty()) unpackIndices(c.codes.data() + begin, n, c.pages, room.entries);
+        else std::copy_n(c.wide.data() + begin, n, room.entries);
+        return padded(room, n);
     }
     /// What a pass found within the support, kept for the passes behind it: they need not look at the skin again. `makeRoom` once before a
     /// loop of `keep`s; j holds a multiple of the lanes.
@@ -32,7 +55,7 @@ public:
     void keepWithin(std::size_t i, const long* j, int n)
     {
         Chunk& c = chunks_[i / chunkSize];
-        int* const to = c.within.data() + c.begin[i % chunkSize];
+        int* const to = c.within.data() + c.withinBegin(i % chunkSize);
 #pragma GCC ivdep
         for (int t = 0; t < n; ++t) to[t] = int(j[t]);
         c.withinCount[i % chunkSize] = n;
@@ -40,7 +63,7 @@ public:
     std::span<const int> within(std::size_t i) const
     {
         const Chunk& c = chunks_[i / chunkSize];
-        return {c.within.data() + c.begin[i % chunkSize], std::size_t(c.withinCount[i % chunkSize])};
+        return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
     /// Parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks can compute before they have heard
     /// of one another, and what not. Anew after each build.
@@ -52,21 +75,39 @@ public:
     std::size_t bytes() const;
 
 private:
-    /// Particles listed by one thread at a time into a buffer of their own.
-    static constexpr std::size_t chunkSize = 1024;
+    /// Particles listed by one thread at a time into a buffer of their own. Few enough for the pages of one set: those of 256 see less than two rows more
+    /// than those around one of them, in a scene of 10^7.
+    static constexpr std::size_t chunkSize = 256;
     struct Chunk
     {
-        std::vector<int> entries;
-        std::array<unsigned, chunkSize + 1> begin;
-        std::vector<int> within, withinCount; ///< at the places of `entries`, none where no pass keeps
-        std::size_t pairs;
+        std::vector<std::uint16_t> codes;
+        std::vector<int> wide; ///< the indices themselves, where they take too many pages: then there are no codes
+        IndexPages pages;
+        std::array<unsigned, chunkSize + 1> begin; ///< of each list
+        std::vector<int> within, withinCount;      ///< none where no pass keeps
+        /// Lists within the support are padded.
+        std::size_t withinBegin(std::size_t k) const { return begin[k] + k * lanes; }
     };
-    std::vector<Chunk> chunks_;
-    CellList<dim> cells_;
+    std::vector<Chunk> chunks_; ///< none where lists are not stored
+    CellList<dim> cells_;       ///< as sorted_
+    std::array<const double*, dim> x_{};
+    std::array<Array, dim> ownSorted_;
+    const double* sorted_[dim]{}; ///< positions in the order of the cells; until the end of the build, where lists are stored
     std::vector<int> interior_, border_;
     std::size_t owned_ = 0;
+    double radius_ = 0;
     int nullParticle_ = 0;
     std::size_t pairs_ = 0;
+
+    std::span<const int> padded(Room& room, int n) const
+    {
+        for (int k = 0; k < lanes; ++k) room.entries[n + k] = nullParticle_;
+        return {room.entries, std::size_t((n + lanes - 1) / lanes * lanes)};
+    }
+    void sortPositions(std::size_t total, std::span<double> room);
+    /// Appends the list of a place in a cell, of which these are the runs around. Returns how many it holds; `to` needs room for 8 more.
+    int find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const;
+    std::span<const int> found(std::size_t i, Room&) const;
 };
 
 }

@@ -175,8 +175,9 @@ template<int dim> void WallLayers<dim>::list(const NeighbourLists<dim>& lists, s
     const auto& particles = placed();
     const auto each = [&](const auto& f)
     {
+        typename NeighbourLists<dim>::Room room;
         for (std::size_t i = 0; i < owned; ++i)
-            for (const int j : lists.of(i))
+            for (const int j : lists.of(i, room))
                 if (const auto k = std::size_t(j) - first_; std::size_t(j) >= first_ && k < particles.size()) f(int(i), int(k));
     };
     std::fill(firstPair_.begin(), firstPair_.end(), 0);

@@ -8,6 +8,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #if defined(__AVX2__)
@@ -19,6 +20,9 @@ namespace sph
 
 namespace detail
 {
+/// Of codes of indices (IndexPages.hpp): the upper 4 bits name a page, the lower 12 a place in it.
+inline constexpr int pageBits = 12, pageSize = 1 << pageBits, pageCount = 16;
+
 /// Of any width; what an instruction set does better hides it by the same name.
 template<int lanes> struct AnyLanes
 {
@@ -39,6 +43,10 @@ template<int lanes> struct AnyLanes
 
     static Mask less(Doubles a, Doubles b) { return a < b; }
     static Doubles choose(Mask mask, Doubles a, Doubles b) { return mask ? a : b; }
+    static void unpack(const std::uint16_t* codes, const int* pages, int* to)
+    {
+        for (int k = 0; k < 8; ++k) to[k] = pages[codes[k] >> pageBits] + codes[k] % pageSize;
+    }
 
     /// a_0 b_0 a_2 b_2 ... and a_1 b_1 a_3 b_3 ...
     static Doubles evenOf(Doubles a, Doubles b) { return interleaved<0>(a, b, std::make_integer_sequence<int, lanes>{}); }
@@ -64,7 +72,8 @@ template<int lanes, int parts> constexpr auto compressOrders()
 }
 
 /// `bits` of a mask: one a lane, the first the lowest. `compress` moves the lanes of these bits to the front; what follows them is undefined.
-/// `loadFirst` reads 0 < n < lanes elements. `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse.
+/// `loadFirst` reads 0 < n < lanes elements. `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse. `unpack` makes
+/// 8 indices of their codes.
 template<int lanes> struct Lanes;
 
 template<> struct Lanes<2> : detail::AnyLanes<2>
@@ -101,6 +110,14 @@ template<> struct Lanes<4> : detail::AnyLanes<4>
         _mm_storeu_pd(at(0), _mm256_castpd256_pd128(v));
         _mm_storeu_pd(at(1), _mm256_extractf128_pd(v, 1));
     }
+    static void unpack(const std::uint16_t* codes, const int* pages, int* to)
+    {
+        const __m256i code = _mm256_cvtepu16_epi32(load<__m128i>(codes)), page = _mm256_srli_epi32(code, detail::pageBits);
+        const auto half = [&](int k) { return __m256(_mm256_permutevar8x32_epi32(load<__m256i>(pages + k), page)); };
+        // The highest bit of a code is that of the upper half.
+        const auto first = __m256i(_mm256_blendv_ps(half(0), half(8), __m256(_mm256_slli_epi32(code, 16))));
+        store(to, _mm256_add_epi32(first, _mm256_and_si256(code, _mm256_set1_epi32(detail::pageSize - 1))));
+    }
 
 private:
     alignas(16) static constexpr auto orders = detail::compressOrders<4, 1>();
@@ -131,6 +148,12 @@ template<> struct Lanes<8> : detail::AnyLanes<8>
     {
         Lanes<4>::storePairs(at, _mm512_castpd512_pd256(v));
         Lanes<4>::storePairs([&](int b) { return at(2 + b); }, _mm512_extractf64x4_pd(v, 1));
+    }
+    static void unpack(const std::uint16_t* codes, const int* pages, int* to)
+    {
+        const __m256i code = _mm256_cvtepu16_epi32(load<__m128i>(codes)), page = _mm256_srli_epi32(code, detail::pageBits),
+                      first = _mm256_permutex2var_epi32(load<__m256i>(pages), page, load<__m256i>(pages + 8));
+        store(to, _mm256_add_epi32(first, _mm256_and_si256(code, _mm256_set1_epi32(detail::pageSize - 1))));
     }
 };
 using WidestLanes = Lanes<8>;

@@ -109,9 +109,10 @@ template<int dim> class Relaxer
     Images<dim> images_;
     NeighbourLists<dim> lists_;
     std::array<double*, dim> x_;
-    std::array<std::vector<double>, dim> atBuild_;
-    KernelResidual residual_; ///< at the present places
-    Vector<dim> travelled_{}; ///< sum over all particles and steps [m]
+    const typename NeighbourLists<dim>::Stored stored_; ///< lists that one density and one search read are made for each of them
+    std::array<std::vector<double>, dim> atBuild_;      ///< of what moves
+    KernelResidual residual_;                           ///< at the present places
+    Vector<dim> travelled_{};                           ///< sum over all particles and steps [m]
 
 public:
     /// `moves`: whether `move` will be called.
@@ -125,7 +126,8 @@ public:
           n_(points.size()),
           catalogue_(relaxationTerms<dim>(V0)),
           plan_(catalogue_, groupsOf(moves), {PackingPressure::info.name}),
-          images_(geometry, reach_, spacing)
+          images_(geometry, reach_, spacing),
+          stored_(moves ? NeighbourLists<dim>::Stored::yes : NeighbourLists<dim>::Stored::no)
     {
         plan_.allocate(store_);
         store_.allocate(ImageWeight{});
@@ -145,7 +147,7 @@ public:
     void updateDensity()
     {
         images_.move(store_);
-        if (hasMovedFar()) rebuild();
+        if (stored_ == NeighbourLists<dim>::Stored::yes && hasMovedFar()) rebuild();
         plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(NumberDensity::name));
         residual_ = measured();
     }
@@ -209,7 +211,8 @@ public:
             {
                 Neighbour nearest;
                 // mirror images of a particle may be as near as the wall is
-                for (const int j : lists_.of(i))
+                typename NeighbourLists<dim>::Room room;
+                for (const int j : lists_.of(i, room))
                     if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
                         nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
                 return nearest;
@@ -280,9 +283,9 @@ private:
         for (int c = 0; c < dim; ++c)
         {
             x[c] = x_[c];
-            atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
+            if (stored_ == NeighbourLists<dim>::Stored::yes) atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
         }
-        lists_.build(x, n_, images_.nullParticle(), reach_);
+        lists_.build(x, n_, images_.nullParticle(), reach_, stored_, plan_.idle());
         plan_.bind(store_, Coefficients{});
     }
 

@@ -15,6 +15,7 @@
 #include <functional>
 #include <iosfwd>
 #include <set>
+#include <span>
 
 namespace sph
 {
@@ -57,6 +58,8 @@ public:
     int pairPasses(std::size_t group = 0) const;
     /// How many have run since the start, of all groups.
     long pairPassesRun() const { return pairPassesRun_; }
+    /// Memory for whoever needs some between evaluations: the next one packs its records into it anew.
+    std::span<double> idle() { return records_; }
     /// Of the packed records.
     std::size_t bytes() const { return records_.capacity() * sizeof(double); }
     bool has(const std::string& term) const;

@@ -137,11 +137,12 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
         const auto gather = [&](std::size_t begin, std::size_t end)
         {
             static thread_local Stencil<dim> stencil;
+            static thread_local typename NeighbourLists<dim>::Room room;
             for (std::size_t place = begin; place < end; ++place)
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
-                stencil.fill(int(i), within ? lists.within(i) : lists.of(i), within, x, records, store.size() * recordSize, pass.sources, k,
-                             pass.readsKernel, null);
+                stencil.fill(int(i), within ? lists.within(i) : lists.of(i, room), within, x, records, store.size() * recordSize,
+                             pass.sources, k, pass.readsKernel, null);
                 if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
                 if (keeps) lists.keepWithin(i, stencil.j, stencil.n);

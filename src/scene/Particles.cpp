@@ -180,7 +180,7 @@ template<int dim> void Particles<dim>::rebuild()
     {
         CellList<dim> cells;
         cells.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
-        store_.sortState(cells.order());
+        store_.sortState(cells.order(), plan_.idle());
     }
     makeLists();
     for (const auto& part : parts_) part->sorted(*this);
@@ -201,7 +201,8 @@ template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held
 template<int dim> void Particles<dim>::makeLists()
 {
     images_.build(store_, owned_);
-    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_);
+    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_,
+                 NeighbourLists<dim>::Stored::yes, plan_.idle());
     if (halo_) lists_.partInterior();
     images_.listLayers(lists_);
     bind();
@@ -225,8 +226,9 @@ template<int dim> void Particles<dim>::driftWalls(double deltaT)
 template<int dim> void Particles<dim>::checkApart() const
 {
     const double closest = 1e-9 * coefficients_.spacing;
+    typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < owned_; ++i)
-        for (const int j : lists_.of(i))
+        for (const int j : lists_.of(i, room))
             if (std::size_t(j) > i && std::size_t(j) < owned_ && mag(position(i) - position(j)) < closest)
                 throw CaseError(fmt::format("two particles lie at the same place, {}", at(in3D(position(i)))));
 }
@@ -261,9 +263,27 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
 /// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
 template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 {
-    std::map<std::string, std::vector<Array>> kept;
+    using Component = std::pair<std::string, int>;
+    const auto values = [this](const Component& a) { return store_.component(a.first, a.second); };
+    // Between steps the values at the start of one are nobody's: they make room.
+    std::vector<Component> idle;
+    for (const auto& evolving : settings_.state)
+        for (int c = 0; !predicted_ && store_.has(evolving.startName()) && c < evolving.value.in(dim); ++c)
+            idle.emplace_back(evolving.startName(), c);
+    std::vector<std::pair<Component, Component>> kept; // what, and where
+    std::vector<std::pair<Component, std::vector<double>>> copied;
     for (const auto& [name, field] : store_.fields())
-        if (field.state && plan_.provides(name)) kept[name] = field.component;
+        for (int c = 0; field.state && plan_.provides(name) && c < field.type.components; ++c)
+        {
+            const Component rate{name, c};
+            if (idle.empty()) copied.emplace_back(rate, std::vector<double>(values(rate), values(rate) + owned_));
+            else
+            {
+                kept.emplace_back(rate, idle.back());
+                std::copy_n(values(rate), owned_, values(idle.back()));
+                idle.pop_back();
+            }
+        }
     std::vector<double> memories;
     for (const auto& part : parts_) memories.push_back(part->memory());
 
@@ -272,8 +292,8 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
     else images_.move(store_);
     at();
 
-    for (const auto& [name, component] : kept)
-        for (std::size_t c = 0; c < component.size(); ++c) std::copy_n(component[c].begin(), owned_, store_.component(name, int(c)));
+    for (const auto& [rate, where] : kept) std::copy_n(values(where), owned_, values(rate));
+    for (const auto& [rate, copy] : copied) std::copy_n(copy.begin(), owned_, values(rate));
     for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
 }
 

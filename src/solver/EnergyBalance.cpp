@@ -75,7 +75,8 @@ template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& pa
                              [&](std::size_t i)
                              {
                                  double across = 0;
-                                 for (const int j : particles.lists().of(i))
+                                 typename NeighbourLists<dim>::Room room;
+                                 for (const int j : particles.lists().of(i, room))
                                      if (phase[j] != phase[i] && mag(x(std::size_t(j)) - x(i)) < H)
                                          across += c.surfaceTension[std::size_t(phase[i]) * n + std::size_t(phase[j])] * V[j];
                                  return V[i] * across;

@@ -52,9 +52,10 @@ PairLimit jitteredBlock(int n)
     limit.u = copy("U", 0), limit.v = copy("U", 1), limit.w = copy("U", 2);
     limit.rho = copy("rho", 0), limit.p = copy("p", 0);
     limit.list.reserve(lists.pairs());
+    NeighbourLists<3>::Room room;
     for (std::size_t i = 0; i < count; ++i)
     {
-        for (int j : lists.of(i))
+        for (int j : lists.of(i, room))
             if (j != int(i) && j < int(count)) limit.list.push_back(j);
         limit.begin.push_back(int(limit.list.size()));
     }

@@ -206,7 +206,8 @@ template<int dim> std::string Migration<dim>::warning(const Particles<dim>& part
         [&](std::size_t i)
         {
             Rise of;
-            for (const int j : particles.lists().of(i))
+            typename NeighbourLists<dim>::Room room;
+            for (const int j : particles.lists().of(i, room))
             {
                 if (std::size_t(j) >= particles.size() ||
                     !(phi[i] > phi[j] && phi[j] > 0 && mu[i] * gammaDot[i] < shareOfStress * mu[j] * gammaDot[j]))

@@ -20,12 +20,14 @@ template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& poin
     NeighbourLists<dim> lists;
     lists.build(positions(store), owned, points.size(), radius);
     std::size_t pairs = 0;
+    typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < owned; ++i)
     {
         std::vector<int> expected;
         for (std::size_t j = 0; j < points.size(); ++j)
             if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
-        std::vector<int> found(lists.of(i).begin(), lists.of(i).end());
+        const auto list = lists.of(i, room);
+        std::vector<int> found(list.begin(), list.end());
         ASSERT_EQ(found.size() % NeighbourLists<dim>::lanes, 0u) << "particle " << i;
         std::erase(found, int(points.size()));
         std::sort(found.begin(), found.end());
@@ -53,6 +55,77 @@ TEST(NeighbourLists, EqualBruteForceOfDegenerateClouds)
     listsEqualBruteForce<2>({{0.3, 0.4}}, 1, 0.1);
 }
 
+/// Of every `each`-th particle, where all of them would take too long: lists that are stored, and lists that are not.
+void someListsEqualBruteForce(const std::vector<Vector<3>>& points, double radius, std::size_t each, double bytesOfANeighbour)
+{
+    using Lists = NeighbourLists<3>;
+    FieldStore<3> store;
+    setPositions(store, points);
+    Lists stored, found;
+    std::vector<double> room(3 * points.size());
+    stored.build(positions(store), points.size(), points.size(), radius, Lists::Stored::yes, room);
+    found.build(positions(store), points.size(), points.size(), radius, Lists::Stored::no);
+    EXPECT_EQ(stored.pairs(), found.pairs());
+    EXPECT_NEAR(double(stored.bytes()) / double(stored.pairs()), bytesOfANeighbour, 0.3);
+    EXPECT_EQ(found.bytes(), 0u);
+    Lists::Room room1, room2;
+    for (std::size_t i = 0; i < points.size(); i += each)
+    {
+        const auto list = stored.of(i, room1), same = found.of(i, room2);
+        ASSERT_TRUE(std::ranges::equal(list, same)) << "particle " << i;
+        std::vector<int> expected, sorted(list.begin(), list.end());
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
+        std::erase(sorted, int(points.size()));
+        std::ranges::sort(sorted);
+        ASSERT_EQ(sorted, expected) << "particle " << i;
+    }
+}
+
+/// Particles in the order of the cells that a solver sorts them by.
+std::vector<Vector<3>> sortedByCells(const std::vector<Vector<3>>& points, double radius)
+{
+    FieldStore<3> store;
+    setPositions(store, points);
+    CellList<3> cells;
+    cells.build(positions(store), points.size(), 0.5 * radius);
+    std::vector<Vector<3>> sorted;
+    for (const int k : cells.order()) sorted.push_back(points[std::size_t(k)]);
+    return sorted;
+}
+
+// A scene whose indices take more than two bytes, sorted by cells: lists take 2 bytes a neighbour, and 4 each that a particle has by itself. In any other
+// order what a few particles see lies in more pages than there are, and lists are plain.
+TEST(NeighbourLists, EqualBruteForceInASceneOfManyPages)
+{
+    const double radius = 0.05;
+    const auto points = randomPoints<3>(90000, {1, 1, 1});
+    someListsEqualBruteForce(sortedByCells(points, radius), radius, 997, 2.1);
+    someListsEqualBruteForce(points, radius, 997, 4.1);
+}
+
+// So many particles in a plane of cells that rows come in bands.
+TEST(NeighbourLists, EqualBruteForceWhereRowsComeInBands)
+{
+    const double radius = 0.02;
+    const auto points = sortedByCells(randomPoints<3>(90000, {0.025, 1, 0.5}), radius);
+    // Three bands' worth of rows along y would come one after another in either plane; in bands the second plane begins after 16 rows.
+    const auto second = std::ranges::find_if(points, [](const auto& p) { return p.x > 0.0125; });
+    ASSERT_NE(second, points.end());
+    EXPECT_LT(second->y, 0.011);
+    EXPECT_LT(second - points.begin(), 90000 / 10);
+    someListsEqualBruteForce(points, radius, 997, 2.1);
+}
+
+// As many neighbours as a list may have, all at one place, and one particle by itself.
+TEST(NeighbourLists, HoldAsManyAsTheyMay)
+{
+    const int most = NeighbourLists<3>::mostNeighbours;
+    std::vector<Vector<3>> points(std::size_t(most), Vector<3>{0.25, 0.5, 0.75});
+    points.push_back({1, 1, 1});
+    listsEqualBruteForce<3>(points, points.size(), 0.01);
+}
+
 // What a pass keeps of each particle comes back, and spoils no other particle's.
 TEST(NeighbourLists, KeepWhatAPassFound)
 {
@@ -64,7 +137,8 @@ TEST(NeighbourLists, KeepWhatAPassFound)
     lists.makeRoomWithin();
     const auto kept = [&](std::size_t i)
     {
-        const auto all = lists.of(i).first(lists.of(i).size() - 8 * (i % 2));
+        NeighbourLists<2>::Room room;
+        const auto list = lists.of(i, room), all = list.first(list.size() - 8 * (i % 2));
         return std::vector<long>(all.begin(), all.end());
     };
     for (std::size_t i = 0; i < points.size(); ++i) lists.keepWithin(i, kept(i).data(), int(kept(i).size()));

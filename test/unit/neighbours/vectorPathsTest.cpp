@@ -84,6 +84,53 @@ template<int dim, class L> void selectionEqualsAPlainLoop()
 TYPED_TEST(AtEveryWidth, SelectsAsAPlainLoopIn2D) { selectionEqualsAPlainLoop<2, TypeParam>(); }
 TYPED_TEST(AtEveryWidth, SelectsAsAPlainLoopIn3D) { selectionEqualsAPlainLoop<3, TypeParam>(); }
 
+// Lists of every length up to beyond two vectors, of indices at both ends of pages and in between, of a scene of so many particles.
+template<class L> void unpackingGivesWhatWasPacked(int particles, const std::vector<int>& firstOfPages)
+{
+    IndexPacker packer;
+    for (std::size_t length = 0; length < 40; ++length)
+    {
+        std::vector<int> indices;
+        for (std::size_t k = 0; k < length; ++k)
+            indices.push_back(firstOfPages[k * 7 % firstOfPages.size()] + std::array{0, 4095, 2048, 1023, 1024}[k % 5]);
+        IndexPages pages;
+        std::vector<std::uint16_t> codes(48);
+        ASSERT_TRUE(packer.pack(indices, std::size_t(particles), pages, codes.data())) << length;
+        std::vector<int> unpacked(48, -1);
+        unpackIndices<L>(codes.data(), int(length), pages, unpacked.data());
+        unpacked.resize(length);
+        EXPECT_EQ(unpacked, indices) << length;
+    }
+}
+TYPED_TEST(AtEveryWidth, UnpacksIndicesOfASmallScene)
+{
+    std::vector<int> pages;
+    for (int page = 0; page < 15; ++page) pages.push_back(4096 * page);
+    unpackingGivesWhatWasPacked<TypeParam>(65535, pages);
+}
+TYPED_TEST(AtEveryWidth, UnpacksIndicesOfALargeScene)
+{
+    std::vector<int> pages;
+    for (int page = 0; page < 16; ++page) pages.push_back(page % 3 * 1024 + 131072 * page);
+    unpackingGivesWhatWasPacked<TypeParam>(131072 * 16, pages);
+    unpackingGivesWhatWasPacked<TypeParam>(2000000000, {1024 * 1900000, 0, 4096});
+}
+// Indices in 17 pages are refused; the next ones are packed as if nothing had been.
+TEST(IndexPacker, RefusesTooManyPages)
+{
+    IndexPacker packer;
+    IndexPages pages;
+    std::vector<int> indices;
+    for (int page = 0; page < 17; ++page) indices.push_back(page * 5000);
+    std::vector<std::uint16_t> codes(24);
+    EXPECT_FALSE(packer.pack(indices, 100000, pages, codes.data()));
+    indices.pop_back();
+    ASSERT_TRUE(packer.pack(indices, 100000, pages, codes.data()));
+    std::vector<int> unpacked(16);
+    unpackIndices(codes.data(), 16, pages, unpacked.data());
+    EXPECT_EQ(unpacked, indices);
+}
+
 /// What a stencil gathers into.
 template<int dim> struct Block
 {

@@ -486,7 +486,8 @@ int comeAmongOthers(const std::string& term, unsigned seed)
         for (std::size_t i = 0; i < s.n; ++i)
         {
             double others = 0, all = 0;
-            for (const int j : s.lists.of(i))
+            NeighbourLists<2>::Room room;
+            for (const int j : s.lists.of(i, room))
             {
                 if (std::size_t(j) == i || std::size_t(j) == s.images.nullParticle()) continue;
                 const double r = mag(positionOf(s.store, i) - positionOf(s.store, std::size_t(j))), W = r < c.support ? s.kernel.W(r) : 0;

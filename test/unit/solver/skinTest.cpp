@@ -34,7 +34,8 @@ bool isMissed(Particles<2>& particles)
     for (std::size_t i = 0; i < particles.size(); ++i)
         for (std::size_t j = 0; j < particles.images().nullParticle(); ++j)
         {
-            const auto list = particles.lists().of(i);
+            NeighbourLists<2>::Room room;
+            const auto list = particles.lists().of(i, room);
             if (std::hypot(x[0][i] - x[0][j], x[1][i] - x[1][j]) < support && std::find(list.begin(), list.end(), int(j)) == list.end())
                 return true;
         }
