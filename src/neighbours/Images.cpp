@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace sph
 {
@@ -365,22 +366,59 @@ void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, st
            });
 }
 
-/// Forgets images that this rank's particles cannot see.
-template<int dim> void Images<dim>::keepNear()
+template<int dim> void Images<dim>::filter(const auto& keep, const auto& moved)
 {
     std::size_t kept = 0, foot = 0;
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
-        if (!halo_->isNear(places_[k])) continue;
+        if (!keep(k)) continue;
         const std::size_t from = firstFoot_[k];
         const Entry e = entries_[kept] = entries_[k];
-        firstFoot_[kept++] = unsigned(foot);
+        firstFoot_[kept] = unsigned(foot);
         std::copy_n(mirrors_.begin() + long(from), e.reflections, mirrors_.begin() + long(foot));
+        if (!feet_.empty()) std::copy_n(feet_.begin() + long(from), e.reflections, feet_.begin() + long(foot));
         foot += e.reflections;
+        moved(k, kept++);
     }
     entries_.resize(kept);
     firstFoot_.resize(kept);
     mirrors_.resize(foot);
+    if (!feet_.empty()) feet_.resize(foot);
+}
+
+/// Forgets images that this rank's particles cannot see.
+template<int dim> void Images<dim>::keepNear()
+{
+    feet_.clear();
+    filter([&](std::size_t k) { return halo_->isNear(places_[k]); }, [](std::size_t, std::size_t) {});
+}
+
+template<int dim> std::vector<int> Images<dim>::keepSeen(FieldStore<dim>& store, const std::vector<char>& seen)
+{
+    std::vector<int> place(nullParticle() + 1);
+    std::iota(place.begin(), place.end(), 0);
+    if (layers_) return place; // which stand behind the images
+    std::vector<double*> placed;
+    for (double* a : store.pointers(Position{})) placed.push_back(a);
+    if (store.has(ImageWeight{})) placed.push_back(store.component(ImageWeight::info.name, 0));
+    if (store.has(GhostWall{})) placed.push_back(store.component(GhostWall::info.name, 0));
+    const std::size_t before = nullParticle();
+    filter(
+        [&](std::size_t k)
+        {
+            const Entry& e = entries_[k];
+            const bool inOneFace = e.reflections == 1 && e.shift == decltype(e.shift){} && std::size_t(e.source) < owned_;
+            return seen[sources_ + k] || inOneFace;
+        },
+        [&](std::size_t k, std::size_t to)
+        {
+            place[sources_ + k] = int(sources_ + to);
+            for (double* a : placed) a[sources_ + to] = a[sources_ + k];
+        });
+    place[before] = int(nullParticle());
+    for (double* a : placed) a[nullParticle()] = a[before];
+    store.resize(nullParticle() + 1, owned_);
+    return place;
 }
 
 template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)

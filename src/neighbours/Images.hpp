@@ -79,6 +79,9 @@ public:
     /// Makes the images of the first `owned` particles and resizes the store.
     void build(FieldStore<dim>& store, std::size_t owned);
 
+    /// Forgets images that no list names (`seen`, by place), but for those of owned particles in one face, which nearFaces looks at. Returns the new place of each.
+    std::vector<int> keepSeen(FieldStore<dim>& store, const std::vector<char>& seen);
+
     /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
 
@@ -96,6 +99,11 @@ public:
     /// Copies of other ranks' particles among them.
     std::size_t count() const { return sources_ - owned_ + entries_.size(); }
     std::size_t nullParticle() const { return sources_ + entries_.size() + (layers_ ? layers_->count() : 0); }
+    /// f(source) of each image; of copies, too.
+    void forEachSource(const auto& f) const
+    {
+        for (const auto& entry : entries_) f(entry.source);
+    }
     /// Null where one process is alone.
     const Halo<dim>* halo() const { return halo_; }
     std::size_t bytes() const;
@@ -207,6 +215,8 @@ private:
     double shareSoon(const Ghost&, Foot) const;
     bool goesOnInWedge(const Mirror* mirrors, int last) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
+    /// Forgets all of which keep(k) is false; calls moved(k, new k) of the others, in their order.
+    void filter(const auto& keep, const auto& moved);
     /// Images of these sources, appended.
     void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
     void reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);

@@ -85,6 +85,22 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     for (const auto& c : chunks_) pairs_ += c.pairs;
 }
 
+template<int dim> std::vector<char> NeighbourLists<dim>::seen() const
+{
+    std::vector<char> seen(std::size_t(nullParticle_) + 1);
+    for (const auto& c : chunks_)
+        for (const int j : c.entries) seen[std::size_t(j)] = true;
+    return seen;
+}
+
+template<int dim> void NeighbourLists<dim>::renumber(std::span<const int> place)
+{
+#pragma omp parallel for schedule(static)
+    for (auto& c : chunks_)
+        for (int& j : c.entries) j = place[std::size_t(j)];
+    nullParticle_ = place.back();
+}
+
 template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 {
     for (auto& c : chunks_)

@@ -21,6 +21,11 @@ public:
     /// where a particle has more than mostNeighbours.
     void build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius);
 
+    /// Of each place, that of the null particle included, whether a list names it.
+    std::vector<char> seen() const;
+    /// Particles have gone to other places, place[j] that of j, which must rise as j does; the last is that of the null particle.
+    void renumber(std::span<const int> place);
+
     std::span<const int> of(std::size_t i) const
     {
         const Chunk& c = chunks_[i / chunkSize];

@@ -1,5 +1,6 @@
 /// Images: where they are, how often, with which weight, and what values they carry.
 #include "Images.hpp"
+#include "NeighbourLists.hpp"
 #include "scenes.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -62,6 +63,54 @@ TEST(Images, OfABoxCornerAppearOnceEach)
     for (double a : {-1, 1})
         for (double b : {-1, 1})
             for (double c : {-1, 1}) EXPECT_EQ(space.countAt({a * 0.1, b * 0.15, c * 0.2}), a + b + c < 3) << a << b << c;
+}
+
+// Beside a sphere in a box that is periodic along y: images that no list names are forgotten, and each particle has the same neighbours with the same values in the same
+// order as before, also once images have moved; nearFaces finds what it found.
+TEST(Images, ThatNobodySeesCanBeForgotten)
+{
+    Geometry g = domain(3, {1, 1, 1}, {false, true, false});
+    addWall(g, Plane({0, 0, 0}, {1, 0, 0}));
+    addWall(g, Sphere({0.5, 0.5, 0.5}, 0.3, FluidSide::outside));
+    std::vector<Vector<3>> points;
+    for (const auto& x : randomPoints<3>(900, {1, 1, 1}))
+        if (mag(x - Vector<3>{0.5, 0.5, 0.5}) > 0.3) points.push_back(x);
+    const double reach = 0.2;
+    Imaged<3> scene(g, reach, points);
+    auto& [geometry, store, images] = scene;
+    store.allocate(Velocity{});
+    NeighbourLists<3> lists;
+    lists.build(positions(store), points.size(), images.nullParticle(), 0.75 * reach);
+    const auto seen = [&]
+    {
+        const auto v = store.pointers(Velocity{});
+        for (std::size_t i = 0; i < points.size(); ++i) v[0][i] = double(i);
+        images.move(store);
+        Images<3>::refresh<Velocity>(images, store);
+        std::vector<std::array<double, 5>> all;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (const int j : lists.of(i))
+            {
+                const auto x = positionOf(store, std::size_t(j));
+                all.push_back({x.x, x.y, x.z, v[0][j], store.component(ImageWeight::info.name, 0)[j]});
+            }
+        return all;
+    };
+    const auto before = seen();
+    const auto nearBefore = images.nearFaces(reach);
+    const std::size_t count = images.count();
+    const auto place = images.keepSeen(store, lists.seen());
+    lists.renumber(place);
+    EXPECT_LT(images.count(), count);
+    EXPECT_EQ(store.size(), images.nullParticle() + 1);
+    EXPECT_EQ(place.back(), int(images.nullParticle()));
+    EXPECT_EQ(seen(), before);
+    EXPECT_EQ(images.nearFaces(reach), nearBefore);
+    // What is left is seen, or lies behind one face.
+    const auto still = lists.seen();
+    EXPECT_GT(std::count(still.begin(), still.end(), true), long(points.size()));
+    EXPECT_EQ(images.keepSeen(store, still).size(), still.size());
+    EXPECT_EQ(images.nullParticle() + 1, still.size());
 }
 
 // A particle that all but touches both walls of a corner: its three images lie within a hundredth of a spacing of one another
