@@ -18,9 +18,10 @@ const Choice method{
     "rcb",
     "how decomposeParticles divides particles between folders; ranks at work see each other through boxes, and cut space as by rcb "
     "whatever this says"};
-const Scalar maxImbalance{"maxImbalance", units::none, Decomposition{}.maxImbalance, atLeast(1),
-                          "processor time of the busiest rank over their mean from which on space is cut anew; decomposeParticles divides "
-                          "evenly"};
+const Scalar maxImbalance{
+    "maxImbalance", units::none, Decomposition{}.maxImbalance, atLeast(1),
+    "processor time that the busiest rank has lately taken over their mean: beyond it space is cut anew once the others have "
+    "waited for longer than a cut takes; decomposeParticles divides evenly"};
 }
 
 EntryList decompositionEntries() { return {entry::numberOfSubdomains, entry::method, entry::maxImbalance}; }

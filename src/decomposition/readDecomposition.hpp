@@ -14,12 +14,12 @@ struct Decomposition
 {
     int parts = 1;
     Division method = Division::rcb; ///< of decomposeParticles
-    double maxImbalance = 1.1;       ///< of ranks: processor time of the busiest over the mean
+    double maxImbalance = 1.02;      ///< of ranks: processor time of the busiest over the mean, lately
 };
 
 ///     numberOfSubdomains 4;
 ///     method rcb;
-///     maxImbalance 1.1;
+///     maxImbalance 1.02;
 ///
 /// For a run of so many ranks the file may be missing, and another number of subdomains is an error; without `ranks` both must be there.
 Decomposition readDecomposition(const Case&, std::optional<int> ranks = {});

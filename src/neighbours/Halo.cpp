@@ -4,6 +4,7 @@
 #include "reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <numeric>
 #include <utility>
 
 namespace sph
@@ -20,37 +21,39 @@ template<int dim> std::vector<double*> stateOf(FieldStore<dim>& store)
 }
 }
 
-template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t owned, double cost)
+template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t owned, std::vector<float> costs)
 {
+    const Clock clock;
     const auto x = store.pointers(Position{});
     std::vector<double> places(3 * owned, 0.0);
     for (std::size_t i = 0; i < owned; ++i)
         for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
-    boxes_ = RankBoxes(all_.cut(dim, places, std::vector<float>(owned, float(cost))));
+    boxes_ = RankBoxes(all_.cut(dim, places, costs));
+    cuts_.last = clock.clockTime();
+    ++cuts_.count;
+    hasCut_ = true;
+    whenToCut_.startAnew();
 }
 
-template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::size_t owned, double maxImbalance)
+template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::size_t owned, double maxImbalance, const Costs& costs)
 {
-    // Shorter times than these say nothing of particles.
-    constexpr long fewestRebuilds = 5;
-    constexpr double shortest = 0.05; // [s]
-    if (boxes_.count() == 0) cut(store, owned, 1);
-    else
+    if (boxes_.count() == 0) return cut(store, owned, std::vector<float>(owned, 1));
+    const bool wasKnown = whenToCut_.imbalance() > 0;
+    const double busy = busyTime();
+    const bool pays = whenToCut_(OfRanks<WhenToCut::Share>::gather(all_, whenToCut_.share(busy - busyBefore_, cuts_.last)),
+                                 std::size_t(all_.rank()), maxImbalance);
+    busyBefore_ = busy;
+    if (const double left = whenToCut_.imbalance(); left > 0 && !wasKnown && cuts_.count > 1)
     {
-        if (++sinceCut_ < fewestRebuilds) return;
-        const double busy = busyTime() - busyAtCut_, mean = ofAllRanks(busy, 0.0, Add{}) / all_.count(),
-                     largest = ofAllRanks(busy, 0.0, Larger{});
-        if (mean < shortest) return;
-        if (cuts_.count > 1 && !std::exchange(judged_, true)) Larger{}(cuts_.imbalance, largest / mean);
-        if (largest < maxImbalance * mean) return;
-        const Clock clock;
-        cut(store, owned, owned > 0 ? busy / double(owned) : 1);
-        cuts_.seconds += clock.clockTime();
+        cuts_.sumLeft += left;
+        Larger{}(cuts_.mostLeft, left);
+        ++cuts_.known;
     }
-    busyAtCut_ = busyTime();
-    sinceCut_ = 0;
-    judged_ = false;
-    ++cuts_.count;
+    if (!pays) return;
+    auto shares = costs();
+    const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (float& share : shares) share *= float(whenToCut_.recent() / total);
+    cut(store, owned, std::move(shares));
 }
 
 template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
@@ -82,7 +85,12 @@ template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::si
     for (const auto& part : come)
         for (auto from = part.begin(); from != part.end(); ++i)
             for (double* a : arrays) a[i] = *from++;
-    if (cuts_.count > 1 && sinceCut_ == 0) cuts_.seconds += clock.clockTime();
+    if (std::exchange(hasCut_, false))
+    {
+        cuts_.last += clock.clockTime();
+        if (cuts_.count > 1) cuts_.seconds += cuts_.last;
+        busyBefore_ = busyTime(); // a cut's own time says nothing of particles
+    }
     return n;
 }
 

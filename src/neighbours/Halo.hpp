@@ -8,6 +8,7 @@
 #pragma once
 #include "FieldStore.hpp"
 #include "RankBoxes.hpp"
+#include "WhenToCut.hpp"
 #include <functional>
 #include <span>
 #include <string>
@@ -23,9 +24,11 @@ public:
     Halo(const Ranks& all, double reach) : all_(all), reach_(reach) {}
 
     const Ranks& all() const { return all_; }
-    /// Boxes in which the particles cost the same, by the processor time that each rank's have taken: at first, and once the busiest rank has had
-    /// `maxImbalance` times the mean since the last cut.
-    void balance(const FieldStore<dim>&, std::size_t owned, double maxImbalance);
+    /// What each owned particle costs, in any unit: only ratios count.
+    using Costs = std::function<std::vector<float>()>;
+    /// Boxes in which the particles cost the same: at first as many of them, and whenever it pays (WhenToCut) by the processor time that each rank's have lately
+    /// taken, which `costs` shares out among them.
+    void balance(const FieldStore<dim>&, std::size_t owned, double maxImbalance, const Costs& costs);
     /// Brings the state of each particle to the rank in whose box it lies; returns how many this one has then.
     std::size_t migrate(FieldStore<dim>&, std::size_t owned);
 
@@ -63,10 +66,15 @@ public:
     struct Cuts
     {
         long count = 0;
-        double seconds = 0;   ///< of wall time, in all but the first: cutting, and what particles then take to their new owners
-        double imbalance = 1; ///< the largest that was found soon after one of them
+        double seconds = 0, ///< of wall time, in all but the first: cutting, and what particles then take to their new owners
+            last = 0;       ///< in the last, be it the first [s]
+        /// Left by cuts by measured cost, soon after each: the sum and the largest, of those of which it is known.
+        double sumLeft = 0, mostLeft = 0;
+        long known = 0;
     };
     const Cuts& cuts() const { return cuts_; }
+    /// Busiest rank over the mean in the time just past; 0 where the last cut was a moment ago.
+    double imbalance() const { return whenToCut_.imbalance(); }
     std::size_t bytes() const;
 
 private:
@@ -85,12 +93,12 @@ private:
     mutable std::unique_ptr<Ranks::Exchange> underWay_;
     mutable std::vector<double*> refreshed_; ///< by what is under way
     mutable std::size_t bytesSent_ = 0;
-    double busyAtCut_ = 0;
+    double busyBefore_ = 0; ///< when `balance` was last through [s]
     Cuts cuts_;
-    long sinceCut_ = 0;   ///< rebuilds since the last one
-    bool judged_ = false; ///< whether the imbalance that it has left is known
+    WhenToCut whenToCut_;
+    bool hasCut_ = false; ///< and particles have yet to go to their new owners
 
-    void cut(const FieldStore<dim>&, std::size_t owned, double cost);
+    void cut(const FieldStore<dim>&, std::size_t owned, std::vector<float> costs);
 
     int ownerOf(const Vector<dim>&) const;
 };

@@ -96,6 +96,11 @@ public:
     /// Copies of other ranks' particles among them.
     std::size_t count() const { return sources_ - owned_ + entries_.size(); }
     std::size_t nullParticle() const { return sources_ + entries_.size() + (layers_ ? layers_->count() : 0); }
+    /// f(source) of each image; of copies, too.
+    void forEachSource(const auto& f) const
+    {
+        for (const auto& entry : entries_) f(entry.source);
+    }
     /// Null where one process is alone.
     const Halo<dim>* halo() const { return halo_; }
     std::size_t bytes() const;

@@ -49,6 +49,12 @@ public:
         else std::copy_n(c.wide.data() + begin, n, room.entries);
         return padded(room, n);
     }
+    /// Of a stored list, without padding.
+    std::size_t sizeOf(std::size_t i) const
+    {
+        const Chunk& c = chunks_[i / chunkSize];
+        return c.begin[i % chunkSize + 1] - c.begin[i % chunkSize];
+    }
     /// What a pass found within the support, kept for the passes behind it: they need not look at the skin again. `makeRoom` once before a
     /// loop of `keep`s; j holds a multiple of the lanes.
     void makeRoomWithin();

@@ -115,8 +115,8 @@ private:
     long rebuilds_ = 0;
     bool predicted_ = false;
 
-    /// Where ranks share the particles: each goes where it belongs.
-    void migrate();
+    /// What each particle costs, by its neighbours and the images that it is the source of: where there are walls and interfaces, more.
+    std::vector<float> costs() const;
     void allocateState();
     void load(Cloud, bool restarted);
     void checkApart() const;

@@ -85,7 +85,7 @@ struct Settings
     bool endsInside = false;          ///< some particles lack neighbours: beyond a free surface, or where those end that openings hold
     bool weighted = false;            ///< some wall is curved or has edges: images carry volume factors
     bool needsParticles = true;       ///< at the start; else they come in
-    double maxImbalance = 1.1;        ///< of ranks: processor time of the busiest over the mean
+    double maxImbalance = 1.02;       ///< of ranks: processor time of the busiest over the mean, lately
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
     /// Rates that the next step begins with: as much state as what they change.

@@ -228,8 +228,12 @@ public:
             largest = std::max(largest, busy);
         }
         const auto& cuts = halo->cuts();
-        lines += fmt::format("Imbalance: {:.3f}, space cut {} times", largest * double(shares.size()) / total, cuts.count);
-        if (cuts.count > 1) lines += fmt::format(", after the first in {:.3g} s, which left at most {:.3f}", cuts.seconds, cuts.imbalance);
+        lines += fmt::format("Imbalance: {:.3f}", largest * double(shares.size()) / total);
+        if (halo->imbalance() > 0) lines += fmt::format(", lately {:.3f}", halo->imbalance());
+        lines += fmt::format(", space cut {} times", cuts.count);
+        if (cuts.count > 1) lines += fmt::format(", after the first in {:.3g} s", cuts.seconds);
+        if (cuts.known > 0)
+            lines += fmt::format(", which left {:.3f} in the mean and at most {:.3f}", cuts.sumLeft / double(cuts.known), cuts.mostLeft);
         return lines + '\n';
     }
     Leaks leaks() const override { return ofAllRanks(particles_.leaks(), Leaks{}, Add{}); }
