@@ -192,7 +192,7 @@ template<int dim> void Particles<dim>::rebuild()
 
 template<int dim> std::vector<float> Particles<dim>::costs() const
 {
-    // In sums over one neighbour. Measured on bccBed and damBreak
+    // In sums over one neighbour; estimates, which a rank's measured time then scales.
     constexpr float ofParticle = 20, ofImage = 12;
     std::vector<float> costs(owned_);
     for (std::size_t i = 0; i < owned_; ++i) costs[i] = ofParticle + float(lists_.sizeOf(i));

@@ -73,7 +73,7 @@ TEST(HaloOfAPlan, SendsWhatIsReadAtNeighboursAndSumsAsOneProcess)
         twin.sendsPositions = true;
         setPositions(store, points);
         for (const char* name : {"a", "z"}) std::fill_n(store.component(name, 0), points.size(), 1.0);
-        halo.balance(store, points.size(), 1.1);
+        halo.balance(store, points.size(), 1.1, [] { return std::vector<float>{}; });
         images.build(store, points.size());
         lists.build(positions(store), points.size(), images.nullParticle(), 0.28);
         lists.partInterior();
