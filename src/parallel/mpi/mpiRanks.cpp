@@ -168,10 +168,10 @@ public:
         float version;
         if (Zoltan_Initialize(0, nullptr, &version) != ZOLTAN_OK) throw std::runtime_error("Zoltan cannot be initialised");
         Zoltan_Struct* zoltan = Zoltan_Create(MPI_COMM_WORLD);
-        for (const auto& [name, value] : {std::pair{"LB_METHOD", "RCB"},
+        for (const auto& [name, value] : {std::pair{"DEBUG_LEVEL", "0"}, // first: a method is told to the log when it is chosen
+                                          {"LB_METHOD", "RCB"},
                                           {"KEEP_CUTS", "1"},
                                           {"OBJ_WEIGHT_DIM", "1"},
-                                          {"DEBUG_LEVEL", "0"},
                                           {"NUM_GID_ENTRIES", "1"},
                                           {"NUM_LID_ENTRIES", "1"},
                                           {"RETURN_LISTS", "NONE"},
