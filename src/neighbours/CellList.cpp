@@ -7,7 +7,7 @@ namespace sph
 
 namespace
 {
-/// Points in a plane of rows beyond which rows come in bands: the records of five planes then fill more than the second-level cache of any machine.
+/// Points in a plane of rows beyond which rows come in bands: the records of five planes then take 10 MB and more.
 constexpr std::size_t manyInPlane = 1 << 15;
 /// Rows of a band.
 constexpr int bandRows = 16;
