@@ -284,6 +284,12 @@ void FacetBody::averageNormals()
 
 Foot FacetBody::foot(const Vector<3>& x, double within) const
 {
+    int facet;
+    return foot(x, within, facet);
+}
+
+Foot FacetBody::foot(const Vector<3>& x, double within, int& facet) const
+{
     const auto on = [&](int t)
     {
         const auto& f = facets_[std::size_t(t)];
@@ -291,6 +297,7 @@ Foot FacetBody::foot(const Vector<3>& x, double within) const
     };
     const auto [distance, t] = tree_.nearest(
         x, within, 0, [&](int k) { return mag(x - on(k).point); }, [](const auto&, double) { return false; });
+    facet = t;
     Foot result;
     if (t < 0)
     {
@@ -499,7 +506,14 @@ Foot FacetBody::withMargin(const Place& place, const Vector<3>& x, Hidden hidden
     const auto y = mirrorImage(x, foot);
     if (place.lies == Lies::over) foot.margin = margin(place.facet, y, {foot.distance, foot.distance}, false, hidden);
     else if (foot.distance < 0) foot.margin = -Box::infinity; // beside an edge and behind the face: in front of the next one
-    else foot.margin = margin(place.facet, y, claim(place.facet, y), true, hidden);
+    else if (const auto& f = facets_[std::size_t(place.facet)]; flatPatch_[std::size_t(f.patch)])
+        foot.margin = margin(place.facet, y, claimOfPlane(place.facet, y), true, hidden);
+    else
+    {
+        const Claim own = claim(place.facet, y);
+        foot.margin = margin(place.facet, y, own, true, hidden);
+        if (foot.margin > -0.5 * scale_.spacing) foot.margin = std::min(foot.margin, marginInPatch(f, y, own.D));
+    }
     return foot;
 }
 

@@ -167,6 +167,8 @@ private:
     double sunk_ = 0; ///< 1 - cos(mostTurned)
     int patches_ = 0;
 
+    /// `facet` becomes the nearest, -1 where none is as near.
+    Foot foot(const Vector<3>& x, double within, int& facet) const;
     void renumberPoints(std::vector<std::array<int, 3>>& triangles);
     void join();
     void classify();
@@ -189,7 +191,9 @@ private:
     };
     Claim claim(int facet, const Vector<3>& y) const;
     bool areRivals(const Facet& a, const Facet& b) const;
+    Claim claimOfPlane(int facet, const Vector<3>& y) const;
     double margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const;
+    double marginInPatch(const Facet&, const Vector<3>& y, double D) const;
     /// Down to which depth below a facet no place has a rival that its share would know of: for all facets of a small node together, found when first asked
     /// for. Of fine facets on a thick body most places need no search.
     double safeDepth(int facet) const;

@@ -11,6 +11,8 @@ namespace
 /// Of one smooth patch, facets turned by more than this against one another compete for what is behind them: both sides of a ridge that ends.
 constexpr double rivalAngle = 35 * degree;
 const double rivalCosine = std::cos(rivalAngle);
+/// Beyond an edge a patch owns what lies as deep below all of it as from the edge, and nothing of what lies less than half as deep.
+constexpr double wholeBelow = 0.9, noneBelow = 0.5;
 /// Among what competes for a place, facets within so many spacings count as one.
 constexpr double finest = 0.1;
 /// How deep facets have no rivals is known in layers of so many spacings,
@@ -37,6 +39,20 @@ FacetBody::Claim FacetBody::claim(int facet, const Vector<3>& y) const
     return {D, depth < 0 ? Box::infinity : 2 * D - depth};
 }
 
+/// In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
+FacetBody::Claim FacetBody::claimOfPlane(int facet, const Vector<3>& y) const
+{
+    const auto& f = facets_[std::size_t(facet)];
+    Claim own = claim(facet, y);
+    own.t = tree_
+                .nearest(
+                    y, own.t * (1 + 1e-12), finest * scale_.spacing,
+                    [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
+                    [&](const FacetTree::Node& node, double) { return node.patch >= 0 && node.patch != f.patch; })
+                .first;
+    return own;
+}
+
 bool FacetBody::areRivals(const Facet& a, const Facet& b) const { return a.patch != b.patch || dot(a.normal, b.normal) < rivalCosine; }
 
 double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended, Hidden hidden) const
@@ -45,14 +61,6 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     if (!hasCreases() && tree_.nodes().front().halfAngle < 0.5 * rivalAngle) return Box::infinity;
     if (!extended && own.D < safeDepth(facet)) return Box::infinity;
     const double grain = finest * scale_.spacing;
-    // In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
-    if (extended)
-        own.t = tree_
-                    .nearest(
-                        y, own.t * (1 + 1e-12), grain,
-                        [&](int t) { return areRivals(f, facets_[std::size_t(t)]) ? Box::infinity : claim(t, y).t; },
-                        [&](const FacetTree::Node& node, double) { return node.patch >= 0 && node.patch != f.patch; })
-                    .first;
     if (std::isinf(own.t)) return -Box::infinity; // in front of the face: no place of its
     double toFront = Box::infinity, toBack = own.D;
     const double faded = std::numbers::sqrt2 * scale_.spacing;
@@ -88,6 +96,16 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     if (toFront <= toBack * (1 + 1e-9))
         if (const double s = distance(y); s > 0) return -s - own.t;
     return (least - own.t) / std::numbers::sqrt2;
+}
+
+/// Beyond an edge, D from the facet, y may lie below another part of the same curved patch, or in front of it, where the patch goes round the end of the edge:
+/// that part is no rival, and has an image of its own there. So as much of the margin as y is as near to the facet as to any.
+double FacetBody::marginInPatch(const Facet& f, const Vector<3>& y, double D) const
+{
+    int nearest;
+    const double depth = -foot(y, Box::infinity, nearest).distance;
+    if (depth > 0 && areRivals(f, facets_[std::size_t(nearest)])) return Box::infinity;
+    return ((depth / D - noneBelow) / (wholeBelow - noneBelow) - 0.5) * scale_.spacing;
 }
 
 double FacetBody::safeDepth(int facet) const

@@ -100,7 +100,8 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
     {
         const Foot f = footOf(mirrors[r], r, in3D(x), source);
         const double factor = volumeFactor(f);
-        const bool exists = factor > 0 && std::isfinite(factor); // it may have moved beyond a centre of curvature since images were made
+        // It may have moved beyond a centre of curvature since images were made, and what was mirrored once behind the next face.
+        const bool exists = factor > 0 && std::isfinite(factor) && (r == 0 || f.distance > 0);
         feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1, geometry_->patches[std::size_t(mirrors[r].patch)].wallAt(f.region)};
         if (share) *share *= exists ? faceShare(f, spacing_) : 0;
         faces[std::size_t(r)] = {f.normal, in3D(x) - f.distance * f.normal};
@@ -313,6 +314,7 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std:
                                [&](int facet, Foot f)
                                {
                                    if (before > 0 && f.distance <= 0) return;
+                                   if (f.distance < 0 && mesh->body().distance(x) > 0) return; // beside an edge, in front of the next face
                                    if (!(volumeFactor(f) > 0) || (before == 0 && !mesh->body().sees(x, facet))) return;
                                    Ghost next = from;
                                    next.mirrors[std::size_t(before)] = {p, facet};
@@ -365,22 +367,35 @@ void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, st
            });
 }
 
+template<int dim> void Images<dim>::keepIf(const auto& kept)
+{
+    std::size_t count = 0, foot = 0;
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+    {
+        if (!kept(k)) continue;
+        const std::size_t from = firstFoot_[k];
+        const Entry e = entries_[count] = entries_[k];
+        firstFoot_[count++] = unsigned(foot);
+        std::copy_n(mirrors_.begin() + long(from), e.reflections, mirrors_.begin() + long(foot));
+        if (!feet_.empty()) std::copy_n(feet_.begin() + long(from), e.reflections, feet_.begin() + long(foot));
+        foot += e.reflections;
+    }
+    entries_.resize(count);
+    firstFoot_.resize(count);
+    mirrors_.resize(foot);
+    if (!feet_.empty()) feet_.resize(foot);
+}
+
 /// Forgets images that this rank's particles cannot see.
 template<int dim> void Images<dim>::keepNear()
 {
-    std::size_t kept = 0, foot = 0;
-    for (std::size_t k = 0; k < entries_.size(); ++k)
-    {
-        if (!halo_->isNear(places_[k])) continue;
-        const std::size_t from = firstFoot_[k];
-        const Entry e = entries_[kept] = entries_[k];
-        firstFoot_[kept++] = unsigned(foot);
-        std::copy_n(mirrors_.begin() + long(from), e.reflections, mirrors_.begin() + long(foot));
-        foot += e.reflections;
-    }
-    entries_.resize(kept);
-    firstFoot_.resize(kept);
-    mirrors_.resize(foot);
+    keepIf([this](std::size_t k) { return halo_->isNear(places_[k]); });
+}
+
+template<int dim> void Images<dim>::keepSeen(std::span<const char> seen)
+{
+    const std::size_t copies = sources_ - owned_;
+    keepIf([&](std::size_t k) { return seen[copies + k]; });
 }
 
 template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)
@@ -388,6 +403,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     owned_ = sources_ = owned;
     entries_.clear();
     mirrors_.clear();
+    feet_.clear();
     firstFoot_.clear();
     fastest_ = 1;
     make(store.pointers(Position{}), 0, owned);
@@ -406,6 +422,8 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
     places_ = {};
+    made_ = entries_.size();
+    for (std::size_t k = 0; k < made_; ++k) entries_[k].place = int(k);
     // Vectors that grow by themselves double: of many images that is more than a field.
     const auto trim = [](auto& v)
     {
@@ -418,7 +436,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     if (feet > feet_.capacity()) feet_.reserve(feet + feet / 20);
     feet_.resize(feet);
     store.resize(nullParticle() + 1, owned_);
-    if (layers_) layers_->place(store, sources_ + entries_.size());
+    if (layers_) layers_->place(store, sources_ + made_);
     move(store);
 }
 
@@ -432,17 +450,17 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     for (std::size_t k = 0; k < entries_.size(); ++k)
     {
         const Entry& e = entries_[k];
+        const std::size_t at = sources_ + std::size_t(e.place);
         Feet* const feet = feet_.data() + firstFoot_[k];
         const auto x_i = valueAt<Vector<dim>>(x, std::size_t(e.source));
         double w = 1;
-        sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr),
-                   [&](int c, double q) { x[c][sources_ + k] = q; });
+        sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][at] = q; });
         if (weight)
         {
             for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
-            weight[sources_ + k] = w;
+            weight[at] = w;
         }
-        if (wall) wall[sources_ + k] = e.ghost() ? 1 + feet[e.reflections - 1u].wall : 0;
+        if (wall) wall[at] = e.ghost() ? 1 + feet[e.reflections - 1u].wall : 0;
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });

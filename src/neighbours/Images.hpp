@@ -78,6 +78,8 @@ public:
 
     /// Makes the images of the first `owned` particles and resizes the store.
     void build(FieldStore<dim>& store, std::size_t owned);
+    /// Forgets images that no list names, NeighbourLists::seen(): from now on their values in the arrays are nobody's. The others stay where they are.
+    void keepSeen(std::span<const char> seen);
 
     /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
@@ -95,7 +97,7 @@ public:
     std::size_t owned() const { return owned_; }
     /// Copies of other ranks' particles among them.
     std::size_t count() const { return sources_ - owned_ + entries_.size(); }
-    std::size_t nullParticle() const { return sources_ + entries_.size() + (layers_ ? layers_->count() : 0); }
+    std::size_t nullParticle() const { return sources_ + made_ + (layers_ ? layers_->count() : 0); }
     /// f(source) of each image; of copies, too.
     void forEachSource(const auto& f) const
     {
@@ -130,6 +132,7 @@ private:
         int source;
         std::array<signed char, dim> shift;
         unsigned char reflections = 0;
+        int place = 0; ///< in the arrays, behind the owned particles and the copies of others'
         bool ghost() const { return reflections > 0; }
     };
     static_assert(sizeof(Entry) <= 12);
@@ -194,10 +197,11 @@ private:
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0, sources_ = 0; ///< owned particles, and copies of others' behind them
-    std::vector<Entry> entries_;
-    std::vector<Vector<dim>> places_; ///< while images are made
-    std::vector<Mirror> mirrors_;     ///< of all ghosts, as many for each as it has reflections, in order
-    std::vector<Feet> feet_;          ///< likewise
+    std::size_t made_ = 0;                ///< images that the arrays have room for
+    std::vector<Entry> entries_;          ///< of those that some list names
+    std::vector<Vector<dim>> places_;     ///< while images are made
+    std::vector<Mirror> mirrors_;         ///< of all ghosts, as many for each as it has reflections, in order
+    std::vector<Feet> feet_;              ///< likewise
     std::vector<unsigned> firstFoot_;
 
     const TriangleMesh* meshOf(int patch) const { return geometry_->patches[std::size_t(patch)].mesh; }
@@ -223,6 +227,7 @@ private:
     void shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, int axis);
     template<class OfEach> void append(std::size_t n, const OfEach& images);
     void keepNear();
+    void keepIf(const auto& kept);
     Vector<dim> period(const Entry&) const;
 };
 
@@ -269,7 +274,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                 }
             }
         }
-        sph::store(q, [&](int c, double a) { p[c][sources + k] = a; });
+        sph::store(q, [&](int c, double a) { p[c][sources + std::size_t(e.place)] = a; });
     }
     // All else of wall particles is seen pair by pair.
     if (images.layers_ && images.interpolates(F::info))

@@ -2,6 +2,7 @@
 #include "CaseError.hpp"
 #include "Stretches.hpp"
 #include "select.hpp"
+#include <atomic>
 #include <fmt/format.h>
 
 namespace sph
@@ -31,6 +32,17 @@ template<int dim> int NeighbourLists<dim>::find(Vector<dim> x, const std::vector
     return n;
 }
 
+/// By several threads at once. Chooses a place, not a way: in a bed owned particles and images take turns in a list.
+template<int dim> void NeighbourLists<dim>::see(std::span<const int> list)
+{
+    char ofOwned = 0;
+    for (const int j : list)
+    {
+        char* const seen = std::size_t(j) < owned_ ? &ofOwned : &seen_[std::size_t(j) - owned_];
+        std::atomic_ref(*seen).store(1, std::memory_order_relaxed);
+    }
+}
+
 template<int dim> std::span<const int> NeighbourLists<dim>::found(std::size_t i, Room& room) const
 {
     static thread_local std::vector<typename CellList<dim>::Run> runs;
@@ -53,6 +65,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
 
     const std::size_t chunks = (owned + chunkSize - 1) / chunkSize;
     chunks_.resize(stored == Stored::yes ? chunks : 0);
+    seen_.assign(stored == Stored::yes ? total - owned : 0, 0);
     std::size_t crowded = total;
     pairs_ = 0;
     const auto list = [&](std::size_t begin, std::size_t end)
@@ -86,6 +99,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     crowded = std::min(crowded, i);
                     n = mostNeighbours;
                 }
+                if (!seen_.empty()) see({indices.data() + used, std::size_t(n)});
                 used += unsigned(n);
             }
             std::fill(beginOf.begin() + std::ptrdiff_t(std::min(owned - chunk * chunkSize, chunkSize)), beginOf.end(), used);
@@ -152,7 +166,7 @@ template<int dim> void NeighbourLists<dim>::partInterior()
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
-    std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int);
+    std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int) + seen_.capacity();
     for (const auto& c : chunks_)
         n += sizeof(Chunk) + c.codes.capacity() * sizeof(std::uint16_t) +
              (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);

@@ -49,6 +49,8 @@ public:
         else std::copy_n(c.wide.data() + begin, n, room.entries);
         return padded(room, n);
     }
+    /// Of each particle that is not owned, whether some stored list names it.
+    std::span<const char> seen() const { return seen_; }
     /// Of a stored list, without padding.
     std::size_t sizeOf(std::size_t i) const
     {
@@ -100,6 +102,7 @@ private:
     std::array<Array, dim> ownSorted_;
     const double* sorted_[dim]{}; ///< positions in the order of the cells; until the end of the build, where lists are stored
     std::vector<int> interior_, border_;
+    std::vector<char> seen_;
     std::size_t owned_ = 0;
     double radius_ = 0;
     int nullParticle_ = 0;
@@ -110,6 +113,7 @@ private:
         for (int k = 0; k < lanes; ++k) room.entries[n + k] = nullParticle_;
         return {room.entries, std::size_t((n + lanes - 1) / lanes * lanes)};
     }
+    void see(std::span<const int> list);
     void sortPositions(std::size_t total, std::span<double> room);
     /// Appends the list of a place in a cell, of which these are the runs around. Returns how many it holds; `to` needs room for 8 more.
     int find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const;

@@ -213,6 +213,7 @@ template<int dim> void Particles<dim>::makeLists()
     images_.build(store_, owned_);
     lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_,
                  NeighbourLists<dim>::Stored::yes, plan_.idle());
+    images_.keepSeen(lists_.seen());
     if (halo_) lists_.partInterior();
     images_.listLayers(lists_);
     bind();

@@ -1,9 +1,11 @@
 /// Images: where they are, how often, with which weight, and what values they carry.
 #include "Images.hpp"
+#include "NeighbourLists.hpp"
 #include "scenes.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <set>
 
 namespace sph
 {
@@ -565,6 +567,40 @@ TEST(Images, MoveWithTheirSources)
         EXPECT_EQ(positionOf(scene.store, k).x, positionOf(afresh.store, k).x);
         EXPECT_EQ(positionOf(scene.store, k).y, positionOf(afresh.store, k).y);
         EXPECT_EQ(scene.store.component("volumeFactor", 0)[k], afresh.store.component("volumeFactor", 0)[k]);
+    }
+}
+
+// Images that no list names are forgotten: the others stay in their places, and lists, sums and what moves are as before.
+TEST(Images, ThatNobodySeesAreForgotten)
+{
+    Geometry ball = domain(2, {1, 1, 0}, {true, false, false});
+    addWall(ball, Cylinder({0.5, 0.5, 0}, {0, 0, 1}, 0.3, FluidSide::outside));
+    std::vector<Vector<2>> points;
+    for (int k = 0; k < 400; ++k)
+        if (const Vector<2> p{std::fmod(0.5 + k * 0.7548776662, 1.0), std::fmod(0.5 + k * 0.5698402910, 1.0)};
+            mag(p - Vector<2>{0.5, 0.5}) > 0.3)
+            points.push_back(p);
+    const double reach = 0.2;
+    Imaged<2> all(ball, reach, points), seen(ball, reach, points);
+    NeighbourLists<2> lists;
+    lists.build(std::as_const(seen.store).pointers(Position{}), points.size(), seen.images.nullParticle(), reach);
+    seen.images.keepSeen(lists.seen());
+    std::set<int> named;
+    NeighbourLists<2>::Room room;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const int j : lists.of(i, room))
+            if (j >= int(points.size()) && j < int(seen.images.nullParticle())) named.insert(j);
+    EXPECT_EQ(seen.images.count(), named.size());
+    EXPECT_LT(seen.images.count(), 0.9 * double(all.images.count()));
+    EXPECT_EQ(seen.images.nullParticle(), all.images.nullParticle());
+    const auto places = all.places();
+    for (std::size_t k = 0; k < places.size(); ++k)
+        sph::store(Vector<2>{}, [&](int c, double q) { seen.store.component("positions", c)[points.size() + k] = q; });
+    seen.images.move(seen.store);
+    for (const int j : named)
+    {
+        EXPECT_EQ(mag(positionOf(seen.store, std::size_t(j)) - positionOf(all.store, std::size_t(j))), 0) << j;
+        EXPECT_EQ(seen.store.component("volumeFactor", 0)[j], all.store.component("volumeFactor", 0)[j]) << j;
     }
 }
 
