@@ -30,11 +30,15 @@ function(sph_application)
     target_link_libraries(${name} PRIVATE ${app_DEPENDS} CLI11::CLI11 instructionSet)
 endfunction()
 
+# Of tests, of which as many run at once as there are cores: those that are about threads set their number themselves. Two programs of two threads each wait for
+# one another on two cores, and take a hundred times as long.
+set(SPH_TEST_ENVIRONMENT OMP_NUM_THREADS=1)
+
 # A test program from all sources of the folder: sph_test(<name> DEPENDS <module>...)
 function(sph_test name)
     cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS")
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${test_DEPENDS} GTest::gtest_main)
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ENVIRONMENT ${SPH_TEST_ENVIRONMENT})
 endfunction()
