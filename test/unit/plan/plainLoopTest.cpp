@@ -968,6 +968,29 @@ template<int dim> void densityRelaxation()
 TEST(PlainLoop, DensityRelaxationIn2D) { densityRelaxation<2>(); }
 TEST(PlainLoop, DensityRelaxationIn3D) { densityRelaxation<3>(); }
 
+// Alone in a box of a spacing a particle lies between images of its own, which fill all that is around it: whatever its density, these do not change it.
+TEST(DensityRelaxation, DoesNotFollowAParticlesOwnImages)
+{
+    auto c = coefficients<2>(1);
+    c.set(RelaxationTime{50});
+    const double L = c.spacing;
+    Geometry g = domain(2, {L, L, 0});
+    addWall(g, Plane({0, 0, 0}, {1, 0, 0}));
+    addWall(g, Plane({L, 0, 0}, {-1, 0, 0}));
+    addWall(g, Plane({0, 0, 0}, {0, 1, 0}));
+    addWall(g, Plane({0, L, 0}, {0, -1, 0}));
+    Scene<2> s(std::move(g), c, {"integratedVolume", "densityRelaxation"}, true);
+    ASSERT_EQ(s.n, 1u);
+    for (int d = 0; d < 2; ++d) s.store.component("positions", d)[0] = 0.5 * L;
+    s.images.move(s.store);
+    s.store.component("rho", 0)[0] *= 0.8;
+    s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
+    double number = 0;
+    overPairs(s, 0, [&](std::size_t, auto, double, double W, auto) { number += W; });
+    EXPECT_GT(s.at(Mass{}, 0) * number, 1.1 * s.at(Density{}, 0)); // they would
+    EXPECT_EQ(s.at(DensityRate{}, 0), 0);
+}
+
 /// The renormalised gradient, over the fluid and its periodic images alone, and the diffusion of what it leaves.
 template<int dim> void renormalisedDiffusion()
 {
