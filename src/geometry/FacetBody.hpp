@@ -97,6 +97,23 @@ public:
     }
     /// The foot of the mirror image of x in that face of the body that `facet`, which becomes the one that x is over, is a part of.
     Foot mirror(int& facet, const Vector<3>& x, Hidden hidden = {}) const;
+    /// Ahead of mirror(), of a body too large for any cache: the facet, and once that is there its corners.
+    [[gnu::always_inline]] void prefetchFacet(int facet) const
+    {
+        const auto& f = facets_[std::size_t(facet)];
+        __builtin_prefetch(&f);
+        __builtin_prefetch(&f.grain);
+    }
+    [[gnu::always_inline]] void prefetchCorners(int facet) const
+    {
+        const auto& f = facets_[std::size_t(facet)];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            __builtin_prefetch(&points_[std::size_t(f.points[k])]);
+            __builtin_prefetch(&cornerNormals_[std::size_t(f.cornerNormals[k])]);
+        }
+        if (f.grain >= 0) __builtin_prefetch(&safeLayers_[std::size_t(f.grain)]);
+    }
     /// Whether the way from x to the surface at a facet meets nothing else of the surface.
     bool sees(const Vector<3>& x, int facet) const;
 

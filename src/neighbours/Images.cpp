@@ -440,27 +440,48 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     move(store);
 }
 
+/// Of meshes that no cache holds, what the first reflections of these images are about to read. (To gcc a function that only prefetches does nothing.)
+template<int dim> [[gnu::noipa]] void Images<dim>::prefetchFacets(std::size_t begin, std::size_t end) const
+{
+    for (const bool corners : {false, true})
+        for (std::size_t k = begin; k < end; ++k)
+        {
+            if (!entries_[k].ghost()) continue;
+            const Mirror& first = mirrors_[firstFoot_[k]];
+            const auto* mesh = meshOf(first.patch);
+            if (mesh && corners) mesh->body().prefetchCorners(first.facet);
+            else if (mesh) mesh->body().prefetchFacet(first.facet);
+        }
+}
+
 template<int dim> void Images<dim>::move(FieldStore<dim>& store)
 {
     if (halo_) halo_->refresh(store, std::array{std::string(Position::info.name)});
     const auto x = store.pointers(Position{});
     double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
     double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
+    const bool inMeshes = std::ranges::any_of(geometry_->patches, [](const auto& p) { return p.mesh != nullptr; });
+    constexpr std::size_t atOnce = 32;
 #pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < entries_.size(); ++k)
+    for (std::size_t begin = 0; begin < entries_.size(); begin += atOnce)
     {
-        const Entry& e = entries_[k];
-        const std::size_t at = sources_ + std::size_t(e.place);
-        Feet* const feet = feet_.data() + firstFoot_[k];
-        const auto x_i = valueAt<Vector<dim>>(x, std::size_t(e.source));
-        double w = 1;
-        sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][at] = q; });
-        if (weight)
+        const std::size_t end = std::min(begin + atOnce, entries_.size());
+        if (inMeshes) prefetchFacets(begin, end);
+        for (std::size_t k = begin; k < end; ++k)
         {
-            for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
-            weight[at] = w;
+            const Entry& e = entries_[k];
+            const std::size_t at = sources_ + std::size_t(e.place);
+            Feet* const feet = feet_.data() + firstFoot_[k];
+            const auto x_i = valueAt<Vector<dim>>(x, std::size_t(e.source));
+            double w = 1;
+            sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][at] = q; });
+            if (weight)
+            {
+                for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
+                weight[at] = w;
+            }
+            if (wall) wall[at] = e.ghost() ? 1 + feet[e.reflections - 1u].wall : 0;
         }
-        if (wall) wall[at] = e.ghost() ? 1 + feet[e.reflections - 1u].wall : 0;
     }
     const auto low = in<dim>(geometry_->low), extent = in<dim>(geometry_->high - geometry_->low);
     sph::store(low - 1e3 * extent, [&](int c, double q) { x[c][nullParticle()] = q; });

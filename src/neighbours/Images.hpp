@@ -207,6 +207,7 @@ private:
     const TriangleMesh* meshOf(int patch) const { return geometry_->patches[std::size_t(patch)].mesh; }
     /// Where the image of x lies. Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
+    void prefetchFacets(std::size_t begin, std::size_t end) const;
     Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
     double speedOf(const Foot&) const;
     bool fillsCorner(int patch, int before, const Vector<3>& x) const;
