@@ -474,15 +474,15 @@ void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hid
         [&](const FacetTree::Node& node)
         {
             if (distanceTo(node.box, x) > reach) return false;
-            return node.creased || node.mayLookAt(x, behind);
+            return node.mayLookAt(x, node.creased ? below : behind);
         },
         [&](int t)
         {
             const auto& f = facets_[std::size_t(t)];
-            const double depth = dot(f.normal, x - corner(f, 0)), near = reach + f.radius;
-            if (depth < -below || depth > reach || isHidden(hidden, t)) return;
             const auto way = x - f.middle;
-            if (dot(way, way) > near * near || (!f.isCreased() && !mayLieOver(f, way))) return;
+            const double depth = dot(f.normal, way), near = reach + f.radius;
+            if (depth < -below || depth > reach || dot(way, way) > near * near || isHidden(hidden, t)) return;
+            if (!f.isCreased() && !mayLieOver(f, way)) return;
             if (mag(x - nearestOnTriangle(x, corner(f, 0), corner(f, 1), corner(f, 2)).point) > reach) return;
             const auto place = placeOf(t, x, hidden);
             if (place.lies == Lies::elsewhere) return;
