@@ -66,6 +66,15 @@ public:
             return seenSine * cosineOfRadius + seenCosine * sineOfRadius <= 0 ||
                    dot(way, axis) >= length * (seenCosine * cosineOfRadius - seenSine * sineOfRadius);
         }
+        /// Whether x may lie on a normal of the smooth surface that triangles below stand for.
+        bool mayHaveNormalThrough(const Vector<3>& x) const
+        {
+            if (seenCosine < 0) return true;
+            const auto way = x - 0.5 * (box.low + box.high);
+            const double along = dot(way, axis), aside2 = dot(way, way) - along * along, radius = 0.5 * mag(box.high - box.low);
+            const double widest = radius + (mag(way) + radius) * seenSine;
+            return aside2 < 1.001 * widest * widest;
+        }
     };
 
     FacetTree() = default;

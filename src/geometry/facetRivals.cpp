@@ -62,7 +62,6 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     if (!extended && own.D < safeDepth(facet)) return Box::infinity;
     const double grain = finest * scale_.spacing;
     if (std::isinf(own.t)) return -Box::infinity; // in front of the face: no place of its
-    if (own.t > scale_.spacing && hidden.empty() && isBeyond(y, 0)) return -own.t; // in the fluid, see below
     double toFront = Box::infinity, toBack = own.D;
     const double faded = std::numbers::sqrt2 * scale_.spacing;
     double least = own.t + faded;
