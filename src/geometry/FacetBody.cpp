@@ -474,7 +474,7 @@ void FacetBody::findMirrors(const Vector<3>& x, double reach, double behind, Hid
         [&](const FacetTree::Node& node)
         {
             if (distanceTo(node.box, x) > reach) return false;
-            return node.creased || (node.mayHaveNormalThrough(x) && node.mayLookAt(x, behind));
+            return node.creased || node.mayHaveNormalThrough(x, behind);
         },
         [&](int t)
         {

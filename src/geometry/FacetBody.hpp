@@ -120,7 +120,7 @@ public:
     /// Calls f(foot) for each face that x lies over, within reach, and for the nearest edge or vertex where it lies over none.
     template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
     {
-        if (isBeyond(x, reach)) return;
+        if (distanceTo(bounds(), x) > reach) return;
         std::vector<Place> found;
         findMirrors(x, reach, 0.5 * scale_.spacing, {}, found);
         bool any = false;

@@ -107,9 +107,9 @@ void FacetTree::annotate(std::span<const Vector<3>> normals, std::span<const int
         for (int t = node.first; t < node.last; ++t) least = std::min(least, dot(node.axis, normals[std::size_t(t)]));
         node.cosine = std::clamp(least, -1.0, 1.0);
         node.halfAngle = std::acos(node.cosine);
-        const double seen = std::min(node.halfAngle + slack, std::numbers::pi);
-        node.seenCosine = std::cos(seen);
-        node.seenSine = std::sin(seen);
+        const double smooth = std::min(node.halfAngle + slack, std::numbers::pi);
+        node.smoothCosine = std::cos(smooth);
+        node.smoothSine = std::sin(smooth);
     }
 }
 

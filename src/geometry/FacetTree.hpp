@@ -39,11 +39,11 @@ public:
     struct Node
     {
         Box box;
-        Vector<3> axis;         ///< of the cone of normals
-        double halfAngle = 0;   ///< [rad]; pi where normals point everywhere
-        double cosine = 1;      ///< of halfAngle
-        double seenCosine = -1; ///< of the cone from where triangles can be looked at: halfAngle and by how much their normals may be off
-        double seenSine = 0;
+        Vector<3> axis;           ///< of the cone of normals
+        double halfAngle = 0;     ///< [rad]; pi where normals point everywhere
+        double cosine = 1;        ///< of halfAngle
+        double smoothCosine = -1; ///< of the cone of the smooth surface's normals: halfAngle and by how much triangles' may be off
+        double smoothSine = 0;
         int patch = -1;          ///< of all triangles below; -1 where they differ
         bool creased = false;    ///< some triangle below has an edge that is no smooth one
         int first = 0, last = 0; ///< positions in order()
@@ -55,25 +55,14 @@ public:
             const double c = dot(axis, n);
             return c <= -cosine ? -1 : c * cosine - std::sqrt(std::max((1 - c * c) * (1 - cosine * cosine), 0.0));
         }
-        /// Whether x, or what is nearer to it than `within`, may lie before triangles below.
-        bool mayLookAt(const Vector<3>& x, double within) const
+        /// Whether x may lie on a normal of the smooth surface that triangles below stand for, no further than `behind` it.
+        bool mayHaveNormalThrough(const Vector<3>& x, double behind) const
         {
-            const auto way = x - 0.5 * (box.low + box.high);
-            const double radius = 0.5 * mag(box.high - box.low) + within, length = mag(way);
-            if (length <= radius) return true;
-            // The cone is wider by asin(radius/length).
-            const double sineOfRadius = radius / length, cosineOfRadius = std::sqrt(1 - sineOfRadius * sineOfRadius);
-            return seenSine * cosineOfRadius + seenCosine * sineOfRadius <= 0 ||
-                   dot(way, axis) >= length * (seenCosine * cosineOfRadius - seenSine * sineOfRadius);
-        }
-        /// Whether x may lie on a normal of the smooth surface that triangles below stand for.
-        bool mayHaveNormalThrough(const Vector<3>& x) const
-        {
-            if (seenCosine < 0) return true;
+            if (smoothCosine <= 0) return true;
             const auto way = x - 0.5 * (box.low + box.high);
             const double along = dot(way, axis), aside2 = dot(way, way) - along * along, radius = 0.5 * mag(box.high - box.low);
-            const double widest = radius + (mag(way) + radius) * seenSine;
-            return aside2 < 1.001 * widest * widest;
+            const double widest = radius + (mag(way) + radius) * smoothSine;
+            return along >= -(radius + behind) && aside2 < 1.001 * widest * widest;
         }
     };
 

@@ -86,7 +86,6 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     tree_.nearest(y, least, grain, rival,
                   [&](const FacetTree::Node& node, double D)
                   {
-                      if (least < own.t - faded) return true;
                       const double cosine = node.mostTurned(f.normal);
                       if (node.patch == f.patch && cosine > rivalCosine) return true;
                       // The weight is 1/sin of half the angle.
