@@ -63,6 +63,8 @@ public:
         double radius; ///< of a sphere around `middle` that holds the facet [m]
         double lean;   ///< of the most oblique corner normal: how far it goes along the facet for each unit along the normal
 
+        /// Which of its corners this point is, 3 if none.
+        int cornerAt(int point) const { return int(std::ranges::find(points, point) - points.begin()); }
         bool isCreased() const
         {
             return std::ranges::any_of(edges, [](EdgeKind k) { return k > EdgeKind::smooth; });
