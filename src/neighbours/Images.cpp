@@ -187,22 +187,22 @@ template<int dim> bool Images<dim>::mirrorsAgain(const Mirrors& twice, int patch
     return cosine > 0.26 && cosine < 0.97;
 }
 
+/// Images follow one another as their sources do: the parts of the arrays that a thread computes of particles and of images belong together.
 template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
 {
-    const std::size_t firstEntry = entries_.size();
-    reflect(x, begin, end);
-    for (int c = 0; c < dim; ++c)
-        if (geometry_->periodic[c]) shift(x, begin, end, firstEntry, c);
-}
-
-/// `images(k, made)` adds to what is made those of each k < n; they follow one another as the k do.
-template<int dim> template<class OfEach> void Images<dim>::append(std::size_t n, const OfEach& images)
-{
-    const std::size_t chunkSize = 1024;
-    std::vector<Made> made((n + chunkSize - 1) / chunkSize);
+    const std::size_t chunkSize = 256;
+    std::vector<Made> made((end - begin + chunkSize - 1) / chunkSize);
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
-        for (std::size_t k = chunk * chunkSize; k < std::min(n, (chunk + 1) * chunkSize); ++k) images(k, made[chunk]);
+        for (std::size_t i = begin + chunk * chunkSize; i < std::min(end, begin + (chunk + 1) * chunkSize); ++i)
+        {
+            Made& images = made[chunk];
+            const auto x_i = valueAt<Vector<dim>>(x, i);
+            const std::size_t first = images.entries.size(), firstMirror = images.mirrors.size();
+            if (!geometry_->patches.empty() && !layers_) reflect(int(i), x_i, images);
+            for (int axis = 0; axis < dim; ++axis)
+                if (geometry_->periodic[axis]) shift(int(i), x_i, axis, first, firstMirror, images);
+        }
     for (const auto& part : made)
     {
         std::size_t foot = mirrors_.size();
@@ -218,29 +218,23 @@ template<int dim> template<class OfEach> void Images<dim>::append(std::size_t n,
     }
 }
 
-template<int dim> void Images<dim>::reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
+template<int dim> void Images<dim>::reflect(int source, const Vector<dim>& x, Made& made) const
 {
-    if (geometry_->patches.empty() || layers_) return;
-    append(end - begin,
-           [&](std::size_t k, Made& made)
-           {
-               static thread_local std::vector<Ghost> ghosts;
-               const auto x_i = valueAt<Vector<dim>>(x, begin + k);
-               ghosts.assign(1, {{int(begin + k), {}}, {}, x_i, 1});
-               // Each ghost is mirrored once more: box corners, and the pinch between grains.
-               for (std::size_t g = 0; g < ghosts.size(); ++g)
-               {
-                   const Ghost from = ghosts[g];
-                   for (int p : grid_.near(in3D(from.x)))
-                       if (meshOf(p)) reflectInMesh(from, p, ghosts);
-                       else reflectInShape(from, p, in3D(x_i), ghosts);
-               }
-               for (std::size_t g = 1; g < ghosts.size(); ++g)
-               {
-                   made.add(ghosts[g].entry, ghosts[g].x, ghosts[g].mirrors.data());
-                   made.fastest = std::max(made.fastest, ghosts[g].speed);
-               }
-           });
+    static thread_local std::vector<Ghost> ghosts;
+    ghosts.assign(1, {{source, {}}, {}, x, 1});
+    // Each ghost is mirrored once more: box corners, and the pinch between grains.
+    for (std::size_t g = 0; g < ghosts.size(); ++g)
+    {
+        const Ghost from = ghosts[g];
+        for (int p : grid_.near(in3D(from.x)))
+            if (meshOf(p)) reflectInMesh(from, p, ghosts);
+            else reflectInShape(from, p, in3D(x), ghosts);
+    }
+    for (std::size_t g = 1; g < ghosts.size(); ++g)
+    {
+        made.add(ghosts[g].entry, ghosts[g].x, ghosts[g].mirrors);
+        made.fastest = std::max(made.fastest, ghosts[g].speed);
+    }
 }
 
 /// In each wall that the chain has not used yet, as often as there are dimensions.
@@ -341,30 +335,35 @@ template<int dim> bool Images<dim>::fillsCorner(int p, int q, const Vector<3>& x
     return geometry_->patches[std::size_t(p)].shape->foot(x).distance <= geometry_->tolerance() || geometry_->isCovered(p, x);
 }
 
-/// Across the faces of one axis: these particles, and the images of theirs from `firstEntry` on.
+/// Across the faces of one axis: a particle at x, and its images so far, from `first` on.
 template<int dim>
-void Images<dim>::shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, int axis)
+void Images<dim>::shift(int source, const Vector<dim>& x, int axis, std::size_t first, std::size_t firstMirror, Made& made) const
 {
     const auto c = component(axis);
     const double low = geometry_->low.*c, high = geometry_->high.*c;
     Vector<3> period;
     period.*c = high - low;
-    const std::size_t particles = end - begin;
-    append(particles + entries_.size() - firstEntry,
-           [&](std::size_t k, Made& made)
-           {
-               const std::size_t image = k - particles + firstEntry;
-               const bool isImage = k >= particles;
-               const Vector<dim> y = isImage ? places_[image] : valueAt<Vector<dim>>(x, begin + k);
-               Entry e = isImage ? entries_[image] : Entry{int(begin + k), {}};
-               const double q = in3D(y).*c;
-               for (const int way : {1, -1})
-                   if (way > 0 ? q < low + reach_ : q > high - reach_)
-                   {
-                       e.shift[std::size_t(axis)] = static_cast<signed char>(way);
-                       made.add(e, y + in<dim>(double(way) * period), isImage ? mirrors_.data() + firstFoot_[image] : nullptr);
-                   }
-           });
+    const auto across = [&](Entry e, const Vector<dim>& y, const Mirrors& mirrors)
+    {
+        const double q = in3D(y).*c;
+        for (const int way : {1, -1})
+            if (way > 0 ? q < low + reach_ : q > high - reach_)
+            {
+                e.shift[std::size_t(axis)] = static_cast<signed char>(way);
+                made.add(e, y + in<dim>(double(way) * period), mirrors);
+            }
+    };
+    const std::size_t last = made.entries.size();
+    across({source, {}}, x, {});
+    std::size_t mirror = firstMirror;
+    for (std::size_t k = first; k < last; ++k)
+    {
+        const Entry e = made.entries[k];
+        Mirrors mirrors;
+        std::copy_n(made.mirrors.begin() + long(mirror), e.reflections, mirrors.begin());
+        mirror += e.reflections;
+        across(e, Vector<dim>(made.places[k]), mirrors);
+    }
 }
 
 template<int dim> void Images<dim>::keepIf(const auto& kept)

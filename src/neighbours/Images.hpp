@@ -180,11 +180,11 @@ private:
         std::vector<Vector<dim>> places;
         std::vector<Mirror> mirrors;
         double fastest = 1;
-        void add(const Entry& e, const Vector<dim>& place, const Mirror* of)
+        void add(const Entry& e, const Vector<dim>& place, const Mirrors& of)
         {
             entries.push_back(e);
             places.push_back(place);
-            mirrors.insert(mirrors.end(), of, of + e.reflections);
+            mirrors.insert(mirrors.end(), of.begin(), of.begin() + e.reflections);
         }
     };
 
@@ -219,14 +219,13 @@ private:
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     /// Images of these sources, appended.
     void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
-    void reflect(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
+    void reflect(int source, const Vector<dim>& x, Made&) const;
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
     void reflectInMesh(const Ghost& from, int patch, std::vector<Ghost>& ghosts) const;
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
     /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;
-    void shift(const std::array<double*, dim>& x, std::size_t begin, std::size_t end, std::size_t firstEntry, int axis);
-    template<class OfEach> void append(std::size_t n, const OfEach& images);
+    void shift(int source, const Vector<dim>& x, int axis, std::size_t first, std::size_t firstMirror, Made&) const;
     void keepNear();
     void keepIf(const auto& kept);
     Vector<dim> period(const Entry&) const;

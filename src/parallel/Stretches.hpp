@@ -17,18 +17,21 @@ class Stretches
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;
     };
+    static constexpr std::size_t piecesEach = 32; ///< of a thread at least: what one waits for in the end is a piece
     std::size_t piece_;
     std::vector<Stretch> stretches_;
 
 public:
-    /// Of the rounds 0 .. n - 1, `piece` at a time; made outside of the parallel region, anew for each loop.
-    Stretches(std::size_t n, std::size_t piece) : piece_(piece), stretches_(std::size_t(omp_get_max_threads()))
+    /// Of the rounds 0 .. n - 1, `most` at a time at most; made outside of the parallel region, anew for each loop.
+    Stretches(std::size_t n, std::size_t most) : stretches_(std::size_t(omp_get_max_threads()))
     {
-        const std::size_t pieces = (n + piece - 1) / piece, threads = stretches_.size();
+        const std::size_t threads = stretches_.size();
+        piece_ = std::clamp<std::size_t>(n / (piecesEach * threads), 1, most);
+        const std::size_t pieces = (n + piece_ - 1) / piece_;
         for (std::size_t t = 0; t < threads; ++t)
         {
-            stretches_[t].next = t * pieces / threads * piece;
-            stretches_[t].end = std::min(n, (t + 1) * pieces / threads * piece);
+            stretches_[t].next = t * pieces / threads * piece_;
+            stretches_[t].end = std::min(n, (t + 1) * pieces / threads * piece_);
         }
     }
 

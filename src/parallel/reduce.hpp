@@ -58,7 +58,7 @@ inline std::size_t sumOfRanksBefore(std::size_t mine)
 /// `combine(total, part)` over the blocks of 0 .. n - 1 in their order, from `start`; `ofBlock(begin, end)` gives each part.
 template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T start, const OfBlock& ofBlock, const Combine& combine)
 {
-    const std::size_t block = 4096, blocks = (n + block - 1) / block;
+    const std::size_t block = 1024, blocks = (n + block - 1) / block;
     std::vector<T> parts(blocks, start);
 #pragma omp parallel for schedule(static)
     for (std::size_t b = 0; b < blocks; ++b) parts[b] = ofBlock(b * block, std::min(n, (b + 1) * block));

@@ -101,17 +101,22 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
     from.resize(std::max<std::size_t>(from.size(), arrays * recordSize), from[0]);
-    const std::size_t block = 1024;
+    const std::size_t block = 512, images = std::clamp(store.owned(), begin, end);
+    // Of particles and of images each thread packs its share: those that it has computed, and gathers.
+#pragma omp parallel
     for (int a = 0; a < arrays; ++a)
     {
         double* const to = records_.data() + a * n * recordSize;
-#pragma omp parallel for schedule(static)
-        for (std::size_t b = begin; b < end; b += block)
+        const auto packBlock = [&](std::size_t b, std::size_t last)
         {
             const double* part[recordSize];
             for (int c = 0; c < recordSize; ++c) part[c] = from[a * recordSize + c] + b;
-            packRecords(part, std::min(block, end - b), to + b * recordSize);
-        }
+            packRecords(part, std::min(block, last - b), to + b * recordSize);
+        };
+#pragma omp for schedule(static) nowait
+        for (std::size_t b = begin; b < images; b += block) packBlock(b, images);
+#pragma omp for schedule(static) nowait
+        for (std::size_t b = images; b < end; b += block) packBlock(b, end);
     }
     return records_.data();
 }
@@ -185,7 +190,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
                          std::size_t group, double deltaT)
 {
     const auto& g = groups_[group];
-    const std::size_t n = images.owned(), block = 1024;
+    const std::size_t n = images.owned(), block = 512;
     bool within = group > 0; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {

@@ -266,7 +266,7 @@ template<int dim> int Openings<dim>::assign(FieldStore<dim>& store, double& hold
         auto& to = account_.gates[std::size_t(gate) - 1];
         to.mass[phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
         if (marks_) mark(store, i, gates_[std::size_t(gate) - 1].opening, to.marked, sign);
-        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountOf(store, *counted_[q], i, predicted);
+        for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amounts(store, *counted_[q], predicted)(i);
     };
     if (counts_ && before != now)
     {

@@ -236,7 +236,13 @@ private:
     /// Of what is free.
     std::vector<double> freeMass(const FieldStore<dim>&) const;
     double freeAmount(const FieldStore<dim>&, const Evolving&) const;
-    double amountOf(const FieldStore<dim>&, const Evolving&, std::size_t i, bool predicted = false) const;
+    /// amount(i) of a particle, m fraction/rho_0 [m^3]; `predicted`: of the value at the start of the step, where that is kept.
+    auto amounts(const FieldStore<dim>& store, const Evolving& fraction, bool predicted = false) const
+    {
+        const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
+        return [q = store.component(name, 0), m = store.component(Mass::info.name, 0), phase = phasesOf(store),
+                rho = coefficients_.restDensity.data()](std::size_t i) { return q[i] * m[i] / rho[phase(i)]; };
+    }
 };
 
 }

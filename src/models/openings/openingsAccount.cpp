@@ -27,7 +27,7 @@ template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, s
     }
     for (std::size_t q = 0; q < counted_.size(); ++q)
     {
-        const auto amount = of([&](std::size_t i) { return amountOf(store, *counted_[q], i); });
+        const auto amount = of(amounts(store, *counted_[q]));
         startAmounts_[q] = std::accumulate(amount.begin(), amount.end(), 0.0);
         for (std::size_t k = 0; k < gates_.size(); ++k) gates_[k].takenAmounts[q] = amount[k + 1];
     }
@@ -101,13 +101,6 @@ template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std
     }
 }
 
-template<int dim>
-double Openings<dim>::amountOf(const FieldStore<dim>& store, const Evolving& fraction, std::size_t i, bool predicted) const
-{
-    const auto& name = predicted && store.has(fraction.startName()) ? fraction.startName() : fraction.value.name;
-    return store.component(name, 0)[i] * store.component(Mass::info.name, 0)[i] / coefficients_.restDensity[phasesOf(store)(i)];
-}
-
 template<int dim> std::vector<double> Openings<dim>::freeMass(const FieldStore<dim>& store) const
 {
     const double *m = store.component(Mass::info.name, 0), *holder = store.component(Holder::info.name, 0);
@@ -117,7 +110,7 @@ template<int dim> std::vector<double> Openings<dim>::freeMass(const FieldStore<d
 template<int dim> double Openings<dim>::freeAmount(const FieldStore<dim>& store, const Evolving& fraction) const
 {
     const double* const holder = store.component(Holder::info.name, 0);
-    return sum(store.owned(), [&](std::size_t i) { return holder[i] > 0 ? 0.0 : amountOf(store, fraction, i); });
+    return sum(store.owned(), [&, amount = amounts(store, fraction)](std::size_t i) { return holder[i] > 0 ? 0.0 : amount(i); });
 }
 
 template<int dim> Imbalance Openings<dim>::imbalance(const FieldStore<dim>& store) const

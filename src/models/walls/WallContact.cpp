@@ -19,8 +19,9 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
              [this](Particles<dim>& p, const Substep&)
              {
                  if (near_.empty() && !ranks()) return;
+                 const auto x = p.store().pointers(Position{}), v = p.store().pointers(Velocity{});
                  p.moved(reduce(
-                     near_.size(), 0.0, [&](std::size_t k) { return holdOff(p, near_[k]); }, Larger{}));
+                     near_.size(), 0.0, [&](std::size_t k) { return holdOff(p, x, v, near_[k]); }, Larger{}));
              }}};
 }
 
@@ -50,9 +51,8 @@ template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::
 }
 
 /// By how much it has been put off [m].
-template<int dim> double WallContact<dim>::holdOff(Particles<dim>& p, Near& near) const
+template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, const Columns& x, const Columns& v, Near& near) const
 {
-    const auto x = p.store().pointers(Position{}), v = p.store().pointers(Velocity{});
     const std::size_t i = near.particle;
     const auto x_i = valueAt<Vector<dim>>(x, i);
     const double walls = p.movingWalls().travelled();

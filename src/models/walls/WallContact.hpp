@@ -14,6 +14,7 @@
 /// v_w velocity of the wall [m/s], t the part along it, dv_n what v has lost across it [m/s].
 #pragma once
 #include "Particles.hpp"
+#include <array>
 #include <vector>
 
 namespace sph
@@ -32,7 +33,9 @@ template<int dim> class WallContact final : public Part<dim>
     bool ofSoil_, slips_;
 
     static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
-    double holdOff(Particles<dim>&, Near&) const;
+    /// Columns of positions and velocities.
+    using Columns = std::array<double*, dim>;
+    double holdOff(const Particles<dim>&, const Columns& x, const Columns& v, Near&) const;
     Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 
 public:

@@ -33,17 +33,17 @@ struct Two
     }
 };
 
-// 4096 to a block, and blocks in their order: what a plain loop over either gives, to the bit. Lengths end at, before and after a block.
+// 1024 to a block, and blocks in their order: what a plain loop over either gives, to the bit. Lengths end at, before and after a block.
 TEST(Reduce, GivesTheSameBitsOnAnyNumberOfThreads)
 {
-    for (const std::size_t n : {0ul, 1ul, 4095ul, 4096ul, 4097ul, 50000ul})
+    for (const std::size_t n : {0ul, 1ul, 1023ul, 1024ul, 1025ul, 50000ul})
     {
         const auto q = unlike(n);
         double expected = 0, leastOfAll = infinity, mostOfAll = -infinity;
-        for (std::size_t begin = 0; begin < n; begin += 4096)
+        for (std::size_t begin = 0; begin < n; begin += 1024)
         {
             double part = 0;
-            for (std::size_t i = begin; i < std::min(n, begin + 4096); ++i) part += q[i];
+            for (std::size_t i = begin; i < std::min(n, begin + 1024); ++i) part += q[i];
             expected += part;
         }
         for (const double each : q)
@@ -85,7 +85,7 @@ TEST(Reduce, KeepsNaNAndInfinity)
     for (const int threads : {1, 3})
     {
         omp_set_num_threads(threads);
-        for (const std::size_t at : {0ul, 17ul, 4095ul, 4096ul, 8999ul})
+        for (const std::size_t at : {0ul, 17ul, 1023ul, 1024ul, 8999ul})
         {
             const auto with = [&](double special) { return [=](std::size_t i) { return i == at ? special : double(i) - 4000; }; };
             EXPECT_TRUE(std::isnan(least(n, with(nan)))) << at;

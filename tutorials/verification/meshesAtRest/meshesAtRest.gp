@@ -10,5 +10,5 @@ set format y '10^{%L}'
 set yrange [1e-8:1e-3]
 set key outside right
 plot 1e-6 with lines dt 2 lc rgb 'black' title 'floor', \
-    for [s in "turnedBox rockBed block cube wedge angularRock"] of(s) using ($1/sqrt(2*H/g)):($2/(g*H)) with lines lw 1.5 title s, \
+    for [s in "turnedBox rockBed rockBed20 block cube wedge angularRock"] of(s) using ($1/sqrt(2*H/g)):($2/(g*H)) with lines lw 1.5 title s, \
     for [s in "mergedBlock mergedCube mergedWedge mergedAngularRock"] of(s) using ($1/sqrt(2*H/g)):($2/(g*H)) with lines dt 3 lw 1.5 title s
