@@ -29,6 +29,7 @@ template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t 
     for (std::size_t i = 0; i < owned; ++i)
         for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
     boxes_ = RankBoxes(all_.cut(dim, places, costs));
+    own_ = boxes_.of(all_.rank());
     cuts_.last = clock.clockTime();
     ++cuts_.count;
     hasCut_ = true;
@@ -59,6 +60,7 @@ template<int dim> void Halo<dim>::balance(const FieldStore<dim>& store, std::siz
 template<int dim> int Halo<dim>::ownerOf(const Vector<dim>& x) const
 {
     const auto at = in3D(x);
+    if (RankBoxes::holds(own_, at)) return all_.rank();
     const int owner = boxes_.owner(at);
     if (owner < 0) throw CaseError(fmt::format("a particle at ({:.6g} {:.6g} {:.6g}) lies in the box of no rank", at.x, at.y, at.z));
     return owner;
@@ -76,10 +78,10 @@ template<int dim> std::size_t Halo<dim>::migrate(FieldStore<dim>& store, std::si
         else
             for (const double* a : arrays) parts[std::size_t(owner)].push_back(a[i]);
     const auto come = exchangeParts<double>(all_, parts);
-    store.sortState(kept);
+    if (kept.size() < owned) store.sortState(kept);
     std::size_t n = kept.size();
     for (const auto& part : come) n += part.size() / arrays.size();
-    store.resize(n);
+    store.resize(std::max(n, store.size()), n);
     arrays = stateOf(store);
     std::size_t i = kept.size();
     for (const auto& part : come)
@@ -98,12 +100,16 @@ template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size
 {
     owned_ = owned;
     std::vector<std::vector<int>> needed(std::size_t(all_.count()));
-    places([&](const Vector<dim>& x, int source) { forEachOtherNear(x, [&](int r) { needed[std::size_t(r)].push_back(source); }); });
-    for (auto& sources : needed)
-    {
-        std::ranges::sort(sources);
-        sources.erase(std::ranges::unique(sources).begin(), sources.end());
-    }
+    places(
+        [&](const Vector<dim>& x, int source)
+        {
+            forEachOtherNear(x,
+                             [&](int r)
+                             {
+                                 auto& sources = needed[std::size_t(r)];
+                                 if (sources.empty() || sources.back() != source) sources.push_back(source);
+                             });
+        });
     std::vector<std::size_t> counts;
     for (const auto& sources : needed) counts.push_back(sources.size());
     const auto copiesOf = all_.exchangeCounts(counts);
@@ -117,7 +123,7 @@ template<int dim> std::size_t Halo<dim>::build(FieldStore<dim>& store, std::size
     }
     sent_.resize(neighbours_.size());
     received_.resize(neighbours_.size());
-    store.resize(owned + count_ + 1, owned);
+    store.resize(std::max(owned + count_ + 1, store.size()), owned);
     const std::string positions = Position::info.name;
     refresh(store, {&positions, 1});
     return count_;

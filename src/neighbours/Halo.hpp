@@ -32,15 +32,16 @@ public:
     /// Brings the state of each particle to the rank in whose box it lies; returns how many this one has then.
     std::size_t migrate(FieldStore<dim>&, std::size_t owned);
 
-    /// f(place, source) of whatever particles of other ranks may see: owned particles and their images.
+    /// f(place, source) of whatever particles of other ranks may see, owned particles and their images, in the order of their sources.
     using Places = std::function<void(const std::function<void(const Vector<dim>&, int source)>&)>;
     /// Finds who needs what, and copies positions behind the owned ones. Returns the number of copies.
     std::size_t build(FieldStore<dim>&, std::size_t owned, const Places&);
     /// Whether this rank's particles may see what lies there.
-    bool isNear(const Vector<dim>& x) const { return boxes_.squaredDistance(all_.rank(), in3D(x)) < reach_ * reach_; }
+    bool isNear(const Vector<dim>& x) const { return RankBoxes::squaredDistance(own_, in3D(x)) < reach_ * reach_; }
     /// f(rank) of each other whose particles may.
     template<class F> void forEachOtherNear(const Vector<dim>& x, const F& f) const
     {
+        if (RankBoxes::holdsAround(own_, in3D(x), reach_)) return;
         boxes_.forEachNear(in3D(x), reach_,
                            [&](int rank)
                            {
@@ -81,6 +82,7 @@ private:
     const Ranks& all_;
     double reach_;
     RankBoxes boxes_;
+    RankBox own_; ///< this rank's
     struct Neighbour
     {
         int rank;

@@ -194,15 +194,18 @@ template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std:
     std::vector<Made> made((end - begin + chunkSize - 1) / chunkSize);
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t chunk = 0; chunk < made.size(); ++chunk)
+    {
+        Made images; // of this thread alone: those of two chunks may share a line of the cache
         for (std::size_t i = begin + chunk * chunkSize; i < std::min(end, begin + (chunk + 1) * chunkSize); ++i)
         {
-            Made& images = made[chunk];
             const auto x_i = valueAt<Vector<dim>>(x, i);
             const std::size_t first = images.entries.size(), firstMirror = images.mirrors.size();
             if (!geometry_->patches.empty() && !layers_) reflect(int(i), x_i, images);
             for (int axis = 0; axis < dim; ++axis)
                 if (geometry_->periodic[axis]) shift(int(i), x_i, axis, first, firstMirror, images);
         }
+        made[chunk] = std::move(images);
+    }
     for (const auto& part : made)
     {
         std::size_t foot = mirrors_.size();
@@ -412,8 +415,12 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
                                  [&](const auto& seen)
                                  {
                                      const auto x = store.pointers(Position{});
-                                     for (std::size_t i = 0; i < owned; ++i) seen(valueAt<Vector<dim>>(x, i), int(i));
-                                     for (std::size_t k = 0; k < entries_.size(); ++k) seen(places_[k], entries_[k].source);
+                                     std::size_t k = 0;
+                                     for (int i = 0; i < int(owned); ++i)
+                                     {
+                                         seen(valueAt<Vector<dim>>(x, std::size_t(i)), i);
+                                         for (; k < entries_.size() && entries_[k].source == i; ++k) seen(places_[k], i);
+                                     }
                                  });
         make(store.pointers(Position{}), owned, sources_);
         keepNear();

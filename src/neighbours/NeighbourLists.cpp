@@ -33,14 +33,18 @@ template<int dim> int NeighbourLists<dim>::find(Vector<dim> x, const std::vector
 }
 
 /// By several threads at once. Chooses a place, not a way: in a bed owned particles and images take turns in a list.
-template<int dim> void NeighbourLists<dim>::see(std::span<const int> list)
+template<int dim> bool NeighbourLists<dim>::see(std::span<const int> list)
 {
     char ofOwned = 0;
+    bool any = false;
     for (const int j : list)
     {
-        char* const seen = std::size_t(j) < owned_ ? &ofOwned : &seen_[std::size_t(j) - owned_];
+        const bool owned = std::size_t(j) < owned_;
+        char* const seen = owned ? &ofOwned : &seen_[std::size_t(j) - owned_];
         std::atomic_ref(*seen).store(1, std::memory_order_relaxed);
+        any |= !owned;
     }
+    return any;
 }
 
 template<int dim> std::span<const int> NeighbourLists<dim>::found(std::size_t i, Room& room) const
@@ -66,6 +70,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     const std::size_t chunks = (owned + chunkSize - 1) / chunkSize;
     chunks_.resize(stored == Stored::yes ? chunks : 0);
     seen_.assign(stored == Stored::yes ? total - owned : 0, 0);
+    std::vector<char> seesOthers(partsInterior_ ? owned : 0);
     std::size_t crowded = total;
     pairs_ = 0;
     const auto list = [&](std::size_t begin, std::size_t end)
@@ -99,7 +104,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     crowded = std::min(crowded, i);
                     n = mostNeighbours;
                 }
-                if (!seen_.empty()) see({indices.data() + used, std::size_t(n)});
+                if (!seen_.empty() && see({indices.data() + used, std::size_t(n)}) && partsInterior_) seesOthers[i] = 1;
                 used += unsigned(n);
             }
             std::fill(beginOf.begin() + std::ptrdiff_t(std::min(owned - chunk * chunkSize, chunkSize)), beginOf.end(), used);
@@ -124,6 +129,9 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     Stretches stretches(chunks, 1);
 #pragma omp parallel
     stretches.forEach(list);
+    interior_.clear();
+    border_.clear();
+    for (std::size_t i = 0; i < seesOthers.size(); ++i) (seesOthers[i] ? border_ : interior_).push_back(int(i));
     if (stored == Stored::yes)
     {
         for (auto& positions : ownSorted_) positions = Array();
@@ -148,20 +156,6 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
         if (const auto size = c.withinBegin(chunkSize); c.within.size() < size) c.within.resize(size);
         c.withinCount.resize(chunkSize);
     }
-}
-
-template<int dim> void NeighbourLists<dim>::partInterior()
-{
-    std::vector<char> seesImages(owned_);
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < owned_; ++i)
-    {
-        Room room;
-        seesImages[i] = std::ranges::any_of(of(i, room), [&](int j) { return j >= int(owned_) && j != nullParticle_; });
-    }
-    interior_.clear();
-    border_.clear();
-    for (std::size_t i = 0; i < owned_; ++i) (seesImages[i] ? border_ : interior_).push_back(int(i));
 }
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const

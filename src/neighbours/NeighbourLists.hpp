@@ -73,9 +73,9 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
-    /// Parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks can compute before they have heard
-    /// of one another, and what not. Anew after each build.
-    void partInterior();
+    /// From now on each build parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks can compute
+    /// before they have heard of one another, and what not.
+    void partInterior() { partsInterior_ = true; }
     std::span<const int> interior() const { return interior_; }
     std::span<const int> border() const { return border_; }
     /// Without padding, self included.
@@ -101,6 +101,7 @@ private:
     std::array<const double*, dim> x_{};
     std::array<Array, dim> ownSorted_;
     const double* sorted_[dim]{}; ///< positions in the order of the cells; until the end of the build, where lists are stored
+    bool partsInterior_ = false;
     std::vector<int> interior_, border_;
     std::vector<char> seen_;
     std::size_t owned_ = 0;
@@ -113,7 +114,8 @@ private:
         for (int k = 0; k < lanes; ++k) room.entries[n + k] = nullParticle_;
         return {room.entries, std::size_t((n + lanes - 1) / lanes * lanes)};
     }
-    void see(std::span<const int> list);
+    /// Notes who is seen; whether any is not owned.
+    bool see(std::span<const int> list);
     void sortPositions(std::size_t total, std::span<double> room);
     /// Appends the list of a place in a cell, of which these are the runs around. Returns how many it holds; `to` needs room for 8 more.
     int find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const;

@@ -1,5 +1,4 @@
 #include "RankBoxes.hpp"
-#include <algorithm>
 #include <limits>
 
 namespace sph
@@ -36,32 +35,14 @@ std::size_t RankBoxes::leafOf(int rank) const
     return node;
 }
 
-double RankBoxes::squaredDistance(const RankBox& box, const Vector<3>& x)
-{
-    const double at[]{x.x, x.y, x.z};
-    double squared = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-        const double beyond = std::max({0.0, box.low[c] - at[c], at[c] - box.high[c]});
-        squared += beyond * beyond;
-    }
-    return squared;
-}
-
-double RankBoxes::squaredDistance(int rank, const Vector<3>& x) const { return squaredDistance(nodes_[leafOf(rank)], x); }
-
 int RankBoxes::owner(const Vector<3>& x) const
 {
-    const double at[]{x.x, x.y, x.z};
     int owner = -1;
     visit(
         x, std::numeric_limits<double>::min(),
         [&](int rank)
         {
-            const auto& box = nodes_[leafOf(rank)];
-            bool within = true;
-            for (std::size_t c = 0; c < 3; ++c) within = within && at[c] >= box.low[c] && at[c] < box.high[c];
-            if (within) owner = rank;
+            if (holds(of(rank), x)) owner = rank;
         },
         0, 0, count_);
     return owner;

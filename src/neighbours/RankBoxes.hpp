@@ -3,6 +3,7 @@
 #pragma once
 #include "Ranks.hpp"
 #include "Vector.hpp"
+#include <algorithm>
 #include <vector>
 
 namespace sph
@@ -20,13 +21,39 @@ public:
     int count() const { return count_; }
     /// f(rank) of each whose box lies within `reach` [m] of x.
     template<class F> void forEachNear(const Vector<3>& x, double reach, const F& f) const { visit(x, reach * reach, f, 0, 0, count_); }
-    /// Zero within the box.
-    double squaredDistance(int rank, const Vector<3>& x) const;
+    const RankBox& of(int rank) const { return nodes_[leafOf(rank)]; }
     /// In whose box x lies, lower faces included; -1 where it is NaN.
     int owner(const Vector<3>& x) const;
 
+    /// Zero within the box.
+    static double squaredDistance(const RankBox& box, const Vector<3>& x)
+    {
+        double squared = 0;
+        forEachSide(box, x, [&](double aboveLow, double belowHigh) { squared += sqr(std::max({0.0, -aboveLow, -belowHigh})); });
+        return squared;
+    }
+    /// Lower faces included.
+    static bool holds(const RankBox& box, const Vector<3>& x)
+    {
+        bool within = true;
+        forEachSide(box, x, [&](double aboveLow, double belowHigh) { within = within && aboveLow >= 0 && belowHigh > 0; });
+        return within;
+    }
+    /// Whether all that is nearer to x than `reach` [m] lies in the box.
+    static bool holdsAround(const RankBox& box, const Vector<3>& x, double reach)
+    {
+        bool within = true;
+        forEachSide(box, x, [&](double aboveLow, double belowHigh) { within = within && aboveLow >= reach && belowHigh >= reach; });
+        return within;
+    }
+
 private:
-    static double squaredDistance(const RankBox&, const Vector<3>&);
+    template<class F> static void forEachSide(const RankBox& box, const Vector<3>& x, const F& f)
+    {
+        f(x.x - box.low[0], box.high[0] - x.x);
+        f(x.y - box.low[1], box.high[1] - x.y);
+        f(x.z - box.low[2], box.high[2] - x.z);
+    }
     void add(const std::vector<RankBox>&, std::size_t node, int first, int last);
     std::size_t leafOf(int rank) const;
     template<class F> void visit(const Vector<3>& x, double squaredReach, const F& f, std::size_t node, int first, int last) const

@@ -96,6 +96,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
 {
     plan_.allocate(store_);
     allocateState();
+    if (halo_) lists_.partInterior();
     if (movingWalls_.any() && !geometry_.layers.empty())
         throw CaseError({"constant/geometry", 0},
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
@@ -214,7 +215,6 @@ template<int dim> void Particles<dim>::makeLists()
     lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_,
                  NeighbourLists<dim>::Stored::yes, plan_.idle());
     images_.keepSeen(lists_.seen());
-    if (halo_) lists_.partInterior();
     images_.listLayers(lists_);
     bind();
 }

@@ -29,12 +29,12 @@ template<int dim> class WallContact final : public Part<dim>
         Vector<dim> x;
         double clear, walls;
     };
+    /// Columns of positions or velocities.
+    using Columns = std::array<double*, dim>;
     std::vector<Near> near_;
     bool ofSoil_, slips_;
 
     static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
-    /// Columns of positions and velocities.
-    using Columns = std::array<double*, dim>;
     double holdOff(const Particles<dim>&, const Columns& x, const Columns& v, Near&) const;
     Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 

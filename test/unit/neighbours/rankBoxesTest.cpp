@@ -35,16 +35,16 @@ TEST(RankBoxes, FindWhatIsNearAndWhoOwnsAPlace)
         const Vector<3> x{-0.5 + 0.27 * (k % 15), -0.5 + 0.31 * (k / 15 % 20), 0.25 * (k / 300)};
         const int expected = std::min(std::max(int(x.x), 0), 2) * 10 + std::min(std::max(int(x.y), 0), 4) * 2 + std::min(int(x.z), 1);
         EXPECT_EQ(tree.owner(x), expected);
-        EXPECT_EQ(tree.squaredDistance(expected, x), 0);
+        EXPECT_EQ(RankBoxes::squaredDistance(tree.of(expected), x), 0);
         std::vector<int> near, nearEach;
         tree.forEachNear(x, reach, [&](int r) { near.push_back(r); });
         for (int r = 0; r < 30; ++r)
-            if (tree.squaredDistance(r, x) < reach * reach) nearEach.push_back(r);
+            if (RankBoxes::squaredDistance(tree.of(r), x) < reach * reach) nearEach.push_back(r);
         EXPECT_EQ(near, nearEach);
     }
     // Lower faces belong to a box, upper ones to the next.
     EXPECT_EQ(tree.owner({1, 2, 1}), 10 + 4 + 1);
-    EXPECT_DOUBLE_EQ(tree.squaredDistance(0, {2, 3, 0}), 1 + 4);
+    EXPECT_DOUBLE_EQ(RankBoxes::squaredDistance(tree.of(0), {2, 3, 0}), 1 + 4);
     EXPECT_EQ(tree.owner({std::nan(""), 0, 0}), -1);
 }
 

@@ -68,6 +68,7 @@ TEST(HaloOfAPlan, SendsWhatIsReadAtNeighboursAndSumsAsOneProcess)
     store.allocateState(A{});
     store.allocateState(Z{});
     NeighbourLists<2> lists;
+    lists.partInterior();
     const auto prepare = [&](const std::vector<Vector<2>>& points)
     {
         twin.sendsPositions = true;
@@ -76,7 +77,6 @@ TEST(HaloOfAPlan, SendsWhatIsReadAtNeighboursAndSumsAsOneProcess)
         halo.balance(store, points.size(), 1.1, [] { return std::vector<float>{}; });
         images.build(store, points.size());
         lists.build(positions(store), points.size(), images.nullParticle(), 0.28);
-        lists.partInterior();
         plan.bind(store, {});
         twin.sendsPositions = false;
     };
