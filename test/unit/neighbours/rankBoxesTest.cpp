@@ -41,6 +41,8 @@ TEST(RankBoxes, FindWhatIsNearAndWhoOwnsAPlace)
         for (int r = 0; r < 30; ++r)
             if (RankBoxes::squaredDistance(tree.of(r), x) < reach * reach) nearEach.push_back(r);
         EXPECT_EQ(near, nearEach);
+        for (int r = 0; r < 30; ++r) EXPECT_EQ(RankBoxes::holds(tree.of(r), x), r == expected);
+        EXPECT_EQ(RankBoxes::holdsAround(tree.of(expected), x, reach), near.size() == 1);
     }
     // Lower faces belong to a box, upper ones to the next.
     EXPECT_EQ(tree.owner({1, 2, 1}), 10 + 4 + 1);
