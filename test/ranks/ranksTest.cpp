@@ -502,7 +502,8 @@ TEST_P(CollatedFiles, AreThoseOfOneProcess)
         const TestCase together(Files{}), alone(Files{});
         const auto outcome = writeOnRanks(together, GetParam(), counts);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        ASSERT_EQ(writeOnRanks(alone, GetParam(), {std::accumulate(counts.begin(), counts.end(), 0)}).code, 0);
+        const auto ofOne = writeOnRanks(alone, GetParam(), {std::accumulate(counts.begin(), counts.end(), 0)});
+        ASSERT_EQ(ofOne.code, 0) << ofOne.err;
         const auto files = together.files("");
         EXPECT_EQ(files.size(), 6u);
         EXPECT_EQ(test::difference(alone.files(""), files), "") << counts[0];
