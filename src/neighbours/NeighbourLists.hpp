@@ -73,8 +73,8 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
-    /// From now on each build parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks can compute
-    /// before they have heard of one another, and what not.
+    /// From now on each build of stored lists parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks
+    /// can compute before they have heard of one another, and what not.
     void partInterior() { partsInterior_ = true; }
     std::span<const int> interior() const { return interior_; }
     std::span<const int> border() const { return border_; }
