@@ -14,7 +14,8 @@ Figures readMeshes()
     const auto torus = parametricSurface(1000, 500,
                                          [](double u, double v)
                                          {
-                                             const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v, r = 1 + 0.3 * std::cos(b);
+                                             const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v,
+                                                          r = 1 + 0.3 * std::cos(b);
                                              return Vector<3>{r * std::cos(a), r * std::sin(a), 0.3 * std::sin(b)};
                                          });
     const auto file = std::filesystem::temp_directory_path() / ("sphBenchmark" + std::to_string(::getpid()) + ".stl");

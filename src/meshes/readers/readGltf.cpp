@@ -214,7 +214,7 @@ template<class T> double valueAt(const char* at)
 {
     T value;
     std::memcpy(&value, at, sizeof value);
-    if constexpr (std::is_same_v<T, float>) return std::isfinite(value) ? asWritten(value) : value;
+    if constexpr (std::is_same_v<T, float>) return asWritten(value);
     else return value;
 }
 

@@ -72,7 +72,8 @@ struct Header
         ascii,
         little,
         big
-    } format = ascii;
+    };
+    std::optional<int> format;
     std::vector<Element> elements;
 
     const Element* find(std::string_view name) const
@@ -95,6 +96,7 @@ bool take(std::string_view line, Header& header)
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") return true;
     if (words[0] == "format" && words.size() == 3)
     {
+        if (header.format) return false;
         const bool little = words[1] == "binary_little_endian", big = words[1] == "binary_big_endian";
         header.format = little ? Header::little : big ? Header::big : Header::ascii;
         return words[2] == "1.0" && (little || big || words[1] == "ascii");
@@ -151,7 +153,7 @@ public:
     /// May be infinite or none where it is no whole number.
     std::optional<double> next(const NumberType& type)
     {
-        if (format_ == Header::ascii) return type.kind == NumberType::isFloat ? toFloat(nextWord(line_)) : toNumber(nextWord(line_));
+        if (format_ == Header::ascii) return type.kind == NumberType::isFloat ? toFiniteOrNan(nextWord(line_)) : toFinite(nextWord(line_));
         if (rest_.size() < type.bytes) return {};
         std::uint64_t bits = 0;
         for (std::size_t k = 0; k < type.bytes; ++k)
@@ -190,7 +192,11 @@ class Ply
             ++lines;
             if (length == bytes.npos) throw UnusableMesh(fmt::format("line {}: it ends within its header: it is truncated", lines));
             bytes.remove_prefix(length + 1);
-            if (line == "end_header") return bytes;
+            if (line == "end_header")
+            {
+                if (!header_.format) throw UnusableMesh(fmt::format("line {}: its header ends without a format", lines));
+                return bytes;
+            }
             if (lines == 1 ? line != "ply" : !take(line, header_))
                 throw UnusableMesh(fmt::format("line {}: its header has the line {}", lines, quoted(line)));
         }
@@ -313,7 +319,7 @@ public:
         std::size_t lines = 0;
         const auto rest = readHeader(bytes, lines);
         checkHeader();
-        Numbers numbers(rest, lines, bytes.size(), header_.format);
+        Numbers numbers(rest, lines, bytes.size(), *header_.format);
         for (const auto& element : header_.elements) readRows(element, numbers);
         if (const auto left = numbers.left(); left > 0)
         {

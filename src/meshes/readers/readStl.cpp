@@ -26,7 +26,8 @@ std::uint32_t facetCount(std::string_view bytes)
 bool isBinary(std::string_view bytes)
 {
     if (bytes.size() > headerBytes && bytes.size() == headerBytes + facetBytes * facetCount(bytes)) return true;
-    return bytes.substr(0, headerBytes + facetBytes).find('\0') != bytes.npos;
+    const bool isWide = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); // text in UTF-16
+    return !isWide && bytes.substr(0, headerBytes + facetBytes).find('\0') != bytes.npos;
 }
 
 void addFacet(NumberedMesh& m, const std::array<Vector<3>, 3>& corners, int region)

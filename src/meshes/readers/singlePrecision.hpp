@@ -8,9 +8,11 @@
 namespace sph
 {
 
-/// The number of fewest digits that single precision takes for this one: 0.2 of a file is 0.2, not 0.200000003.
+/// The number of fewest digits that single precision takes for this one: 0.2 of a file is 0.2, not 0.200000003. What has no digits to
+/// spare (denormal), and what is no number, stays what it is.
 inline double asWritten(float x)
 {
+    if (!std::isnormal(x)) return x;
     std::array<char, 32> text;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
     double value = 0;

@@ -1,10 +1,11 @@
 #include "textParts.hpp"
 #include "NumberedMesh.hpp"
+#include "Tokeniser.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
+#include <limits>
 
 namespace sph
 {
@@ -13,12 +14,6 @@ namespace
 {
 
 constexpr auto blanks = " \t\r\n\v\f";
-
-std::string_view withoutPlus(std::string_view word)
-{
-    const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
-    return plus ? word.substr(1) : word;
-}
 
 }
 
@@ -69,27 +64,21 @@ std::string quoted(std::string_view text)
     return '"' + shown + (text.size() > most ? "...\"" : "\"");
 }
 
-std::optional<double> toFloat(std::string_view word)
+std::optional<double> toFinite(std::string_view word)
 {
-    word = withoutPlus(word);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (word.empty() || end != word.data() + word.size()) return {};
-    // Too small for a double is 0, too large is none; from_chars does not tell which.
-    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
-    else if (error != std::errc()) return {};
-    return value;
+    const auto value = toNumber(word);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<double> toNumber(std::string_view word)
+std::optional<double> toFiniteOrNan(std::string_view word)
 {
-    const auto value = toFloat(word);
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    const auto magnitude = word.substr(word.starts_with('-') ? 1 : 0);
+    return isWord(magnitude, "nan") || isWord(magnitude, "inf") ? std::numeric_limits<double>::quiet_NaN() : toFinite(word);
 }
 
 std::optional<std::int64_t> toWhole(std::string_view word)
 {
-    word = withoutPlus(word);
+    if (word.starts_with('+')) word.remove_prefix(1);
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
@@ -101,7 +90,7 @@ Vector<3> takePoint(const TextLines& lines, std::string_view& line)
     for (const auto c : {&Vector<3>::x, &Vector<3>::y, &Vector<3>::z})
     {
         const auto word = nextWord(line);
-        const auto value = toNumber(word);
+        const auto value = toFinite(word);
         if (!value && word.empty()) lines.fail("expected three coordinates, and the line ends");
         if (!value)
             lines.fail(fmt::format("the coordinate {} is no finite number{}", quoted(word),
@@ -114,7 +103,7 @@ Vector<3> takePoint(const TextLines& lines, std::string_view& line)
 void expectNumbers(const TextLines& lines, std::string_view line)
 {
     for (auto word = nextWord(line); !word.empty(); word = nextWord(line))
-        if (!toNumber(word)) lines.fail(fmt::format("expected nothing but numbers behind the coordinates, found {}", quoted(word)));
+        if (!toFinite(word)) lines.fail(fmt::format("expected nothing but numbers behind the coordinates, found {}", quoted(word)));
 }
 
 }

@@ -38,10 +38,11 @@ bool isWord(std::string_view word, std::string_view lowerCase);
 /// In quotes for an error: at most forty characters, those that cannot be printed as ?.
 std::string quoted(std::string_view);
 
-/// The whole word as a number, which may be infinite or nan; none where it is no number. A + may stand before it.
-std::optional<double> toFloat(std::string_view word);
-/// None, too, where it is not finite.
-std::optional<double> toNumber(std::string_view word);
+/// The whole word as a number; none where it is none, or not finite.
+std::optional<double> toFinite(std::string_view word);
+/// The same, but nan where it says nan or inf.
+std::optional<double> toFiniteOrNan(std::string_view word);
+/// A whole number, before which a + may stand.
 std::optional<std::int64_t> toWhole(std::string_view word);
 
 /// Takes three finite numbers from `line`, which is the last one of `lines`; throws UnusableMesh.

@@ -154,7 +154,7 @@ TEST(Polygons, CornersInOnePlace)
     EXPECT_NEAR(p.mesh.prepared.volume * 64, 3, 1e-9);
 }
 
-// A lid that is bent by a tenth of its length is read, and its two cuts, which differ by 0.033 m3, are told of with the line.
+// A lid that is bent by a tenth of its length is read, and its two cuts, which differ by 0.017 m3, are told of with the line.
 TEST(Polygons, BentOnesAreToldOf)
 {
     auto m = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);

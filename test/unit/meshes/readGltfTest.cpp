@@ -133,9 +133,8 @@ TEST(ReadGltf, Primitives)
     EXPECT_EQ(strips.mesh.triangles.size(), 4u);
     EXPECT_DOUBLE_EQ(strips.volume(), 1.0 / 6);
     const Mesh fan{tetrahedron.points, {{3, 1, 2}, {0, 1, 0}}};
-    const Imported fans("a.gltf", replaced(replaced(embedded<float, std::uint8_t>(fan, 5126, 5121, "", "", "", R"(,"mode":6)"),
-                                                    R"("count":36)", R"("count":5)"),
-                                           R"("byteOffset":128,"byteLength":6)", R"("byteOffset":128,"byteLength":5)"));
+    const Imported fans("a.gltf", replaced(embedded<float, std::uint8_t>(fan, 5126, 5121, "", "", "", R"(,"mode":6)"), R"("count":36)",
+                                           R"("count":5)"));
     EXPECT_EQ(fans.refusal, "");
     EXPECT_EQ(fans.mesh.triangles.size(), 3u);
     const Imported lines("a.gltf",
@@ -150,7 +149,6 @@ TEST(ReadGltf, Primitives)
     auto sparse = embedded<float, std::uint16_t>(
         brick, 5126, 5123,
         R"(,"sparse":{"count":4,"indices":{"bufferView":2,"componentType":5121},"values":{"bufferView":2,"byteOffset":4}})");
-    sparse = replaced(sparse, R"("bufferViews":[)", R"("bufferViews":[)");
     sparse = replaced(sparse, R"(],"buffers":[)", R"(,{"buffer":1,"byteLength":52}],"buffers":[)");
     sparse = replaced(sparse, R"("}]})", R"("},{"byteLength":52,"uri":"data:;base64,)" + base64(changes) + R"("}]})");
     expectBox(Imported("a.gltf", sparse), 1.5);
@@ -187,9 +185,8 @@ TEST(ReadGltf, Refusals)
     expectRefusal(replaced(plain(), R"("count":36)", R"("count":35)"), "meshes[0].primitives[0]: 35 corners are no whole triangles");
     expectRefusal(replaced(plain(), R"("count":36)", R"("count":39)"),
                   "accessors[1]: 39 elements of 2 bytes from byte 0 on, every 2 bytes, do not fit in the 72 bytes of bufferViews[1]");
-    expectRefusal(
-        replaced(plain(), R"("count":36)", R"("count":4611686018427387905)"),
-        "accessors[1]: 4611686018427387905 elements of 2 bytes from byte 0 on, every 2 bytes, do not fit in the 72 bytes of "
+    expectRefusal(replaced(plain(), R"("count":36)", R"("count":4611686018427387905)"),
+                  "accessors[1]: 4611686018427387905 elements of 2 bytes from byte 0 on, every 2 bytes, do not fit in the 72 bytes of "
                   "bufferViews[1]");
     expectRefusal(replaced(plain(), R"("count":36)", R"("count":-1)"), "accessors[1].count: expected a whole number");
     expectRefusal(replaced(plain(), R"("byteOffset":128)", R"("byteOffset":130)"),

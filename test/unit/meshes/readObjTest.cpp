@@ -54,7 +54,7 @@ TEST(ReadObj, NumbersAndLineEnds)
     const auto text = vertices(box({0, 0, 0}, {0.2, 5, 1})) + faces();
     expectBox(text);
     expectBox(replacedAll(text, " 0.2", " .2"));
-    expectBox(replacedAll(replacedAll(text, "0.2 ", "+2.0E-1 "), " 5 ", " +500e-2 "));
+    expectBox(replacedAll(replacedAll(vertices(box({0, 0, 0}, {0.2, 5, 1})), "0.2 ", "+2.0E-1 "), " 5 ", " +500e-2 ") + faces());
     expectBox(replacedAll(text, "v 0 ", "v  -0.\t"));
     expectBox(replacedAll(text, " 0\n", " 0 1.0\n"));
     expectBox(replacedAll(text, " 1\n", " 1 0.5 0.25 1 1\n"));

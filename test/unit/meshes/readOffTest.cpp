@@ -57,5 +57,5 @@ TEST(ReadOff, Refusals)
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1 8"), "line 11: facet 0 of 6 has the vertex \"8\", and there are 8");
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1"), "line 11: facet 0 of 6 has the vertex \"\", and there are 8");
     expectRefusal(replaced(text, "4 3 2 1 0", "2 3 2"), "line 11: facet 0 of 6 has 2 corners");
-    expectRefusal(text.substr(0, 20), "line 5: expected three coordinates, and the line ends");
+    expectRefusal(text.substr(0, 20), "line 4: expected three coordinates, and the line ends");
 }

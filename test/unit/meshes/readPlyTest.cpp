@@ -87,9 +87,8 @@ TEST(ReadPly, OtherPropertiesAndElements)
     const auto edges = replaced(ply(cube), "element face", "element edge 2\nproperty int vertex1\nproperty int vertex2\nelement face");
     expectBox(replaced(edges, faceRows(cube), "0 1\n1 2\n" + faceRows(cube)), "element \"edge\" (2 rows) left out");
     // Faces before vertices.
-    const auto header =
-        "ply\nformat ascii 1.0\nelement face 6\nproperty list uchar int vertex_indices\nelement vertex 8\n"
-        "property float x\nproperty float y\nproperty float z\nend_header\n";
+    const auto header = "ply\nformat ascii 1.0\nelement face 6\nproperty list uchar int vertex_indices\nelement vertex 8\n"
+                        "property float x\nproperty float y\nproperty float z\nend_header\n";
     expectBox(header + faceRows(cube) + pointRows(cube));
 }
 
@@ -112,10 +111,10 @@ TEST(ReadPly, Refusals)
 {
     const auto text = ply(cube), bytes = binaryPly<double, std::int32_t>(cube, "double", "int");
     expectBox(bytes + "more", "4 bytes behind the last row that the header tells of left out");
-    expectRefusal(text + "more\n", "line 25: more rows than its header tells of");
+    expectRefusal(text + "more\n", "line 24: more rows than its header tells of");
     expectRefusal("plyx\n", "line 1: its header has the line \"plyx\"");
     expectRefusal("solid\n", "line 1: it does not begin with ply: this is no PLY file");
-    expectRefusal(text.substr(0, 40), "line 3: it ends within its header: it is truncated");
+    expectRefusal(text.substr(0, 40), "line 4: it ends within its header: it is truncated");
     expectRefusal(replaced(text, "ascii", "binary_middle_endian"), "line 2: its header has the line \"format binary_middle_endian 1.0\"");
     expectRefusal(replaced(text, "double y", "doubly y"), "line 5: its header has the line \"property doubly y\"");
     expectRefusal(replaced(text, "double y", "double x"), "line 5: its header has the line \"property double x\"");
@@ -132,6 +131,6 @@ TEST(ReadPly, Refusals)
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1 -1"), "line 18: face 0 of 6 has the vertex -1, and there are 8");
     expectRefusal(replaced(text, "4 3 2 1 0", "2 3 2"), "line 18: face 0 of 6 has 2 corners");
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1 0 0"), "line 18: face 0 of 6 has more numbers than properties");
-    expectRefusal(text.substr(0, text.size() - 10), "line 23: face 5 of 6 is not there: it is truncated");
+    expectRefusal(text.substr(0, text.size() - 10), "line 22: face 5 of 6 is not there: it is truncated");
     expectRefusal(bytes.substr(0, bytes.size() - 1), "byte 489: face 5 of 6 is not whole: it is truncated or damaged");
 }

@@ -92,7 +92,7 @@ TEST(ReadStl, Binary)
 TEST(ReadStl, Refusals)
 {
     const auto text = solid(box()), bytes = binaryStl(box());
-    expectRefusal(replaced(text, "vertex 1 1 0", "vertex 1 nan 0"), "line 5: the coordinate \"nan\" is no finite number");
+    expectRefusal(replaced(text, "vertex 1 1 0", "vertex 1 nan 0"), "line 6: the coordinate \"nan\" is no finite number");
     expectRefusal(replaced(text, "vertex 1 1 0", "vertex 1,5 1 0"),
                   "line 6: the coordinate \"1,5\" is no finite number: decimals need a point");
     expectRefusal(replaced(text, "vertex 1 1 0", "vertex 1 1"), "line 6: expected three coordinates, and the line ends");
@@ -105,7 +105,7 @@ TEST(ReadStl, Refusals)
     expectRefusal(text.substr(0, text.rfind("endloop")),
                   "line 84: it ends within facet 11, where endloop after three vertices was expected: it is truncated");
     expectRefusal("hello\n", "line 1: expected solid, found \"hello\": this is no STL file");
-    expectRefusal(std::string("\xFF\xFEs\0o\0", 6), "byte 6: it ends within its header: it is truncated");
+    expectRefusal(std::string("\xFF\xFEs\0o\0", 6), "it is text in UTF-16: save it in UTF-8 or ASCII");
     expectRefusal(bytes.substr(0, 500), "byte 500: its header tells of 12 facets, 8 are there: it is truncated");
     expectRefusal(bytes.substr(0, 80) + std::string(4, '\0') + bytes.substr(84),
                   "byte 80: its header tells of no facets, and 600 bytes follow, as 12 facets have");
