@@ -302,12 +302,12 @@ class Ply
         return header_.format != Header::ascii && p.type.kind == NumberType::isFloat && p.type.bytes == 4;
     }
 
-    double rounding() const
+    double rounding(const std::vector<Vector<3>>& points) const
     {
         const auto* vertices = header_.find("vertex");
         if (!std::ranges::any_of(std::array{"x", "y", "z"}, [&](const char* name) { return isSingle(*vertices->find(name)); })) return 0;
         double largest = 0;
-        for (const auto& p : points_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        for (const auto& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         return roundingOf(largest);
     }
 
@@ -329,7 +329,7 @@ public:
         }
         if (faces_.size() == 0) throw UnusableMesh("it has no facets: its strips have fewer than three corners");
         auto mesh = faces_.triangulated(std::move(points_), {"patch0"}, numbers.placeName(), notes_);
-        mesh.rounding = rounding();
+        mesh.rounding = rounding(mesh.points);
         return mesh;
     }
 };

@@ -31,6 +31,17 @@ Vector<3> areaVector(std::span<const Vector<3>> corners)
     return a;
 }
 
+/// That, or of what cancels itself, as of a bow, the normal of the largest triangle that its first corner makes with an edge.
+Vector<3> normalOf(std::span<const Vector<3>> corners)
+{
+    constexpr double rounding = 1e-12;
+    Vector<3> largest;
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+        if (const auto n = cross(corners[k] - corners[0], corners[k + 1] - corners[0]); mag(n) > mag(largest)) largest = n;
+    const auto whole = areaVector(corners);
+    return mag(whole) > rounding * mag(largest) ? whole : largest;
+}
+
 std::vector<std::array<int, 3>> fan(std::size_t corners)
 {
     std::vector<std::array<int, 3>> triangles;
@@ -125,6 +136,7 @@ public:
             if (face->info() != 0 && face->info() != 1) throw std::domain_error("crosses itself");
             if (face->info() == 1) triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
         }
+        if (triangles.empty()) throw std::domain_error("runs back along itself and bounds nothing");
         return triangles;
     }
 };
@@ -159,7 +171,7 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vector<3>> corners)
         }
     try
     {
-        auto triangles = Flat(places, areaVector(places)).triangles();
+        auto triangles = Flat(places, normalOf(places)).triangles();
         for (auto& t : triangles)
             for (int& k : t) k = number[std::size_t(k)];
         return triangles;

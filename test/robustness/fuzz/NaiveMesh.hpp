@@ -68,7 +68,7 @@ inline NaiveMesh naiveStl(std::string text)
     };
     std::uint32_t count = 0;
     if (text.size() > 84) std::memcpy(&count, text.data() + 80, 4);
-    if (text.size() == 84 + 50 * std::size_t(count) || text.find('\0') != text.npos)
+    if (text.size() == 84 + 50 * std::size_t(count) || text.substr(0, 134).find('\0') != text.npos)
     {
         for (std::size_t f = 0; f < count; ++f)
         {
@@ -258,9 +258,10 @@ inline NaiveMesh naiveGltf(const std::string& bytes)
         buffer = bytes.substr(28 + json, binary);
     }
     const auto j = nlohmann::json::parse(text);
-    if (j["buffers"][0].contains("uri"))
+    if (j.at("buffers").at(0).contains("uri"))
     {
-        const std::string uri = j["buffers"][0]["uri"], letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        const std::string uri = j.at("buffers").at(0).at("uri"),
+                          letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         buffer.clear();
         int bits = 0, held = 0;
         for (const char c : uri.substr(uri.find(',') + 1))
@@ -273,13 +274,13 @@ inline NaiveMesh naiveGltf(const std::string& bytes)
     }
     const auto numbers = [&](std::size_t index, std::size_t components)
     {
-        const auto a = j["accessors"].at(index), view = j["bufferViews"].at(a["bufferView"].get<std::size_t>());
-        const int kind = a["componentType"];
+        const auto a = j.at("accessors").at(index), view = j.at("bufferViews").at(a.at("bufferView").get<std::size_t>());
+        const int kind = a.at("componentType");
         const std::size_t size = kind < 5122 ? 1 : kind < 5124 ? 2 : 4;
         const auto begin = view.value("byteOffset", std::size_t(0)) + a.value("byteOffset", std::size_t(0)),
                    stride = view.value("byteStride", components * size);
         std::vector<double> all;
-        for (std::size_t i = 0; i < a["count"].get<std::size_t>(); ++i)
+        for (std::size_t i = 0; i < a.at("count").get<std::size_t>(); ++i)
             for (std::size_t k = 0; k < components; ++k)
             {
                 const auto raw = buffer.substr(begin + i * stride + k * size, size);
@@ -305,16 +306,16 @@ inline NaiveMesh naiveGltf(const std::string& bytes)
         return all;
     };
     NaiveMesh m;
-    for (const std::size_t n : j["scenes"][j.value("scene", std::size_t(0))]["nodes"])
+    for (const std::size_t n : j.at("scenes").at(j.value("scene", std::size_t(0))).at("nodes"))
     {
-        const auto node = j["nodes"].at(n);
+        const auto node = j.at("nodes").at(n);
         if (!node.contains("mesh")) continue;
         const auto shift = node.value("translation", NaiveMesh::Point{0, 0, 0}), scale = node.value("scale", NaiveMesh::Point{1, 1, 1});
-        for (const auto& primitive : j["meshes"].at(node["mesh"].get<std::size_t>())["primitives"])
+        for (const auto& primitive : j.at("meshes").at(node.at("mesh").get<std::size_t>()).at("primitives"))
         {
             if (primitive.value("mode", 4) != 4) continue;
             const auto first = m.points.size();
-            const auto x = numbers(primitive["attributes"]["POSITION"], 3), corners = numbers(primitive["indices"], 1);
+            const auto x = numbers(primitive.at("attributes").at("POSITION"), 3), corners = numbers(primitive.at("indices"), 1);
             for (std::size_t i = 0; i < x.size(); i += 3)
                 m.points.push_back({shift[0] + scale[0] * x[i], shift[1] + scale[1] * x[i + 1], shift[2] + scale[2] * x[i + 2]});
             for (std::size_t k = 0; k < corners.size(); k += 3)

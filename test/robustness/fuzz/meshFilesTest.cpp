@@ -27,7 +27,8 @@ void compare(const NumberedMesh& mesh, const std::vector<std::string>& notes, co
         six += dot(mesh.points[std::size_t(a)], cross(mesh.points[std::size_t(b)], mesh.points[std::size_t(c)]));
     const bool bent = std::ranges::any_of(notes, [](const auto& note) { return note.find("not plane") != note.npos; });
     EXPECT_EQ(std::size_t(mesh.number.back()) + 1, naive.faces.size());
-    if (!bent) EXPECT_NEAR(six / 6, volume.value, rounding * volume.magnitudes + volume.bend);
+    const bool isFinite = std::isfinite(volume.magnitudes + volume.bend); // coordinates of 1e200 leave nothing to compare
+    if (!bent && isFinite) EXPECT_NEAR(six / 6, volume.value, rounding * volume.magnitudes + volume.bend);
 }
 
 void fuzzMesh(const std::string& name, const std::vector<std::string>& seeds, NaiveMesh (*naive)(const std::string&))

@@ -2,6 +2,7 @@
 /// told.
 #include "Imported.hpp"
 #include "Prepared.hpp"
+#include "Shape.hpp"
 #include <gtest/gtest.h>
 
 using namespace sph;

@@ -132,5 +132,5 @@ TEST(ReadPly, Refusals)
     expectRefusal(replaced(text, "4 3 2 1 0", "2 3 2"), "line 18: face 0 of 6 has 2 corners");
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1 0 0"), "line 18: face 0 of 6 has more numbers than properties");
     expectRefusal(text.substr(0, text.size() - 10), "line 22: face 5 of 6 is not there: it is truncated");
-    expectRefusal(bytes.substr(0, bytes.size() - 1), "byte 489: face 5 of 6 is not whole: it is truncated or damaged");
+    expectRefusal(bytes.substr(0, bytes.size() - 1), "byte 463: face 5 of 6 is not whole: it is truncated or damaged");
 }
