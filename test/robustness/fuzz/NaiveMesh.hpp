@@ -87,7 +87,7 @@ inline NaiveMesh naiveStl(std::string text)
         if (word != "vertex") continue;
         std::string x, y, z;
         words >> x >> y >> z;
-        m.points.push_back({std::stod(x), std::stod(y), std::stod(z)});
+        m.points.push_back({std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr), std::strtod(z.c_str(), nullptr)});
         if (m.points.size() % 3 == 0) addFace();
     }
     return m;
@@ -306,7 +306,11 @@ inline NaiveMesh naiveGltf(const std::string& bytes)
         return all;
     };
     NaiveMesh m;
-    for (const std::size_t n : j.at("scenes").at(j.value("scene", std::size_t(0))).at("nodes"))
+    std::vector<std::size_t> nodes;
+    if (j.contains("scenes")) nodes = j.at("scenes").at(j.value("scene", std::size_t(0))).value("nodes", nodes);
+    else
+        for (std::size_t n = 0; n < j.at("nodes").size(); ++n) nodes.push_back(n);
+    for (const auto n : nodes)
     {
         const auto node = j.at("nodes").at(n);
         if (!node.contains("mesh")) continue;

@@ -60,11 +60,15 @@ TEST(Polygons, ConcaveBodiesKeepTheirVolume)
                                                  {"a.ply", ply(m)},
                                                  {"a.ply", binaryPly<double, std::int32_t>(m, "double", "int")}})
                 {
+                    const Imported i(file, text);
+                    ASSERT_EQ(i.refusal, "") << file << first;
+                    EXPECT_NEAR(i.volume() / volume, 1, 1e-9) << file << first;
+                    EXPECT_TRUE(i.notes.empty());
+                    if (first > 0) continue;
                     const auto p = scaled(file, text);
-                    ASSERT_EQ(p.errors, "") << file << first;
-                    EXPECT_NEAR(p.mesh.prepared.volume * 64 / volume, 1, 1e-9) << file << first;
+                    ASSERT_EQ(p.errors, "") << file;
+                    EXPECT_NEAR(p.mesh.prepared.volume * 64 / volume, 1, 1e-9) << file;
                     EXPECT_EQ(p.mesh.prepared.open, 0u);
-                    EXPECT_TRUE(p.mesh.notes.empty());
                 }
         }
 }
