@@ -28,7 +28,8 @@ void compare(const NumberedMesh& mesh, const std::vector<std::string>& notes, co
     const bool bent = std::ranges::any_of(notes, [](const auto& note) { return note.find("not plane") != note.npos; });
     EXPECT_EQ(std::size_t(mesh.number.back()) + 1, naive.faces.size());
     const bool isFinite = std::isfinite(volume.magnitudes + volume.bend); // coordinates of 1e200 leave nothing to compare
-    if (!bent && isFinite) EXPECT_NEAR(six / 6, volume.value, rounding * volume.magnitudes + volume.bend);
+    if (bent || !isFinite) return;
+    EXPECT_NEAR(six / 6, volume.value, rounding * volume.magnitudes + volume.bend);
 }
 
 void fuzzMesh(const std::string& name, const std::vector<std::string>& seeds, NaiveMesh (*naive)(const std::string&))
@@ -63,7 +64,8 @@ void fuzzMesh(const std::string& name, const std::vector<std::string>& seeds, Na
                  ADD_FAILURE() << "accepted, but a second reading fails: " << e.what();
              }
          });
-    if (all >= 100) EXPECT_GT(accepted, all / 50) << "hardly any is read: the comparison says little";
+    if (all < 100) return;
+    EXPECT_GT(accepted, all / 50) << "hardly any is read: the comparison says little";
 }
 
 }
