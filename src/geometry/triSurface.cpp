@@ -26,7 +26,7 @@ const Switch removeSelfIntersections{"removeSelfIntersections", false,
 const SubDictionary wrap{"wrap", notGiven, "a closed surface around a mesh that has holes or crosses itself, as scans have"};
 const SubDictionary regions{"regions", notGiven, "regions of the file with properties other than the wall's"};
 const FreeName region{"<region>", "dictionary",
-                      "a region by its name in the file: solid of an ascii STL, group of an OBJ, material of a glTF"};
+                      "a region by its name in the file: solid of an ascii STL, group or object of an OBJ, material of a glTF"};
 }
 
 EntryList triSurfaceEntries(const EntryList& ofRegion)

@@ -4,6 +4,7 @@
 #include "importMesh.hpp"
 #include "meshFiles.hpp"
 #include "orientShells.hpp"
+#include "placeMesh.hpp"
 #include "repairSurface.hpp"
 #include "words.hpp"
 #include <algorithm>
@@ -19,33 +20,20 @@ namespace
 /// Of a mesh's extent over the domain's, or of a spacing over the mesh's extent, from which a wrong unit is meant: mm for m makes 1000.
 constexpr double wrongUnit = 100;
 
-void checkNumbers(const NumberedMesh& m)
-{
-    const auto finite = [](const Vector<3>& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); };
-    std::vector<int> bad;
-    for (std::size_t f = 0; f < m.triangles.size(); ++f)
-        if (!std::all_of(m.triangles[f].begin(), m.triangles[f].end(), [&](int p) { return finite(m.points[std::size_t(p)]); }))
-            bad.push_back(int(f));
-    if (bad.empty()) return;
-    UnusableMesh error(counted(bad.size(), "facet") + " with coordinates that are no finite numbers", m, bad);
-    // What has no place cannot be shown.
-    error.facets = {};
-    throw error;
-}
-
-/// Coordinates come in single precision: far from their origin they lose the digits that say where a point is.
+/// Single precision far from the origin of a file has lost the digits that say where a point is.
 void checkDigits(const NumberedMesh& m, const TriSurface& t, double spacing, Diagnostics& diagnostics)
 {
     constexpr double share = 0.01; // of a spacing that rounding may take
     const auto box = boundingBox(m);
     double farthest = 0;
     for (const auto c : coordinates) farthest = std::max({farthest, std::abs(box.low.*c), std::abs(box.high.*c)});
-    const double rounding = t.scale * farthest * std::numeric_limits<float>::epsilon();
-    if (rounding > share * spacing)
-        diagnostics.warning(t.at,
-                            fmt::format("the coordinates of constant/triSurface/{} are up to {:.4g} and are read with seven digits, within "
-                                        "{:.2g} m: move the mesh nearer to its origin, and back by translation",
-                                        t.file, farthest, rounding));
+    if (const double rounding = t.scale * m.rounding; rounding > share * spacing)
+        diagnostics.warning(
+            t.at,
+            fmt::format("the coordinates of constant/triSurface/{} are up to {:.4g} and in single precision, seven digits, within "
+                        "{:.2g} m: write the file in double precision (ascii STL, OBJ, OFF, PLY), or nearer to its origin and move it "
+                        "back by translation",
+                        t.file, farthest, rounding));
 }
 
 struct WrongPlace : std::runtime_error
@@ -130,7 +118,6 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
     {
         auto m = importMesh(caseFolder / file, result.notes);
         result.regions = m.regions;
-        checkNumbers(m);
         checkRegions(m, t);
         checkDigits(m, t, space.spacing, diagnostics);
         place(m, t);
