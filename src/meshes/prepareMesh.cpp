@@ -94,27 +94,30 @@ void checkRegions(const NumberedMesh& m, const TriSurface& t)
 void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh& result)
 {
     auto& repairs = result.repairs;
+    // Where nothing is welded, what is nearer than rounding brings it touches all the same.
+    const double contact = std::max(tolerance, 1e-3 * weldOf(boundingBox(m)));
     if (t.wrap) wrap(m, *t.wrap, repairs);
     removeDuplicates(m, repairs);
     if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
+    if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
     orientFacets(m, repairs);
     splitPoints(m, repairs);
     closeHoles(m, t.closeHoles, repairs);
-    orientShells(m, t.fluid, repairs);
     removeSlivers(m, tolerance, repairs);
     if (t.removeSelfIntersections)
     {
-        removeSelfIntersections(m, repairs);
+        removeSelfIntersections(m, contact, repairs);
         removeSlivers(m, tolerance, repairs);
-        orientShells(m, t.fluid, repairs);
     }
-    checkSelfIntersections(m, t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
-                                                        : "Have it repaired: removeSelfIntersections yes; or wrap { tolerance ...; }");
+    orientShells(m, t.fluid, repairs);
+    checkSelfIntersections(m, contact,
+                           t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
+                                                     : "Have it repaired: removeSelfIntersections yes; or wrap { tolerance ...; }");
     if (t.edgeLength)
     {
         remesh(m, *t.edgeLength, t.featureAngle, repairs);
-        checkSelfIntersections(m, "Remeshing did it: choose another edgeLength, or a smaller featureAngle");
+        checkSelfIntersections(m, contact, "Remeshing did it: choose another edgeLength, or a smaller featureAngle");
     }
 }
 

@@ -46,7 +46,7 @@ TEST(BadMesh, nonManifold)
 TEST(BadMesh, selfIntersecting)
 {
     expectError(prepared(together(box(), box({0.5, 0.4, 0.3}, {1.5, 1.4, 1.3}))),
-                {"the surface crosses itself: ", "facet ", "removeSelfIntersections yes"});
+                {"the surface crosses or touches itself: ", "facet ", "removeSelfIntersections yes"});
 }
 
 // Each facet has its opposite; a tetrahedron whose points lie in a plane.
