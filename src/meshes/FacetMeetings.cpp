@@ -18,6 +18,10 @@ struct Common
     unsigned onFirst, onSecond;
 };
 
+/// What lies within this share of the distance at which points are one is on an edge or a facet. Were it 1, a triangle whose corners are hardly
+/// two points would have each of them on the edge across, and splits without end.
+constexpr double nearness = 0.5;
+
 /// The edges of a corner: k, which leaves it, and the one before.
 constexpr unsigned edgesOfCorner(std::size_t k) { return 1u << k | 1u << (k + 2) % 3; }
 
@@ -223,7 +227,7 @@ class Search
     }
 
 public:
-    Search(FacetSoup& s, Meetings& m) : s_(s), found_(m), tolerance_(s.points.tolerance()) {}
+    Search(FacetSoup& s, Meetings& m) : s_(s), found_(m), tolerance_(nearness * s.points.tolerance()) {}
 
     void pair(int f, int g)
     {

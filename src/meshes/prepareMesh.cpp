@@ -94,8 +94,7 @@ void checkRegions(const NumberedMesh& m, const TriSurface& t)
 void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh& result)
 {
     auto& repairs = result.repairs;
-    // Where nothing is welded, what is nearer than rounding brings it touches all the same.
-    const double contact = std::max(tolerance, 1e-3 * weldOf(boundingBox(m)));
+    const double contact = contactOf(tolerance, weldOf(boundingBox(m)));
     if (t.wrap) wrap(m, *t.wrap, repairs);
     removeDuplicates(m, repairs);
     if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
@@ -105,11 +104,7 @@ void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh
     splitPoints(m, repairs);
     closeHoles(m, t.closeHoles, repairs);
     removeSlivers(m, tolerance, repairs);
-    if (t.removeSelfIntersections)
-    {
-        removeSelfIntersections(m, contact, repairs);
-        removeSlivers(m, tolerance, repairs);
-    }
+    if (t.removeSelfIntersections) removeSelfIntersections(m, contact, repairs);
     orientShells(m, t.fluid, repairs);
     checkSelfIntersections(m, contact,
                            t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
@@ -162,6 +157,13 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
                 t.at, fmt::format("wall \"{}\" has {} tighter than the support of the kernel, {:.3g} m, which cannot resolve {}: the "
                                   "tightest has a radius of {:.3g} m at {}, {}",
                                   t.wall, counted(count, "hollow"), space.H, count == 1 ? "it" : "them", radius, inWords(at), facet));
+        if (const auto& f = result.features; f.grooves > 0)
+            diagnostics.warning(
+                t.at,
+                fmt::format("wall \"{}\" has {} of less than {:.0f} degrees, behind whose edge mirror images leave gaps: the sum of the "
+                            "kernel there is 0.83 of that in the fluid at 15 degrees, 0.60 at 10, 0.32 at 5. The narrowest leaves "
+                            "{:.3g} degrees to the fluid, at {}. Fill it, or bridge it: wrap {{ tolerance ...; alpha ...; }}",
+                            t.wall, counted(f.grooves, "groove"), leastFilled, f.least, inWords(f.leastAt)));
     }
     catch (const UnusableMesh& e)
     {

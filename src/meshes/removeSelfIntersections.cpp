@@ -302,7 +302,15 @@ void removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std:
         ++(a == b ? within : between);
     }
 
-    const bool split = splitWhereFacetsMeet(soup, std::move(meetings));
+    bool split = splitWhereFacetsMeet(soup, std::move(meetings));
+    // Where features are as small as the tolerance splits may go round in circles; a smaller one takes them for what they are.
+    for (double finer = tolerance; !split && finer > 1e-5 * tolerance;)
+    {
+        finer *= 0.01;
+        soup = FacetSoup(m, finer);
+        split = splitWhereFacetsMeet(soup, findMeetings(soup));
+    }
+    if (!split) checkSelfIntersections(m, tolerance, "They cannot be parted exactly. Wrap the mesh: wrap { tolerance ...; }");
     const auto sheets = sheetsOf(soup, shells);
     const auto sides = sidesOf(sheets);
     const auto signs = signsOf(sheets, sides, shells);
@@ -326,7 +334,6 @@ void removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std:
     std::vector<std::string> parted;
     splitEdges(result);
     splitPoints(result, parted);
-    if (!split) checkSelfIntersections(result, tolerance, "Repair them where they were made, or wrap the mesh: wrap { tolerance ...; }");
 
     const int left = findShells(result).count;
     if (between > 0)

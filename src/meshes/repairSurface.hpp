@@ -2,6 +2,7 @@
 #pragma once
 #include "NumberedMesh.hpp"
 #include "triSurface.hpp"
+#include <algorithm>
 
 namespace sph
 {
@@ -14,6 +15,9 @@ void removeSlivers(NumberedMesh&, double tolerance, std::vector<std::string>& re
 /// UnusableMesh where edges stay open, and says how wide the widest hole is.
 void closeHoles(NumberedMesh&, std::optional<double> widest, std::vector<std::string>& repairs);
 
+/// Distance within which surfaces touch, of those within which points are welded and would be by default [m]: where nothing is to be welded, what is
+/// nearer than rounding brings it touches all the same.
+inline double contactOf(double weld, double byDefault) { return std::max(weld, 1e-3 * byDefault); }
 /// Throws UnusableMesh where facets cross or touch others within `tolerance` [m], other than in points and edges that they have in common.
 void checkSelfIntersections(const NumberedMesh&, double tolerance, const std::string& remedy);
 /// The boundary of the solid where closed surfaces cross or touch one another or themselves: of all around which one of them winds (winding number

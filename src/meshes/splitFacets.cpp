@@ -171,7 +171,7 @@ std::size_t split(FacetSoup& s, const Meetings& m)
 bool splitWhereFacetsMeet(FacetSoup& s, Meetings m)
 {
     // Splits move edges by up to the tolerance, after which others may meet: a handful of rounds settles it.
-    constexpr int rounds = 60;
+    constexpr int rounds = 20;
     for (int round = 0; round < rounds; ++round)
     {
         if (m.onEdge.empty() && m.within.empty()) return true;

@@ -23,19 +23,6 @@ Mesh turned(Mesh m)
     return m;
 }
 
-/// The box with the other diagonal in each face.
-Mesh otherDiagonals(Mesh m)
-{
-    for (std::size_t f = 0; f + 1 < m.triangles.size(); f += 2)
-    {
-        const auto [a, b, c] = m.triangles[f];
-        const int d = m.triangles[f + 1][1] == c ? m.triangles[f + 1][2] : m.triangles[f + 1][1];
-        m.triangles[f] = {a, b, d};
-        m.triangles[f + 1] = {b, c, d};
-    }
-    return m;
-}
-
 /// A closed tube along a path: rings of points, one for each of its places, and caps about their middles.
 Mesh tube(const std::vector<std::vector<Vector<3>>>& rings)
 {
