@@ -18,8 +18,8 @@ struct Common
     unsigned onFirst, onSecond;
 };
 
-/// What lies within this share of the distance at which points are one is on an edge or a facet. Were it 1, a triangle whose corners are hardly
-/// two points would have each of them on the edge across, and splits without end.
+/// A point nearer to an edge or a facet than this share of the distance at which points are one lies on it. Were it 1, each corner of a
+/// triangle that is hardly larger than that distance would lie on the edge across, and splits would have no end.
 constexpr double nearness = 0.5;
 
 /// The edges of a corner: k, which leaves it, and the one before.
@@ -148,7 +148,7 @@ class Search
         for (std::size_t k = 0; k < 3; ++k)
         {
             const auto &p = at(corners(g)[k]), &q = at(corners(g)[(k + 1) % 3]);
-            // What is nearer to an edge is found as two edges that meet.
+            // A point nearer to an edge is found as one of two edges that meet.
             if (dot(cross(n, unitVector(q - p)), x - p) <= 0.5 * tolerance_) return;
         }
         const int point = s_.points.add(x);
@@ -198,7 +198,7 @@ class Search
         return all(a, b, 1) && all(b, a, -1);
     }
 
-    /// Where both lie in one plane, edges of one are segments of the other; where they cross, the line between the two common points is.
+    /// Two facets that cross have the line between their two common points as a segment; two in one plane have each other's edges.
     void noteSegments(int f, int g)
     {
         const auto segment = [&](int facet, const Common& p, const Common& q, unsigned onSameEdge)

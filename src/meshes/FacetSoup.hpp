@@ -1,5 +1,5 @@
-/// Facets as pieces that may lie in one another, and where they meet: how surfaces that cross or touch are brought to meet in common points and
-/// edges alone, from which `removeSelfIntersections` takes what bounds the solid.
+/// Facets as pieces that may lie in one another, and the places where they meet: surfaces that cross or touch are brought to meet in common
+/// points and edges alone, and `removeSelfIntersections` takes what bounds the solid.
 #pragma once
 #include "NumberedMesh.hpp"
 #include "WeldedPoints.hpp"
@@ -22,7 +22,7 @@ struct FacetSoup
 
 using EdgeKey = std::array<int, 2>; ///< points, the lower first
 
-/// Where facets come within the tolerance of one another, other than in points and edges that they share.
+/// Places where facets come within the tolerance of one another, other than in points and edges that they share.
 struct Meetings
 {
     std::vector<std::array<int, 2>> pairs;        ///< facets
@@ -30,11 +30,11 @@ struct Meetings
     std::map<int, std::set<int>> within;          ///< points that belong in the inside of a facet
     std::map<int, std::set<EdgeKey>> intersected; ///< facet -> segments that it has in common with another one
 };
-/// Of the facets from `first` on with all. Points in which edges cross facets and edges are added to those of the soup.
+/// The meetings of the facets from `first` on with all. Points in which edges cross facets and edges are added to the soup.
 Meetings findMeetings(FacetSoup&, std::size_t first = 0);
 
-/// Splits edges and facets at their meetings until they meet in common points and edges alone; what lies within the tolerance of a point or an edge is drawn to it.
-/// False where some still cross when no split resolves them.
+/// Splits edges and facets at their meetings until they meet in common points and edges alone; points, edges and facets nearer than the
+/// tolerance are drawn to one another. False where the splits find no end.
 bool splitWhereFacetsMeet(FacetSoup&, Meetings);
 
 }

@@ -8,7 +8,7 @@ namespace sph
 namespace
 {
 
-/// Of the box's diagonal: cells have numbers of 64 bits, also without a tolerance.
+/// Least width of a cell over the box's diagonal: its numbers fit 64 bits, also without a tolerance.
 constexpr double leastWidth = 1e-12;
 
 std::uint64_t keyOf(std::int64_t i, std::int64_t j, std::int64_t k)

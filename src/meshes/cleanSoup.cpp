@@ -34,7 +34,7 @@ std::size_t dropFacets(NumberedMesh& m, const auto& keep)
 
 void turn(NumberedMesh& m, std::size_t facet) { std::swap(m.triangles[facet][1], m.triangles[facet][2]); }
 
-/// Points in which parts meet become one point for each of them: corners belong together that facets of a pair have in common. Their number.
+/// Points in which parts meet become one point for each of them; corners that facets of a pair share belong together. Their number.
 std::size_t part(NumberedMesh& m, const auto& pairsOf)
 {
     DisjointSets corners(3 * m.triangles.size());
@@ -68,8 +68,8 @@ std::size_t part(NumberedMesh& m, const auto& pairsOf)
     return split;
 }
 
-/// Facets of an edge by twos: those between which solid lies, by their orientation; where that does not tell, those of one region. None where
-/// neither does.
+/// Facets of an edge by twos: those between which solid lies, by their orientation; where that does not tell, those of one region. None
+/// where neither does.
 std::vector<std::array<HalfEdge, 2>> pairsAt(const NumberedMesh& m, std::span<const HalfEdge> edge)
 {
     std::vector<std::array<HalfEdge, 2>> pairs;

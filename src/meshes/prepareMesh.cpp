@@ -94,7 +94,7 @@ void checkRegions(const NumberedMesh& m, const TriSurface& t)
 void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh& result)
 {
     auto& repairs = result.repairs;
-    const double contact = contactOf(tolerance, weldOf(boundingBox(m)));
+    double contact = contactOf(tolerance, weldOf(boundingBox(m)));
     if (t.wrap) wrap(m, *t.wrap, repairs);
     removeDuplicates(m, repairs);
     if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
@@ -104,7 +104,7 @@ void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh
     splitPoints(m, repairs);
     closeHoles(m, t.closeHoles, repairs);
     removeSlivers(m, tolerance, repairs);
-    if (t.removeSelfIntersections) removeSelfIntersections(m, contact, repairs);
+    if (t.removeSelfIntersections) contact = removeSelfIntersections(m, contact, repairs);
     orientShells(m, t.fluid, repairs);
     checkSelfIntersections(m, contact,
                            t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 
 namespace sph
 {
@@ -108,8 +109,10 @@ std::vector<Sides> sidesOf(const Sheets& s)
         std::vector<int> patches;
         for (int p = 0; p < s.patches; ++p)
             if (steepest(areaVector(s, largest[std::size_t(p)])) == axis) patches.push_back(p);
-        while (!patches.empty())
+        for (int attempt = 0; !patches.empty(); ++attempt)
         {
+            // A line that grazes an edge is chance: there is always another.
+            if (attempt == 100) throw std::logic_error("removeSelfIntersections: no line crosses a facet");
             std::vector<AxisLine> lines;
             for (const int p : patches)
             {
@@ -289,11 +292,11 @@ void checkNothingIsLost(const NumberedMesh& repaired, const NumberedMesh& m, con
                            "\nRepair it where it was made, or wrap it: wrap { tolerance ...; }");
 }
 
-void removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std::string>& repairs)
+double removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std::string>& repairs)
 {
     FacetSoup soup(m, tolerance);
     auto meetings = findMeetings(soup);
-    if (meetings.pairs.empty()) return;
+    if (meetings.pairs.empty()) return tolerance;
     const auto shells = findShells(m);
     std::size_t between = 0, within = 0;
     for (const auto& [f, g] : meetings.pairs)
@@ -303,15 +306,17 @@ void removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std:
     }
 
     bool split = splitWhereFacetsMeet(soup, std::move(meetings));
-    // Where features are as small as the tolerance splits may go round in circles; a smaller one takes them for what they are.
-    for (double finer = tolerance; !split && finer > 1e-5 * tolerance;)
+    // Splits of features as small as the tolerance may go round in circles; a smaller tolerance takes them for what they are.
+    double apart = tolerance;
+    while (!split && apart > 1e-5 * tolerance)
     {
-        finer *= 0.01;
-        soup = FacetSoup(m, finer);
+        apart *= 0.01;
+        soup = FacetSoup(m, apart);
         split = splitWhereFacetsMeet(soup, findMeetings(soup));
     }
     if (!split) checkSelfIntersections(m, tolerance, "They cannot be parted exactly. Wrap the mesh: wrap { tolerance ...; }");
     const auto sheets = sheetsOf(soup, shells);
+    if (sheets.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
     const auto sides = sidesOf(sheets);
     const auto signs = signsOf(sheets, sides, shells);
     NumberedMesh result;
@@ -345,6 +350,7 @@ void removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<std:
     repairs.push_back(fmt::format("the solid is now {:.6g} m3; along {} lines the mesh as it was winds around {:.6g} +- {:.1g} m3",
                                   enclosedVolume(result), enclosed.lines, enclosed.volume, enclosed.error));
     m = std::move(result);
+    return apart;
 }
 
 }

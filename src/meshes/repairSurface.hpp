@@ -23,8 +23,9 @@ void checkSelfIntersections(const NumberedMesh&, double tolerance, const std::st
 /// The boundary of the solid where closed surfaces cross or touch one another or themselves: of all around which one of them winds (winding number
 /// not zero), without what lies in their cavities. Facets are split where they meet (within `tolerance` [m] they meet), and those kept that have
 /// solid on one side: Zhou et al. (2016), Mesh arrangements for solid geometry, ACM Trans. Graph. 35. Throws UnusableMesh where the result has not
-/// the box, or not the volume, that the mesh encloses.
-void removeSelfIntersections(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
+/// the box, or not the volume, that the mesh encloses. The tolerance within which parts of the result are apart: a smaller one where facets are
+/// as small as that given.
+double removeSelfIntersections(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
 
 /// A volume by lines through it, and its standard error.
 struct EnclosedByLines

@@ -170,8 +170,8 @@ std::size_t split(FacetSoup& s, const Meetings& m)
 
 bool splitWhereFacetsMeet(FacetSoup& s, Meetings m)
 {
-    // Splits move edges by up to the tolerance, after which others may meet: a handful of rounds settles it.
-    constexpr int rounds = 20;
+    // Splits move edges by up to the tolerance, after which others may meet: two or three rounds settle it, or none.
+    constexpr int rounds = 8;
     for (int round = 0; round < rounds; ++round)
     {
         if (m.onEdge.empty() && m.within.empty()) return true;

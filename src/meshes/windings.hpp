@@ -25,7 +25,7 @@ struct Crossings
     std::vector<Crossing> all;
     std::vector<char> grazes; ///< lines that pass through an edge or a point: another one is to be taken
 };
-/// By exact predicates.
+/// Exact: its predicates are.
 Crossings crossingsOf(const TriangleSurface&, int axis, const std::vector<AxisLine>&);
 
 /// Height along the axis of a facet on a line that crosses it, in numbers of type T.

@@ -57,7 +57,7 @@ double defaultLength(const Geometry& g)
     return std::isfinite(shortest) ? shortest : size.x;
 }
 
-/// By name, those with fluid around them; all where there are none.
+/// Names of the walls with fluid around them; of all where there are none.
 std::vector<std::string> bodiesOf(const Geometry& g)
 {
     std::vector<std::string> bodies, all;

@@ -17,7 +17,7 @@ struct WettedWall
     double share() const { return area > 0 ? wetted / area : 0; }
 };
 
-/// Of each of Geometry::walls within a region, without what lies in another solid.
+/// The wetted areas of Geometry::walls within a region, without what lies in another solid.
 ///
 ///   wetted = area of { x on the wall: C(x) > 1/2 },   C(x) = sum_j w_j C_j  min(1, sum_j V_j W_j/D)
 ///

@@ -55,6 +55,7 @@ TEST(BadMesh, withoutVolume)
     const Mesh plate{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
     expectError(prepared(plate), {"the surface has no volume, each facet has its opposite"}, false);
     const Mesh flat{{{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}, {0.5, 0.3, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    expectError(prepared(flat, "removeSelfIntersections yes;"), {"the surface has no volume, each facet has its opposite"}, false);
     expectError(prepared(flat), {"1 of 1 closed surface without volume", "facet 0 (region body) at (0 0 0) (0.4 1 0) (1 0 0)"});
 }
 

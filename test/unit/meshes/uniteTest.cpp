@@ -171,7 +171,7 @@ TEST(Unite, bodiesThatTouch)
         }
 }
 
-// What shares a face is refused without the entry, with the advice that the test above has shown to work. Facets that lie back to back, corner on
+// Bodies that share a face are refused without the entry, with the advice that the test above has shown to work. Facets that lie back to back, corner on
 // corner, are removed without it (Repair.removesDuplicates).
 TEST(Unite, onRequestAlone)
 {
