@@ -30,13 +30,15 @@ SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurfa
     std::vector<std::string> notes;
     auto m = importMesh(caseFolder / "constant" / "triSurface" / t.file, notes);
     place(m, t);
-    const auto box = boundingBox(m);
-    weldPoints(m, t.weld.value_or(weldOf(box)), notes);
+    const double weld = weldOf(boundingBox(m));
+    weldPoints(m, t.weld.value_or(weld), notes);
     removeDuplicates(m, notes);
+    if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
     orientFacets(m, notes);
     splitPoints(m, notes);
     closeHoles(m, t.closeHoles, notes);
+    if (t.removeSelfIntersections) removeSelfIntersections(m, contactOf(t.weld.value_or(weld), weld), notes);
     orientShells(m, t.fluid, notes);
 
     shells_->outside = t.fluid == FluidSide::inside;

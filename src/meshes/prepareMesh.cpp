@@ -82,27 +82,25 @@ void checkRegions(const NumberedMesh& m, const TriSurface& t)
 void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh& result)
 {
     auto& repairs = result.repairs;
+    double contact = contactOf(tolerance, weldOf(boundingBox(m)));
     if (t.wrap) wrap(m, *t.wrap, repairs);
     removeDuplicates(m, repairs);
     if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
+    if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
     orientFacets(m, repairs);
     splitPoints(m, repairs);
     closeHoles(m, t.closeHoles, repairs);
-    orientShells(m, t.fluid, repairs);
     removeSlivers(m, tolerance, repairs);
-    if (t.removeSelfIntersections)
-    {
-        removeSelfIntersections(m, repairs);
-        removeSlivers(m, tolerance, repairs);
-        orientShells(m, t.fluid, repairs);
-    }
-    checkSelfIntersections(m, t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
-                                                        : "Have it repaired: removeSelfIntersections yes; or wrap { tolerance ...; }");
+    if (t.removeSelfIntersections) contact = removeSelfIntersections(m, contact, repairs);
+    orientShells(m, t.fluid, repairs);
+    checkSelfIntersections(m, contact,
+                           t.removeSelfIntersections ? "Wrap the mesh: wrap { tolerance ...; }"
+                                                     : "Have it repaired: removeSelfIntersections yes; or wrap { tolerance ...; }");
     if (t.edgeLength)
     {
         remesh(m, *t.edgeLength, t.featureAngle, repairs);
-        checkSelfIntersections(m, "Remeshing did it: choose another edgeLength, or a smaller featureAngle");
+        checkSelfIntersections(m, contact, "Remeshing did it: choose another edgeLength, or a smaller featureAngle");
     }
 }
 
@@ -146,6 +144,13 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
                 t.at, fmt::format("wall \"{}\" has {} tighter than the support of the kernel, {:.3g} m, which cannot resolve {}: the "
                                   "tightest has a radius of {:.3g} m at {}, {}",
                                   t.wall, counted(count, "hollow"), space.H, count == 1 ? "it" : "them", radius, inWords(at), facet));
+        if (const auto& f = result.features; f.grooves > 0)
+            diagnostics.warning(
+                t.at,
+                fmt::format("wall \"{}\" has {} of less than {:.0f} degrees, behind whose edge mirror images leave gaps: the sum of the "
+                            "kernel there is 0.83 of that in the fluid at 15 degrees, 0.60 at 10, 0.32 at 5. The narrowest leaves "
+                            "{:.3g} degrees to the fluid, at {}. Fill it, or bridge it: wrap {{ tolerance ...; alpha ...; }}",
+                            t.wall, counted(f.grooves, "groove"), leastFilled, f.least, inWords(f.leastAt)));
     }
     catch (const UnusableMesh& e)
     {

@@ -29,7 +29,10 @@ const std::vector<Set>& sets()
          "resolution { support 3.2; } shifting 4; shiftingSpeed largest; backgroundPressure 0; integration { scheme symplecticEuler; }"},
         {"bed", "one liquid that travels through a bed of grains", "transportVelocity 1; integration { scheme symplecticEuler; }"},
         {"soil", "soil by a constitutive law", "density continuity; integration { scheme symplecticEuler; }"},
-        {"paper", "what Barker et al. (2012) printed", ""},
+        {"paper",
+         "what Barker et al. (2012) printed, but for edges: images of edges and vertices are the suite's, not the paper's point reflection and fan of "
+         "planes, which leave 360 - 4 phi degrees empty behind a corner of phi < 90 degrees of fluid",
+         ""},
         {"paperPowder",
          "what Kauzlaric et al. (2011) printed of powder in a binder, eqs. (3.1) to (3.8), and the walls of Morris et al. (1997); their kernel is not",
          "resolution { kernel cubicSpline; support 2.4; } density continuity; continuityForm mass; volume continuity; pressureGradient massWeighted; "

@@ -46,7 +46,7 @@ TEST(BadMesh, nonManifold)
 TEST(BadMesh, selfIntersecting)
 {
     expectError(prepared(together(box(), box({0.5, 0.4, 0.3}, {1.5, 1.4, 1.3}))),
-                {"the surface crosses itself: ", "facet ", "removeSelfIntersections yes"});
+                {"the surface crosses or touches itself: ", "facet ", "removeSelfIntersections yes"});
 }
 
 // Each facet has its opposite; a tetrahedron whose points lie in a plane.
@@ -55,6 +55,7 @@ TEST(BadMesh, withoutVolume)
     const Mesh plate{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
     expectError(prepared(plate), {"the surface has no volume, each facet has its opposite"}, false);
     const Mesh flat{{{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}, {0.5, 0.3, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    expectError(prepared(flat, "removeSelfIntersections yes;"), {"the surface has no volume, each facet has its opposite"}, false);
     expectError(prepared(flat), {"1 of 1 closed surface without volume", "facet 0 (region body) at (0 0 0) (0.4 1 0) (1 0 0)"});
 }
 

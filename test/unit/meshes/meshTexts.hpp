@@ -22,6 +22,19 @@ inline Mesh box(const Vector<3>& low = {0, 0, 0}, const Vector<3>& high = {1, 1,
     return m;
 }
 
+/// The box with the other diagonal in each face.
+inline Mesh otherDiagonals(Mesh m)
+{
+    for (std::size_t f = 0; f + 1 < m.triangles.size(); f += 2)
+    {
+        const auto [a, b, c] = m.triangles[f];
+        const int d = m.triangles[f + 1][1] == c ? m.triangles[f + 1][2] : m.triangles[f + 1][1];
+        m.triangles[f] = {a, b, d};
+        m.triangles[f + 1] = {b, c, d};
+    }
+    return m;
+}
+
 inline std::string solid(const Mesh& m, const std::string& name = "body", std::size_t from = 0, std::size_t to = std::string::npos)
 {
     std::string text = "solid " + name + "\n";
