@@ -15,6 +15,7 @@ std::shared_ptr<Node> Node::child(const std::string& key, const Location& at)
     node->keyword = key;
     node->where = at;
     node->diagnostics = diagnostics;
+    node->caseFolder = caseFolder;
     node->parent = this;
     return node;
 }

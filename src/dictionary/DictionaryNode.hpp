@@ -48,6 +48,8 @@ struct Dictionary::Node
     std::string name, keyword;
     Location where;
     std::shared_ptr<Diagnostics> diagnostics;
+    /// Paths may name it.
+    std::shared_ptr<const std::filesystem::path> caseFolder;
     /// Valid while parsing alone: macros search the enclosing dictionaries.
     Node* parent = nullptr;
     /// Added by `add` alone; `removeIf` removes.

@@ -1,3 +1,4 @@
+#include "DictionaryText.hpp"
 #include "Parsed.hpp"
 #include <cstdlib>
 
@@ -101,6 +102,16 @@ TEST(DictionarySyntax, listsOfDictionaries)
     EXPECT_EQ(regions[0].get<std::vector<Vector<3>>>("points")[1], (Vector<3>{1, 1, 1}));
     EXPECT_EQ(regions[1].get<int>("q"), 1);
     EXPECT_EQ(p.errors(), "");
+}
+
+// The name of a dictionary in a list is written as it was read: without its quotes "(a|b).*" would be read as a list.
+TEST(DictionarySyntax, quotedNamesInLists)
+{
+    const Parsed p("patches ( \"(walls|cyc).*\" { type rebound; } outlet { type escape; } );");
+    const auto text = valueText(p.dict, "patches");
+    EXPECT_NE(text.find("(\"(walls|cyc).*\" {"), text.npos) << text;
+    EXPECT_EQ(valueText(Parsed("patches " + text + ";").dict, "patches"), text);
+    EXPECT_EQ(p.dict.dictionaries("patches")[0].keyword(), "(walls|cyc).*");
 }
 
 // OpenFOAM's `sigma` list, with and without "and".
