@@ -48,7 +48,7 @@ const Count writePrecision{"writePrecision", byScene("as many as a number needs"
                            "digits of numbers in ascii files"},
     timePrecision{"timePrecision", 6,
                   between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
-                  "digits of the names of time folders"};
+                  "least digits of the names of time folders; more where a name would not be exact"};
 }
 
 namespace

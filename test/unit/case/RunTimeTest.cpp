@@ -1,3 +1,4 @@
+#include "OutputFile.hpp"
 #include "RunTime.hpp"
 #include "temporaryCase.hpp"
 #include <chrono>
@@ -245,6 +246,31 @@ TEST(RunTime, addsDigitsWhereTwoTimesWouldHaveOneName)
     time.advance(1);
     EXPECT_EQ(time.name(), "2.5");
     EXPECT_EQ(Case(c.folder()).times(), (Names{"0", "1.5", "1.50001"}));
+}
+
+// The name of a folder reads back as the time within 1e-10 of the step, however long ago the run began and in each format; a name that its round-off
+// alone would make longer stays short.
+TEST(RunTime, namesFoldersExactly)
+{
+    for (const std::string format : {"general", "fixed", "scientific"})
+        for (const double start : {0.0, 1.0, 99999.5, 3.15576e7, 1e9})
+            for (const double step : {0.25, 0.1, 1.0 / 3, 1.234567e-3})
+            {
+                const TemporaryCase c;
+                makeTime(c, shortestText(start));
+                control(c, "startFrom startTime; startTime " + shortestText(start) + "; endTime 1e10; timeFormat " + format + ";");
+                RunTime time{Case(c.folder())};
+                for (int k = 1; k <= 3; ++k)
+                {
+                    time.advance(step);
+                    write(time);
+                    const auto times = Case(c.folder()).times();
+                    ASSERT_EQ(times.size(), std::size_t(k + 1)) << start << ' ' << step;
+                    EXPECT_NEAR(*timeValue(times.back()), time.value(), std::max(1e-10 * step, 1e-15 * time.value())) << times.back();
+                }
+            }
+    EXPECT_EQ(timesWritten("endTime 0.3; adjustTimeStep no; deltaT 0.1; writeControl timeStep; writeInterval 1;", 1),
+              (Names{"0.1", "0.2", "0.3"}));
 }
 
 TEST(RunTime, namesTimesInTheFormatAskedFor)
