@@ -41,6 +41,7 @@ branch 2;
 "p.*" { type other; }
 "(inlet|outlet).*" { type patch; }
 inletA { type exact; }
+"r.*" 1; "rs.*" 2; "r.*" 3;
 twice 1; twice 2; blocks { x 1; } blocks { y 2; }
 #inputMode protect
 twice 3;
@@ -59,16 +60,13 @@ inCase { #include "<case>/parts/environment"
 )";
 
 /// Every value that the sample gives, and keywords that a pattern answers.
-const std::vector<std::string> entries{"L",           "word",        "text",     "number",          "dotted",
-                                       "switch",      "g",           "list",     "uniformList",     "typed",
-                                       "words",       "nu",          "named",    "field",           "nested",
-                                       "none",        "div(phi,U)",  "long",     "sub.b",           "sub.c",
-                                       "sub.d",       "sub.e",       "sub.in.z", "sub.in.top",      "sub.in.alt",
-                                       "sub.in.up",   "copy.type",   "copy.v",   "copyAfter.v",     "expression",
-                                       "braces",      "degrees",     "chosen",   "branch",          "pX.type",
-                                       "inletA.type", "inletB.type", "twice",    "blocks.x",        "blocks.y",
-                                       "fresh",       "fromInclude", "patches",  "FoamFile.object", "deep",
-                                       "inCase.deep", "fromCase"};
+const std::vector<std::string> entries{
+    "L",           "word",      "text",        "number",      "dotted",          "switch",     "g",           "list",
+    "uniformList", "typed",     "words",       "nu",          "named",           "field",      "nested",      "none",
+    "div(phi,U)",  "long",      "sub.b",       "sub.c",       "sub.d",           "sub.e",      "sub.in.z",    "sub.in.top",
+    "sub.in.alt",  "sub.in.up", "copy.type",   "copy.v",      "copyAfter.v",     "expression", "braces",      "degrees",
+    "chosen",      "branch",    "pX.type",     "inletA.type", "inletB.type",     "rst",        "twice",       "blocks.x",
+    "blocks.y",    "fresh",     "fromInclude", "patches",     "FoamFile.object", "deep",       "inCase.deep", "fromCase"};
 
 std::string outputOf(const std::string& command)
 {

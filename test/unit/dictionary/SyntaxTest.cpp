@@ -190,6 +190,14 @@ TEST(DictionarySyntax, patterns)
     EXPECT_EQ(macro.dict.get<int>("b"), 5) << "a pattern must not take the path for a keyword";
 }
 
+// A pattern that is given again counts as the last one, and stands where it stood (as OpenFOAM 1912).
+TEST(DictionarySyntax, repeatedPatterns)
+{
+    const Parsed p("\"a.*\" 1;\n\"ab.*\" 2;\n\"a.*\" 3;\n");
+    EXPECT_EQ(p.dict.get<int>("abc"), 3);
+    EXPECT_EQ(keywords(p.dict, ""), (Words{"\"a.*\"", "\"ab.*\""}));
+}
+
 // The last of two equal keywords counts, with a warning; dictionaries merge.
 TEST(DictionarySyntax, duplicates)
 {
