@@ -40,6 +40,8 @@ struct DictionaryEntry
     /// Came from a file that the dictionary includes, and which may serve other dictionaries as well.
     bool included = false;
     bool used = false, ignored = false;
+    /// Came from a set of defaults, and not from the file (addDefaults).
+    bool isDefault = false;
 };
 
 /// Name of the dictionary and keyword of every look-up, where a test has set it that compares what is read with what is declared.

@@ -1,5 +1,5 @@
-#include "OutputFile.hpp"
 #include "RunTime.hpp"
+#include "OutputFile.hpp"
 #include "temporaryCase.hpp"
 #include <chrono>
 #include <cmath>
@@ -102,6 +102,10 @@ TEST(RunTime, namesWhatIsWrong)
               "system/controlDict:3: writeInterval must be a number of steps, found 1.5");
     EXPECT_EQ(saidOf("endTime 1;\npurgeWrite -1;"), "system/controlDict:3: purgeWrite must not be negative, found -1");
     EXPECT_EQ(saidOf("endTime 1;\nwritePrecision 30;"), "system/controlDict:3: writePrecision must be 1 to 17 digits, found 30");
+    EXPECT_EQ(
+        saidOf("endTime 1;\nwriteInterval 0.1;"),
+        "system/controlDict:3: writeInterval does nothing without writeControl, which says what it counts: give `writeControl adjustable` for "
+        "seconds that steps are fitted to, or leave it out");
     EXPECT_EQ(saidOf("endTime 1;\ntimePrecision 0;"), "system/controlDict:3: timePrecision must be 1 to 17 digits, found 0");
     for (const auto* wrong : {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
                               "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;",
