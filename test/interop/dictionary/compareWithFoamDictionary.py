@@ -5,8 +5,8 @@
 
 What sphDictionary accepts must agree with foamDictionary token by token, numbers to 12 digits; what it refuses it must refuse with a file of the
 case and a line. Exit code 1 where a file disagrees or is refused without a place. Without a folder it takes the tutorials of Debian's package
-openfoam-examples, whose compressed files it unpacks. With a cache foamDictionary is run once for each file: the 4,000 dictionaries of OpenFOAM 11
-take ten minutes, and two without it.
+openfoam-examples, whose compressed files it unpacks. With a cache foamDictionary is run once for each file. The etc folder that both look in is
+that of $WM_PROJECT_DIR; for tutorials of another OpenFOAM give one that has the caseDicts and thermoData of that beside the installed one's files.
 """
 import argparse, collections, gzip, hashlib, math, os, pathlib, re, subprocess, sys, tempfile
 
