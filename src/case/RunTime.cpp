@@ -146,21 +146,35 @@ void RunTime::restore(const Case& c)
     for (const auto& key : seen.keys()) histories_[key] = seen.get<std::vector<double>>(key);
 }
 
-std::string RunTime::name() const
+std::string RunTime::name() const { return index_ == startIndex_ ? startName_ : writeTime() ? folderName() : stepName(); }
+
+std::string RunTime::nameWithDigitsUntil(const std::function<bool(const std::string& candidate, int precision)>& enough) const
 {
-    // A name is taken by a time written under it, and by the step before this one: a log then never calls two steps the same.
-    const auto isTaken = [this](const std::string& candidate, int precision)
-    {
-        const auto at = named_.find(candidate);
-        if (at != named_.end() && at->second != value_) return true;
-        return index_ > startIndex_ && candidate == timeName(value_ - deltaT_, controls_.timeFormat, precision);
-    };
     constexpr int most = std::numeric_limits<double>::max_digits10;
     int precision = controls_.timePrecision;
     auto candidate = timeName(value_, controls_.timeFormat, precision);
-    if (index_ == startIndex_) return startName_;
-    while (precision < most && isTaken(candidate, precision)) candidate = timeName(value_, controls_.timeFormat, ++precision);
+    while (precision < most && !enough(candidate, precision)) candidate = timeName(value_, controls_.timeFormat, ++precision);
     return candidate;
+}
+
+std::string RunTime::folderName() const
+{
+    // 0.3 is 3 times 0.1, whatever the last bit of the product.
+    const double same = std::max(1e-10 * deltaT_, 4 * std::numeric_limits<double>::epsilon() * std::abs(value_));
+    return nameWithDigitsUntil(
+        [&](const std::string& candidate, int)
+        {
+            const auto at = named_.find(candidate);
+            const bool isTaken = at != named_.end() && at->second != value_;
+            return !isTaken && std::abs(*timeValue(candidate) - value_) <= same;
+        });
+}
+
+std::string RunTime::stepName() const
+{
+    const double before = value_ - deltaT_;
+    return nameWithDigitsUntil([&](const std::string& candidate, int precision)
+                               { return candidate != timeName(before, controls_.timeFormat, precision); });
 }
 
 bool RunTime::running() const { return !stopped_ && controls_.before(value_); }
@@ -226,7 +240,7 @@ void RunTime::write(const std::function<void(const std::filesystem::path& folder
 {
     // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
     if (written_.empty()) byFirst([&] { removePartialFolders(timesFolder()); });
-    const auto time = name();
+    const auto time = index_ == startIndex_ ? startName_ : folderName();
     const auto writeUniform = [&](const std::filesystem::path& folder)
     {
         const auto timeText = fmt::format("value           {};\nname            \"{}\";\nindex           {};\n"

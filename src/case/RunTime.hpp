@@ -35,7 +35,8 @@ public:
     static EntryList entries();
 
     double value() const { return value_; }
-    /// The name of the current time folder, by timeFormat and timePrecision; digits are added where two times would collide.
+    /// The name of the present time, by timeFormat and timePrecision and with as many digits more as it needs: that of a time folder reads back as
+    /// the time within 1e-10 of the step, or its round-off; the others, which a log has, differ from the step before.
     std::string name() const;
     /// Name of the folder that the run starts from; "0.orig" is copied to "0" first where there is no "0".
     const std::string& startName() const { return startName_; }
@@ -110,6 +111,9 @@ private:
     void findStart(const Case&);
     void restore(const Case&);
     void startAt(const std::string& name, double value);
+    std::string nameWithDigitsUntil(const std::function<bool(const std::string& candidate, int precision)>& enough) const;
+    std::string folderName() const;
+    std::string stepName() const;
     double clock() const;
     bool writesByClock();
     void purge();

@@ -48,7 +48,7 @@ const Count writePrecision{"writePrecision", byScene("as many as a number needs"
                            "digits of numbers in ascii files"},
     timePrecision{"timePrecision", 6,
                   between(1, mostDigits).saying(fmt::format("timePrecision must be 1 to {} digits, found {{}}", mostDigits)),
-                  "digits of the names of time folders"};
+                  "least digits of the names of time folders; more where a name would not be exact"};
 }
 
 namespace
@@ -62,6 +62,10 @@ constexpr double mostWrites = 1e9;
 
 double readInterval(const Dictionary& d, WriteControl control)
 {
+    if (control == WriteControl::none && entry::writeInterval.given(d) && !entry::writeControl.given(d))
+        entry::writeInterval.error(
+            d, "writeInterval does nothing without writeControl, which says what it counts: give `writeControl adjustable` for "
+               "seconds that steps are fitted to, or leave it out");
     if (control == WriteControl::none) return entry::writeInterval(d, 1.0);
     if (control != WriteControl::timeStep) return entry::writeInterval.needed(d);
     const double steps = entry::writeInterval.in(units::none).needed(d);

@@ -48,7 +48,8 @@ std::vector<std::string> selectTimes(const std::vector<std::string>& times, cons
         bool any = false;
         for (std::size_t t = 0; t < times.size(); ++t)
         {
-            const double value = std::stod(times[t]), roundOff = 1e-9 * std::fabs(value);
+            // Names are exact: at 10^9 s a quarter of a second still tells two times apart.
+            const double value = std::stod(times[t]), roundOff = 1e-12 * std::fabs(value);
             if (value < low - roundOff || value > high + roundOff) continue;
             chosen[t] = any = true;
         }

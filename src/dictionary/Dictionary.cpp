@@ -1,6 +1,7 @@
 #include "Dictionary.hpp"
 #include "DictionaryNode.hpp"
 #include "TokenReader.hpp"
+#include "expandPath.hpp"
 #include "readText.hpp"
 #include "readWith.hpp"
 #include "words.hpp"
@@ -258,6 +259,24 @@ template std::vector<Vector<3>> Dictionary::get(const std::string&) const;
 template std::vector<Vector<3>> Dictionary::get(const std::string&, const std::vector<Vector<3>>&) const;
 template std::vector<std::vector<double>> Dictionary::get(const std::string&) const;
 template std::vector<std::vector<double>> Dictionary::get(const std::string&, const std::vector<std::vector<double>>&) const;
+
+std::string Dictionary::getPath(const std::string& key, const std::string& folder, const std::string& fallback) const
+{
+    const auto text = get(key, fallback);
+    const auto& caseFolder = node_->caseFolder ? *node_->caseFolder : std::filesystem::path(".");
+    try
+    {
+        const std::filesystem::path path = expandPath(text, caseFolder, [](const std::string&) { return std::nullopt; });
+        if (path.is_relative()) return path.string();
+        // As the operating system sees folders, which may be links.
+        return (std::filesystem::relative(path.parent_path(), caseFolder / folder) / path.filename()).lexically_normal().string();
+    }
+    catch (const PathError& e)
+    {
+        error(key, fmt::format("\"{}\": \"{}\" {}", key, text, e.what()));
+        return fallback;
+    }
+}
 
 double Dictionary::get(const std::string& key, const DimensionSet& expected) const
 {

@@ -58,6 +58,8 @@ public:
     template<class T> T get(const std::string& key) const;
     template<class T> T get(const std::string& key, const T& fallback) const;
     std::string get(const std::string& key, const char* fallback) const { return get<std::string>(key, fallback); }
+    /// A path, variables and names of folders expanded (expandPath.hpp), relative to `folder` of the case.
+    std::string getPath(const std::string& key, const std::string& folder, const std::string& fallback) const;
 
     /// A dimensioned scalar or vector: `nu [0 2 -1 0 0 0 0] 1e-6;`, `nu nu [..] 1e-6;`, `nu [m^2/s] 1e-6;`, or the plain value.
     /// Dimensions other than those expected are an error.

@@ -1,5 +1,6 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
+#include "expandPath.hpp"
 #include "limits.hpp"
 #include "readText.hpp"
 #include "words.hpp"
@@ -62,27 +63,27 @@ void DictionaryParser::include(Dictionary::Node& scope, const Token& d)
         error(d.line, fmt::format("#{} is not followed by a file name in quotes", d.text));
         return;
     }
-    const std::filesystem::path wanted = tokens_[at_++].text;
+    const auto wanted = tokens_[at_++].text;
     const bool optional = d.text == "includeIfPresent" || d.text == "sinclude" || d.text == "sincludeEtc";
-    auto file = folder_ / wanted;
-    // OpenFOAM's names for folders of the case.
-    for (const auto& [tag, folder] : {std::pair{"<case>", "."}, {"<system>", "system"}, {"<constant>", "constant"}})
-        if (*wanted.begin() == tag) file = context_.caseFolder / folder / wanted.lexically_relative(tag);
-    if (d.text == "includeEtc" || d.text == "sincludeEtc")
+    std::filesystem::path file;
+    try
     {
-        const char* project = std::getenv("SPH_PROJECT_DIR");
-        if (!project && !optional)
-            error(d.line, fmt::format("#{} \"{}\": the environment variable SPH_PROJECT_DIR, below whose etc folder the file is "
-                                      "sought, is not set",
-                                      d.text, wanted.string()));
-        if (!project) return;
-        file = std::filesystem::path(project) / "etc" / wanted;
+        const std::filesystem::path path =
+            expandPath(wanted, context_.caseFolder, [&](const std::string& name) { return textOf(scope, name, d.line); });
+        const bool fromEtc = path.is_relative() && (d.text == "includeEtc" || d.text == "sincludeEtc");
+        file = fromEtc ? etcFile(path) : folder_ / path;
+    }
+    catch (const PathError& e)
+    {
+        // A file in a folder that is known nowhere is not present.
+        if (!optional) error(d.line, fmt::format("#{} \"{}\" {}", d.text, wanted, e.what()));
+        return;
     }
     std::error_code none;
     const auto canonical = std::filesystem::weakly_canonical(file, none);
     if (std::find(context_.open.begin(), context_.open.end(), canonical) != context_.open.end())
     {
-        error(d.line, fmt::format("\"{}\" includes itself", wanted.string()));
+        error(d.line, fmt::format("\"{}\" includes itself", wanted));
         return;
     }
     std::string reason;

@@ -1,8 +1,8 @@
 #include "DictionaryParser.hpp"
 #include "Tokeniser.hpp"
+#include "expandPath.hpp"
 #include "words.hpp"
 #include <cmath>
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace sph
@@ -70,10 +70,7 @@ std::vector<Token> DictionaryParser::expand(Dictionary::Node& scope, const Token
                                          variable.text, variable.text));
         return {};
     }
-    std::optional<std::string> fromEnvironment;
-    if (const char* text = std::getenv(variable.text.c_str())) fromEnvironment = text;
-    else if (variable.text == "FOAM_CASE") fromEnvironment = std::filesystem::absolute(context_.caseFolder).lexically_normal().string();
-    if (fromEnvironment)
+    if (const auto fromEnvironment = environmentVariable(variable.text, context_.caseFolder))
     {
         Token t = variable;
         t.text = *fromEnvironment;
@@ -82,6 +79,15 @@ std::vector<Token> DictionaryParser::expand(Dictionary::Node& scope, const Token
     }
     undefinedMacro(scope, variable);
     return {};
+}
+
+std::optional<std::string> DictionaryParser::textOf(Dictionary::Node& scope, const std::string& name, int line) const
+{
+    auto* found = scope.findScoped(name);
+    if (!found) return {};
+    if (found->value.size() != 1) throw PathError(fmt::format("names ${}, which is not one word", name));
+    take(*found, line);
+    return found->value[0].text;
 }
 
 void DictionaryParser::undefinedMacro(Dictionary::Node& scope, const Token& variable)
@@ -100,8 +106,8 @@ ExpressionValue DictionaryParser::macroValue(Dictionary::Node& scope, const std:
     auto* found = scope.findScoped(name);
     if (!found)
     {
-        const char* text = std::getenv(name.c_str());
-        if (const auto number = text ? toNumber(text) : std::nullopt) return {*number};
+        const auto text = environmentVariable(name, context_.caseFolder);
+        if (const auto number = text ? toNumber(*text) : std::nullopt) return {*number};
         std::vector<std::string> known;
         for (auto* s = &scope; s; s = s->parent)
             for (const auto& e : s->entries) known.push_back(e.keyword);

@@ -15,6 +15,7 @@ std::shared_ptr<Node> Node::child(const std::string& key, const Location& at)
     node->keyword = key;
     node->where = at;
     node->diagnostics = diagnostics;
+    node->caseFolder = caseFolder;
     node->parent = this;
     return node;
 }
@@ -29,9 +30,10 @@ DictionaryEntry* Node::findExact(const std::string& key)
 DictionaryEntry* Node::find(const std::string& key)
 {
     if (auto* exact = findExact(key)) return exact;
+    DictionaryEntry* latest = nullptr;
     for (auto e = entries.rbegin(); e != entries.rend(); ++e)
-        if (e->pattern && e->pattern->matches(key)) return &*e;
-    return nullptr;
+        if (e->pattern && (!latest || e->given > latest->given) && e->pattern->matches(key)) latest = &*e;
+    return latest;
 }
 
 /// A keyword may itself hold dots ("alpha.water"): the whole name is tried first, then each dot as the separator. A pattern
@@ -105,6 +107,7 @@ bool sameValue(const DictionaryEntry& a, const DictionaryEntry& b)
 void Node::add(DictionaryEntry entry, InputMode mode)
 {
     if (entry.dictionary) entry.dictionary->parent = this;
+    entry.given = ++given_;
     auto* before = findExact(entry.keyword);
     if (!before)
     {
@@ -149,14 +152,8 @@ void Node::add(DictionaryEntry entry, InputMode mode)
     else if (mode == InputMode::merge && !before->copied && !entry.copied && before->where.file == entry.where.file &&
              before->where.line != entry.where.line)
         diagnostics->warning(entry.where, previous + "; the last one counts");
-    const bool pattern = before->pattern != nullptr;
     entry.used = entry.used || before->used;
     *before = std::move(entry);
-    // Among patterns the last one wins, so a repeated pattern counts as new.
-    if (!pattern) return;
-    std::rotate(entries.begin() + (before - entries.data()), entries.begin() + (before - entries.data()) + 1, entries.end());
-    places_.clear();
-    placed_ = 0;
 }
 
 void Node::mergeCopies(const Node& other)

@@ -28,6 +28,8 @@ struct DictionaryEntry
     std::shared_ptr<Dictionary::Node> dictionary = nullptr;
     /// Set where the keyword was written in quotes: it then stands for all keywords that it matches.
     std::shared_ptr<const KeywordPattern> pattern = nullptr;
+    /// Counts the entries of its dictionary as they were given: among patterns the latest wins, though a repeated one keeps its place.
+    std::size_t given = 0;
     /// Where macros have taken its value: what they made of it stays, whatever becomes of the entry.
     std::vector<Location> taken = {};
 
@@ -38,6 +40,8 @@ struct DictionaryEntry
     /// Came from a file that the dictionary includes, and which may serve other dictionaries as well.
     bool included = false;
     bool used = false, ignored = false;
+    /// Came from a set of defaults, and not from the file (addDefaults).
+    bool isDefault = false;
 };
 
 /// Name of the dictionary and keyword of every look-up, where a test has set it that compares what is read with what is declared.
@@ -48,6 +52,8 @@ struct Dictionary::Node
     std::string name, keyword;
     Location where;
     std::shared_ptr<Diagnostics> diagnostics;
+    /// Paths may name it.
+    std::shared_ptr<const std::filesystem::path> caseFolder;
     /// Valid while parsing alone: macros search the enclosing dictionaries.
     Node* parent = nullptr;
     /// Added by `add` alone; `removeIf` removes.
@@ -92,7 +98,7 @@ struct Dictionary::Node
 private:
     /// Where keywords stand in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
     std::unordered_map<std::string, std::size_t> places_;
-    std::size_t placed_ = 0;
+    std::size_t placed_ = 0, given_ = 0;
 
     /// Names that were sought in vain below nodes, by their length: patterns could make the ways to read a name with dots countless.
     using Vain = std::set<std::pair<const Node*, std::size_t>>;

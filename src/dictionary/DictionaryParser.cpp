@@ -44,6 +44,7 @@ bool DictionaryParser::fits(int line, const Dictionary::Node::Extent& more)
 
 void DictionaryParser::parse(Dictionary::Node& into)
 {
+    top_ = &into;
     if (fits(1, {tokens_.size(), 1})) entries(into, nullptr);
     if (context_.open.size() <= 1) into.end = textSize_;
     for (const auto& branch : branches_) error(branch.line, fmt::format("#{} is never ended by #endif", branch.directive));
@@ -109,11 +110,17 @@ void DictionaryParser::entry(Dictionary::Node& scope, const Token& keyword, Inpu
     }
     if (!atEnd() && peek().is('{'))
     {
-        subDictionary(scope, std::move(e), mode);
+        if (isOthersHeader(scope, keyword)) skipBlock();
+        else subDictionary(scope, std::move(e), mode);
         return;
     }
     value(scope, e, keyword);
     scope.add(std::move(e), mode);
+}
+
+bool DictionaryParser::isOthersHeader(const Dictionary::Node& scope, const Token& keyword) const
+{
+    return context_.open.size() > 1 && &scope == top_ && keyword.text == "FoamFile";
 }
 
 void DictionaryParser::subDictionary(Dictionary::Node& scope, DictionaryEntry e, InputMode mode)
@@ -230,8 +237,9 @@ void DictionaryParser::listedDictionary(Dictionary::Node& scope, DictionaryEntry
     const Token& opening = tokens_[at_++];
     const bool named = tokens_[at_ - 2].isText() && !e.value.empty();
     const auto name = named ? e.value.back().text : std::to_string(unnamed++);
+    const auto written = named ? toString(e.value.back()) : "";
     if (named) e.value.pop_back();
-    Token t{.kind = Kind::dictionary, .text = named ? name : "", .line = opening.line, .lastLine = opening.line};
+    Token t{.kind = Kind::dictionary, .text = written, .line = opening.line, .lastLine = opening.line};
     t.dictionary = scope.child(e.keyword + "." + name, {file_, named ? tokens_[at_ - 2].line : opening.line});
     t.dictionary->keyword = name;
     if (fits(opening.line, {0, 1})) entries(*t.dictionary, &opening);

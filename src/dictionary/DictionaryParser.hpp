@@ -48,6 +48,8 @@ private:
     std::vector<Token> tokens_;
     std::size_t at_ = 0, textSize_, mostErrors_;
     std::vector<Branch> branches_;
+    /// The dictionary that the file's own entries go into.
+    const Dictionary::Node* top_ = nullptr;
     /// The first block whose closing brace stands elsewhere than its opening one: where a brace is missing, it is here.
     std::optional<std::string> suspect_;
     int suspectLine_ = 0;
@@ -64,6 +66,8 @@ private:
     void entries(Dictionary::Node& scope, const Token* opening);
     void entry(Dictionary::Node& scope, const Token& keyword, InputMode);
     void subDictionary(Dictionary::Node& scope, DictionaryEntry, InputMode);
+    /// The header of an included file is none of the dictionary's that includes it.
+    bool isOthersHeader(const Dictionary::Node& scope, const Token& keyword) const;
     void value(Dictionary::Node& scope, DictionaryEntry&, const Token& keyword);
     bool semicolonMissing(const Token& keyword, bool hasValue) const;
     void listedDictionary(Dictionary::Node& scope, DictionaryEntry&, std::size_t& unnamed);
@@ -79,6 +83,8 @@ private:
     void take(DictionaryEntry&, int line) const;
     ExpressionValue macroValue(Dictionary::Node& scope, const std::string& name, int line) const;
     void undefinedMacro(Dictionary::Node& scope, const Token& variable);
+    /// As a path may name it; nothing where there is no such entry. Throws PathError where it is more than one word.
+    std::optional<std::string> textOf(Dictionary::Node& scope, const std::string& name, int line) const;
 
     void directive(Dictionary::Node& scope, const Token& directive);
     void unsupported(const Token& directive);

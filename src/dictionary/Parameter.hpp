@@ -282,6 +282,19 @@ public:
     Text(std::string keyword, const Default<std::string>&, std::string meaning);
 };
 
+/// The path of a file in quotes, with variables and the names of folders in it as #include has them: "$FOAM_CASE/measured.csv",
+/// "<constant>/rock.stl". What is read is relative to a folder of the case.
+class FileName : public Text
+{
+    std::string folder_;
+    std::string read(const Dictionary& d, const std::string& harmless) const override { return d.getPath(keyword(), folder_, harmless); }
+
+public:
+    FileName(std::string keyword, std::string folder, const Default<std::string>& fallback, std::string meaning)
+        : Text(std::move(keyword), fallback, std::move(meaning)), folder_(std::move(folder))
+    {}
+};
+
 /// `(a b c)`; T: double, int, std::string, Vector<3>, std::vector<double>.
 template<class T> class ListOf : public ValueParameter<std::vector<T>>
 {

@@ -20,7 +20,7 @@ struct Token
         variable,    ///< $text or ${text}
         directive,   ///< #text
         punctuation, ///< one of ; { } ( ) , / =
-        dictionary   ///< { .. } inside a list, parsed
+        dictionary   ///< { .. } inside a list, parsed; the text is its name as it was written
     };
 
     Kind kind = Kind::word;

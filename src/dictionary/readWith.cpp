@@ -11,6 +11,7 @@ Dictionary readAs(const std::string& text, const std::filesystem::path& caseFold
 {
     auto d = Dictionary::empty(file, diagnostics);
     const auto path = caseFolder / file;
+    d.node().caseFolder = std::make_shared<const std::filesystem::path>(caseFolder);
     DictionaryParser::Context context{.caseFolder = caseFolder, .diagnostics = diagnostics};
     std::error_code none;
     context.open.push_back(std::filesystem::weakly_canonical(path, none));

@@ -22,8 +22,8 @@ const ListOf<double> strain{"strain", required, "what is reached one after anoth
     gamma{"gamma", required, "dv_x/dz t: what is reached one after another"},
     angle{"angle", required, "[degrees], what is reached one after another"};
 const Direction axis{"axis", Vector<3>{0, 1, 0}, "that the soil turns about"};
-const Text path{"file", required,
-                "table with columns of xx xy xz yy yz zz, strains from the start on, extension positive; what has no column is 0"};
+const FileName path{"file", "", required,
+                    "table with columns of xx xy xz yy yz zz, strains from the start on, extension positive; what has no column is 0"};
 const Switch plots{"plots", true, "draw the tests, by gnuplot"};
 
 const SubDictionary calibration{"calibration", notGiven,
@@ -36,8 +36,9 @@ const Scalar lateral{"pressure", units::pressure, required, positive, "lateral"}
     peak{"peak", units::pressure, byScene("needed without file"), positive, "largest deviator"},
     peakVolumeSlope{"peakVolumeSlope", units::none, byScene("needed without file"), Range{-10, 1, true, false},
                     "d(volume strain)/d(axial strain) at the peak: negative where the soil dilates"};
-const Text measured{"file", byScene("the four figures"),
-                    "table with columns axialStrain, q [Pa], volumeStrain, compression positive, up to the peak; all of its points count"};
+const FileName measured{
+    "file", "", byScene("the four figures"),
+    "table with columns axialStrain, q [Pa], volumeStrain, compression positive, up to the peak; all of its points count"};
 }
 
 namespace

@@ -123,6 +123,8 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     {
         wall.omega = entry::omega(dict);
         wall.origin = entry::origin(dict);
+        if (entry::origin.given(dict) && !entry::omega.given(dict))
+            entry::origin.error(dict, "does nothing without omega: the wall does not turn. Give omega, or leave origin out");
         if (dimension == 2 && (wall.omega.x != 0 || wall.omega.y != 0))
             entry::omega.error(dict,
                                fmt::format("in 2-D a wall turns about z: the x and y components of \"omega\" must be 0, found {} and {}",

@@ -6,7 +6,7 @@ namespace sph
 
 namespace entry
 {
-const Text file{"file", required, "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb"};
+const FileName file{"file", "constant/triSurface", required, "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb"};
 const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the outermost surfaces on which the fluid is; nested ones alternate"};
 const Scalar scale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
 const SubDictionary rotation{"rotation", notGiven, "about the origin of the file's coordinates, after scaling"};

@@ -4,6 +4,7 @@
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 
@@ -16,7 +17,12 @@ const Switch angularMomentum{"angularMomentum", false, "the angular momentum as 
 }
 
 Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
-    : context_(context), phases_(context.phases), angular_(entry::angularMomentum(d)), origin_(entry::origin(d)), where_(d.location())
+    : context_(context),
+      phases_(context.phases),
+      angular_(entry::angularMomentum(d)),
+      origin_(entry::origin(d)),
+      where_(d.location()),
+      isClosed_(context.geometry.patches.empty())
 {}
 
 EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }
@@ -55,8 +61,15 @@ Conservation::Motion& Conservation::Motion::operator+=(const Motion& other)
 void Conservation::execute(const ParticleView& view)
 {
     last_ = sums(view, origin_, where_);
-    if (!first_) first_ = last_;
-    largestKinetic_ = std::max(largestKinetic_, last_.kineticEnergy);
+    supply_ = view.supply;
+    if (!first_)
+    {
+        first_ = last_;
+        firstSupply_ = supply_;
+    }
+    const auto since = given();
+    mostMomentum_ = std::max({mostMomentum_, last_.momentumScale, mag(since.impulse)});
+    mostEnergy_ = std::max({mostEnergy_, last_.kineticEnergy, std::abs(since.work)});
     if (!table_)
     {
         std::vector<std::string> columns;
@@ -75,12 +88,25 @@ void Conservation::execute(const ParticleView& view)
     table_->row(view.time, cells);
 }
 
+/// Since the first sample.
+Supply Conservation::given() const
+{
+    if (!supply_ || !firstSupply_) return {};
+    return {supply_->impulse - firstSupply_->impulse, supply_->work - firstSupply_->work, supply_->stored - firstSupply_->stored};
+}
+
 Histories Conservation::histories() const
 {
     if (!first_) return {};
     const auto& p = first_->momentum;
-    return {{"firstMass", first_->mass},
-            {"first", {p.x, p.y, p.z, first_->kineticEnergy, first_->potentialEnergy, first_->momentumScale, largestKinetic_}}};
+    Histories stored{{"firstMass", first_->mass},
+                     {"first", {p.x, p.y, p.z, first_->kineticEnergy, first_->potentialEnergy, mostMomentum_, mostEnergy_}}};
+    if (firstSupply_)
+    {
+        const auto& i = firstSupply_->impulse;
+        stored["firstSupply"] = {i.x, i.y, i.z, firstSupply_->work, firstSupply_->stored};
+    }
+    return stored;
 }
 
 void Conservation::restore(const Histories& stored)
@@ -92,21 +118,32 @@ void Conservation::restore(const Histories& stored)
     sums.momentum = {q[0], q[1], q[2]};
     sums.kineticEnergy = q[3];
     sums.potentialEnergy = q[4];
-    sums.momentumScale = q[5];
     sums.mass = mass->second;
     first_ = sums;
-    largestKinetic_ = q[6];
+    mostMomentum_ = q[5];
+    mostEnergy_ = q[6];
+    const auto supply = stored.find("firstSupply");
+    if (supply == stored.end() || supply->second.size() != 5) return;
+    const auto& s = supply->second;
+    firstSupply_ = Supply{{s[0], s[1], s[2]}, s[3], s[4]};
 }
 
 std::string Conservation::report() const
 {
     if (!first_) return "";
     const auto total = [](const Sums& s) { return std::accumulate(s.mass.begin(), s.mass.end(), 0.0); };
-    const double energy = last_.kineticEnergy + last_.potentialEnergy - first_->kineticEnergy - first_->potentialEnergy;
-    return fmt::format("{}: relative change of mass {:.3g}, momentum {:.3g}, energy {:.3g}", context_.name,
-                       relativeTo(total(*first_), total(last_) - total(*first_)),
-                       relativeTo(std::max(first_->momentumScale, last_.momentumScale), mag(last_.momentum - first_->momentum)),
-                       relativeTo(largestKinetic_, energy));
+    const auto mass =
+        fmt::format("{}: relative change of mass {:.3g}", context_.name, relativeTo(total(*first_), total(last_) - total(*first_)));
+    const auto momentum = last_.momentum - first_->momentum;
+    const double motion = last_.kineticEnergy - first_->kineticEnergy;
+    if (!supply_)
+        return fmt::format("{}; change of momentum {:.3g} kg m/s, of kinetic and potential energy {:.3g} J, by all forces", mass,
+                           mag(momentum), motion + last_.potentialEnergy - first_->potentialEnergy);
+    const auto since = given();
+    const double unbalanced = relativeTo(mostEnergy_, motion + since.stored - since.work);
+    return fmt::format("{}, of momentum {:.3g} beyond the impulse of gravity and body force{}, of energy {:.3g} beyond their work{}", mass,
+                       relativeTo(mostMomentum_, mag(momentum - since.impulse)), isClosed_ ? "" : " (walls and openings)", unbalanced,
+                       unbalanced < 0 ? " (dissipated)" : "");
 }
 
 }

@@ -13,7 +13,7 @@ namespace sph
 
 namespace entry
 {
-const Text file{"file", required, "table, relative to the case; its first line names the columns, # begins a note"};
+const FileName file{"file", "", required, "table, relative to the case; its first line names the columns, # begins a note"};
 const SubDictionary columns{"columns", required, "names of the columns"}, units{"units", byScene("1 each"), "SI value of 1 in each column"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
 const Word coordinate{"coordinate", required, "column of the coordinate"},

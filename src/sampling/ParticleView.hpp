@@ -3,11 +3,20 @@
 #include "Cloud.hpp"
 #include "Geometry.hpp"
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace sph
 {
+
+/// What forces have given the fluid since the start of the run, and what it stores beside motion.
+struct Supply
+{
+    Vector<3> impulse; ///< of gravity and body force [kg m/s]
+    double work = 0;   ///< of gravity, of the body force and of models [J]
+    double stored = 0; ///< energy of interfaces and of compression [J]
+};
 
 struct ParticleView
 {
@@ -26,6 +35,7 @@ struct ParticleView
     std::string kernel;
     const Geometry* geometry = nullptr;
 
+    std::optional<Supply> supply;          ///< none of stored times, which do not know it
     std::map<std::string, double> numbers; ///< that models tell of the whole scene, by name (Part::columns)
 
     double time = 0, deltaT = 0, executionTime = 0;

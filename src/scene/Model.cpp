@@ -1,4 +1,5 @@
 #include "Model.hpp"
+#include "addDefaults.hpp"
 #include <fmt/format.h>
 
 namespace sph
@@ -13,6 +14,12 @@ void Reading::belongs(const Parameter& entry, const Parameter& to) const
 {
     if (entry.given(schemes) && !to.given(schemes))
         entry.error(schemes, fmt::format("does nothing without {}; give that a value, or leave this out", to.keyword()));
+}
+
+void Reading::doesNothing(const Parameter& entry, const std::string& why) const
+{
+    if (entry.given(schemes) && !isDefault(schemes, entry.keyword()))
+        entry.error(schemes, fmt::format("{} does nothing here: {}; leave it out", entry.keyword(), why));
 }
 
 }

@@ -25,6 +25,8 @@ struct Reading
     void select(const std::string& term) const { settings.terms.push_back(term); }
     /// An entry that does nothing without another one.
     void belongs(const Parameter& entry, const Parameter& to) const;
+    /// An entry of the user's that does nothing in this scene is an error, which says why: "no phase has mu".
+    void doesNothing(const Parameter& entry, const std::string& why) const;
 };
 
 /// Two choices that do not go together: an error at the first, which says why.

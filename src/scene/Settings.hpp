@@ -10,6 +10,7 @@
 #include "State.hpp"
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -75,9 +76,10 @@ struct Settings
     /// Fields of models that the scene does not have, and what to say where a dictionary gives one.
     std::map<std::string, std::string> absent;
 
-    Leaked leaked = Leaked::putBack; ///< what becomes of particles in a solid
-    bool variableViscosity = false;  ///< viscosity is a field
-    bool integratedDensity = false;  ///< density evolves
+    Leaked leaked = Leaked::putBack;                     ///< what becomes of particles in a solid
+    std::vector<std::optional<Location>> automaticSound; ///< of each phase: where the choice of its sound speed is left to the suite
+    bool variableViscosity = false;                      ///< viscosity is a field
+    bool integratedDensity = false;                      ///< density evolves
     bool normaliseDensity = true;
     bool stiffnessLimit = false;      ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
     bool surfaceTension = false;      ///< acts between phases

@@ -11,6 +11,10 @@ namespace sph
 
 namespace
 {
+constexpr std::pair<const char*, double Vector<3>::*> impulseComponents[]{{"impulseX", &Vector<3>::x},
+                                                                          {"impulseY", &Vector<3>::y},
+                                                                          {"impulseZ", &Vector<3>::z}};
+
 template<int dim> const double* componentOf(const Particles<dim>& particles, const char* name, int c = 0)
 {
     return particles.store().fields().at(name).component[std::size_t(c)].data();
@@ -38,7 +42,8 @@ EnergyBalance<dim>::EnergyBalance(const Particles<dim>& particles, const Setting
                                   const Summary& summary)
     : settings_(settings)
 {
-    given_ = summary.kineticEnergy + interfaces(particles) + compression(particles, summary) + walls(particles, geometry, summary);
+    given_ = summary.kineticEnergy + interfaces(particles) + compression(particles) + allowance(particles, summary) +
+             walls(particles, geometry, summary);
 }
 
 template<int dim> void EnergyBalance<dim>::addWork(double work)
@@ -52,6 +57,7 @@ template<int dim> void EnergyBalance<dim>::save(Numbers& numbers) const
     numbers["energyGiven"] = given_;
     numbers["work"] = work_;
     numbers["mostWork"] = mostWork_;
+    for (const auto& [name, c] : impulseComponents) numbers[name] = impulse_.*c;
 }
 
 template<int dim> void EnergyBalance<dim>::restore(const Numbers& numbers)
@@ -61,6 +67,8 @@ template<int dim> void EnergyBalance<dim>::restore(const Numbers& numbers)
     given_ = given->second;
     work_ = work->second;
     mostWork_ = most->second;
+    for (const auto& [name, c] : impulseComponents)
+        if (const auto found = numbers.find(name); found != numbers.end()) impulse_.*c = found->second;
 }
 
 template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& particles) const
@@ -84,7 +92,20 @@ template<int dim> double EnergyBalance<dim>::interfaces(const Particles<dim>& pa
     return 0.5 * twice / norm;
 }
 
-template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& particles, const Summary& summary) const
+template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& particles) const
+{
+    const auto& c = settings_.coefficients;
+    const double *m = componentOf(particles, Mass::info.name), *rho = componentOf(particles, Density::info.name);
+    const double* phase = settings_.multiphase() ? componentOf(particles, Phase::info.name) : nullptr;
+    return sum(particles.size(),
+               [&](std::size_t i)
+               {
+                   const std::size_t k = phase ? std::size_t(phase[i]) : 0;
+                   return m[i] * compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]);
+               });
+}
+
+template<int dim> double EnergyBalance<dim>::allowance(const Particles<dim>& particles, const Summary& summary) const
 {
     const double slack = 0.02, noise = 0.01; // of the background pressure; Mach number
     const double mostBackground =
@@ -94,14 +115,7 @@ template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& p
     for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k] * sqr(c.soundSpeed[k]));
     const double background = std::min(std::fabs(c.backgroundPressure), mostBackground * stiffest);
     const double *m = componentOf(particles, Mass::info.name), *rho = componentOf(particles, Density::info.name);
-    const double* phase = settings_.multiphase() ? componentOf(particles, Phase::info.name) : nullptr;
-    double total =
-        sum(particles.size(),
-            [&](std::size_t i)
-            {
-                const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-                return m[i] * (compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]) + slack * background / rho[i]);
-            });
+    double total = slack * background * sum(particles.size(), [&](std::size_t i) { return m[i] / rho[i]; });
     for (std::size_t k = 0; k < c.phases.size(); ++k) total += 0.5 * summary.mass[k] * sqr(noise * c.soundSpeed[k]);
     return total;
 }

@@ -13,7 +13,8 @@
 ///
 ///   A_kl = sum_(i of k, j of l) V_i V_j/(2 H^3/3) in 2-D, /(pi H^4/4) in 3-D
 ///
-/// exact for plane interfaces, and rising with every particle that strays into the other phase. A restarted run goes on with the account of
+/// exact for plane interfaces, and rising with every particle that strays into the other phase. The impulse of gravity and body force is kept beside
+/// their work, for whoever balances momentum (function object conservation). A restarted run goes on with the account of
 /// the time folder, where the forces are those that it was written with; else it begins a new one.
 #pragma once
 #include "Particles.hpp"
@@ -26,21 +27,25 @@ template<int dim> class EnergyBalance
 {
     const Settings& settings_;
     double given_, work_ = 0, mostWork_ = 0;
+    Vector<3> impulse_;
 
     double interfaces(const Particles<dim>&) const;
-    double compression(const Particles<dim>&, const Summary&) const;
+    double compression(const Particles<dim>&) const;
+    /// What a lattice may yield under the background pressure, and sound that any start makes.
+    double allowance(const Particles<dim>&, const Summary&) const;
     double walls(const Particles<dim>&, const Geometry&, const Summary&) const;
 
 public:
     /// At the start of a run. The settings must outlive it.
     EnergyBalance(const Particles<dim>&, const Settings&, const Geometry&, const Summary&);
     void addWork(double work);
+    void addImpulse(const Vector<3>& impulse) { impulse_ += impulse; }
     /// The account, for a restart.
     void save(Numbers&) const;
     void restore(const Numbers&);
     Energy at(const Particles<dim>& particles, const Summary& summary) const
     {
-        return {summary.kineticEnergy + interfaces(particles), given_ + mostWork_};
+        return {summary.kineticEnergy, interfaces(particles), compression(particles), given_ + mostWork_, work_, impulse_};
     }
 };
 

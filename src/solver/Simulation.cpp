@@ -82,6 +82,7 @@ template<int dim> class Simulation final : public AnySimulation
         const double power = summary_.power;
         summary_ = measured();
         energy_.addWork(0.5 * (power + summary_.power) * deltaT);
+        energy_.addImpulse(deltaT * summary_.force);
         for (const auto& part : particles_.parts()) energy_.addWork(part->power() * deltaT);
     }
 

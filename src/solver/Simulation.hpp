@@ -16,19 +16,23 @@ namespace sph
 struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
-    double power = 0; ///< of gravity and body force [W]
-    Vector<3> momentum;
+    double power = 0;                                             ///< of gravity and body force [W]
+    Vector<3> momentum, force;                                    ///< [kg m/s]; of gravity and body force [N]
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf; ///< of each phase
     std::vector<std::size_t> count;
     Numbers columns; ///< of the models, by name
     bool finite = true;
 };
 
-/// Kinetic and surface energy, and the most that the scene can have supplied since the start [J]; per metre of depth in 2-D
-/// (EnergyBalance.hpp).
+/// What the fluid holds and what it was given (EnergyBalance.hpp); per metre of depth in 2-D.
 struct Energy
 {
-    double held = 0, supplied = 0;
+    double kinetic = 0, interfaces = 0, compression = 0; ///< [J]
+    double supplied = 0;                                 ///< the most that the scene can have given since the start [J]
+    double work = 0;                                     ///< since the start, of gravity, of the body force and of models [J]
+    Vector<3> impulse;                                   ///< since the start, of gravity and body force [kg m/s]
+
+    double held() const { return kinetic + interfaces; }
 };
 
 /// What an application sees of a simulation, whatever its dimension.

@@ -46,11 +46,11 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
     Expected most;
     const auto expected = entry::expected(dict);
     const double depth = entry::depth(expected), radius = entry::radius(expected);
+    double gamma = 0;
+    for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     most.consider(entry::velocity(expected), "the expected velocity");
     most.consider(std::sqrt(mag(c.g) * depth), "the hydrostatic pressure over the expected depth");
     most.consider(std::sqrt(entry::pressure(expected) / rho), "the expected pressure difference");
-    double gamma = 0;
-    for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     if (radius > 0) most.consider(std::sqrt(gamma / (rho * radius)), "the capillary pressure at the expected radius");
     return most;
 }
@@ -84,6 +84,17 @@ void readSurfaceTension(const Dictionary& dict, Coefficients& c)
                            fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
 }
 
+/// Lengths from which no velocity follows.
+void checkExpected(const Dictionary& dict, const Coefficients& c)
+{
+    const auto expected = entry::expected(dict);
+    const bool hasTension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
+    if (entry::depth.given(expected) && !(mag(c.g) > 0))
+        entry::depth.error(expected, "depth does nothing without gravity, `value` of constant/g: give that, or leave depth out");
+    if (entry::radius.given(expected) && !hasTension)
+        entry::radius.error(expected, "radius does nothing without sigma between two phases: give that, or leave radius out");
+}
+
 std::string readShaking(const Dictionary& g, int dimension)
 {
     const auto text = entry::shaking(g, "");
@@ -114,6 +125,30 @@ EntryList phaseEntries()
 }
 EntryList gravityEntries() { return {entry::dimensions, entry::gravity, entry::shaking}; }
 
+/// A phase whose rho c^2 a pressure exceeds changes its density by a third and more (Tait's law, n = 7). What `expected` implies are pressures of the flow; those of a
+/// band of interface are there besides, however slow the flow.
+void warnOfSoftPhases(const Case& theCase, const Settings& settings)
+{
+    const auto& c = settings.coefficients;
+    if (!settings.surfaceTension) return;
+    const double capillary = (*std::ranges::max_element(c.surfaceTension)) / c.spacing;
+    const double most = std::max(std::abs(c.backgroundPressure), capillary);
+    for (std::size_t k = 0; k < c.phases.size(); ++k)
+    {
+        const double stiffness = c.restDensity[k] * sqr(c.soundSpeed[k]);
+        const auto& where = settings.automaticSound[k];
+        if (!where || !(stiffness < most)) continue;
+        theCase.diagnostics().warning(
+            *where,
+            fmt::format(
+                "the automatic sound speed of {}, {:.4g} m/s, makes rho c^2 {:.3g} Pa, and the background pressure is {:.3g} Pa, the capillary pressure "
+                "sigma/spacing {:.3g} Pa: its density will vary by a third and more. A soundSpeed of {:.3g} m/s keeps it within 1 %, one of {:.3g} "
+                "m/s within 10 %",
+                c.phases[k], c.soundSpeed[k], stiffness, c.backgroundPressure, capillary, 10 * std::sqrt(most / c.restDensity[k]),
+                std::sqrt(10 * most / c.restDensity[k])));
+    }
+}
+
 void readPhases(const Case& theCase, Settings& settings)
 {
     auto& c = settings.coefficients;
@@ -137,6 +172,7 @@ void readPhases(const Case& theCase, Settings& settings)
     {
         const auto phase = dict.subDict(name);
         const double rho = entry::rho(phase);
+        settings.automaticSound.emplace_back();
         c.restDensity.push_back(rho);
         c.viscosity.push_back(entry::mu(phase));
         if (entry::stress(phase) == byLaw)
@@ -150,6 +186,7 @@ void readPhases(const Case& theCase, Settings& settings)
         if (const auto given = entry::soundSpeed(phase)) sound = *given;
         else
         {
+            settings.automaticSound.back() = entry::soundSpeed.given(phase) ? entry::soundSpeed.where(phase) : phase.location();
             const auto most = expectedVelocity(dict, c, rho);
             sound = 10 * most.velocity;
             if (most.velocity > 0)
@@ -170,9 +207,11 @@ void readPhases(const Case& theCase, Settings& settings)
         c.exponent.push_back(exponent);
         c.stiffness.push_back(rho * sqr(sound) / exponent);
     }
+    if (std::ranges::any_of(settings.automaticSound, [](const auto& where) { return where.has_value(); })) checkExpected(dict, c);
     if (c.phases.empty()) // an error by now: a harmless one for what reads on
     {
         c.phases = {"fluid"};
+        settings.automaticSound.resize(1);
         c.surfaceTension = {0};
         c.viscosity = {0};
         c.restDensity = c.soundSpeed = c.exponent = c.stiffness = {1};

@@ -104,6 +104,12 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (const auto* model : models())
         for (const auto& conflict : model->conflicts)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
+    warnOfSoftPhases(theCase, settings);
+    if (theCase.has("constant/soilProperties") && !settings.has(entry::stress.keyword(), byLaw))
+        theCase.diagnostics().error(
+            {"constant/soilProperties", 0},
+            "does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`. Give it to one, or take "
+            "the file away");
     dict.reportUnused();
     return settings;
 }

@@ -12,8 +12,8 @@ template<> struct OfRanks<Summary>
 {
     static void forEachNumber(auto& s, const auto& f)
     {
-        for (auto* q :
-             {&s.maxAcceleration, &s.maxSlowAcceleration, &s.kineticEnergy, &s.power, &s.momentum.x, &s.momentum.y, &s.momentum.z})
+        for (auto* q : {&s.maxAcceleration, &s.maxSlowAcceleration, &s.kineticEnergy, &s.power, &s.momentum.x, &s.momentum.y, &s.momentum.z,
+                        &s.force.x, &s.force.y, &s.force.z})
             f(*q);
         for (auto* of : {&s.mass, &s.minDensity, &s.maxDensity, &s.maxSpeedOf})
             for (auto& q : *of) f(q);
@@ -74,7 +74,11 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
                 }
                 s.kineticEnergy += 0.5 * m[i] * dot(v_i, v_i);
                 s.momentum += m[i] * in3D(v_i);
-                if (driven) s.power += m[i] / rho[i] * dot(force, in3D(v_i));
+                if (driven)
+                {
+                    s.power += m[i] / rho[i] * dot(force, in3D(v_i));
+                    s.force += m[i] / rho[i] * force;
+                }
                 s.mass[k] += m[i];
                 ++s.count[k];
                 smaller(s.minDensity[k], rho[i]);
@@ -92,6 +96,7 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
             sum.kineticEnergy += s.kineticEnergy;
             sum.momentum += s.momentum;
             sum.power += s.power;
+            sum.force += s.force;
             for (std::size_t k = 0; k < phases; ++k)
             {
                 sum.mass[k] += s.mass[k];
@@ -102,6 +107,7 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
             }
         });
     total.power += dot(c.g, total.momentum);
+    for (const double mass : total.mass) total.force += mass * c.g;
     for (const double speed : total.maxSpeedOf) larger(total.maxSpeed, speed);
     for (const auto& part : particles.parts()) total.columns.merge(part->columns(particles));
     const auto finite = [](double q) { return std::isfinite(q); };

@@ -15,7 +15,7 @@ namespace sph
 
 namespace entry
 {
-const Text baseCase{"baseCase", ".", "the case that is run"};
+const FileName baseCase{"baseCase", "", ".", "the case that is run"};
 const ListOf<double> resolutions{"resolutions", required, "$n is one of these at a time"};
 const SubDictionary setResolution{"setResolution", byScene("nothing, of one resolution alone"),
                                   "what a resolution means: entries of the case's files, as of $n"},

@@ -117,6 +117,50 @@ TEST(Runs, WithAFixedStepBeyondTheLimit)
         << found[0];
 }
 
+// A dry run says how many steps the run will take, exactly where they are fixed, and how long that is; and leaves the case as it was.
+TEST(Runs, DryOnesEstimateTheirSteps)
+{
+    Damaged c;
+    c.replace("system/controlDict", "adjustTimeStep yes;", "adjustTimeStep no; deltaT 0.0005;");
+    const auto before = c.files(".");
+    const auto log = c.runWell("sphFoamLike", "-dry-run");
+    EXPECT_TRUE(std::regex_search(
+        log, std::regex("Estimate  : [-+.0-9e]+ s of clock a step, 0.0005 s of the run, by 39 steps in memory; 40 steps to endTime 0.04 s: "
+                        "[-+.0-9e]+ s, if steps stay as they are at the start. Nothing was written\n$")))
+        << log;
+    EXPECT_EQ(difference(before, c.files(".")), "");
+    c.replace("system/controlDict", "endTime 0.04", "endTime 10000.02");
+    EXPECT_NE(c.runWell("sphFoamLike", "-dry-run").find("by 50 steps in memory; 2e+07 steps to endTime 10000 s: "), std::string::npos);
+}
+
+// A time from 10^5 s on whose 6 digits would be those of another one has a folder of its own name, from which the run goes on as if it had not been
+// stopped: the last folders of both are the same to the last byte.
+TEST(Runs, RestartAtLateTimes)
+{
+    const auto late = [](const std::string& end)
+    {
+        Files files = channelCase();
+        auto& control = files["system/controlDict"];
+        control.replace(control.find("startFrom latestTime; startTime 0"), 33, "startFrom latestTime; startTime 100000");
+        control.replace(control.find("0.08"), 4, end);
+        return files;
+    };
+    const TestCase whole(late("100000.04")), parts(late("100000.02"));
+    for (const auto* c : {&whole, &parts})
+    {
+        c->runWell("packParticles");
+        c->runWell("meshToGhost");
+        std::filesystem::rename(c->folder() / "0", c->folder() / "100000");
+        c->runWell("sphFoamLike");
+    }
+    ASSERT_TRUE(whole.has("100000.02") && whole.has("100000.04") && parts.has("100000.02"));
+    EXPECT_EQ(difference(whole.files("100000.02"), parts.files("100000.02")), "");
+    parts.replace("system/controlDict", "endTime 100000.02", "endTime 100000.04");
+    parts.replace("system/controlDict", "startFrom latestTime; startTime 100000;", "startFrom startTime; startTime 100000.02;");
+    parts.runWell("sphFoamLike");
+    EXPECT_EQ(difference(whole.files("100000.04"), parts.files("100000.04")), "");
+}
+
 // A shear flow compresses nothing: rows that slide ever faster are known by their speed alone.
 TEST(Runs, WithViscosityUnstableInAShearFlow)
 {

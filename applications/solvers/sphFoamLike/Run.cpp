@@ -8,6 +8,7 @@
 #include "stopSignals.hpp"
 #include "viewOfScene.hpp"
 #include "wallLayers.hpp"
+#include "words.hpp"
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -31,9 +32,13 @@ constexpr double mostMach = 20;
 
 /// Energy held over the most that the scene can have supplied, beyond which the log warns, and beyond which a solution is rubbish; looked
 /// at every so many steps, for it takes a loop over pairs.
-constexpr double suspectEnergy = 1.5, mostEnergy = 5;
+constexpr double suspectEnergy = 1.01, mostEnergy = 5; // beyond an upper bound by more than it may be off
 constexpr long energySteps = 100;
 constexpr int tracedForEnergy = 200; // some periods of the sound of a few spacings
+
+/// Steps that a dry run measures, at most: they build lists several times. No further one begins after so long [s].
+constexpr int mostOfBurst = 50;
+constexpr double burstTime = 3;
 
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
@@ -49,6 +54,13 @@ std::string hostName()
     char name[256] = {};
     gethostname(name, sizeof name - 1);
     return name;
+}
+
+std::string durationInWords(double seconds)
+{
+    if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.2g} minutes", seconds / 60);
+    return fmt::format("{:.3g} hours", seconds / 3600);
 }
 
 std::string banner(const std::filesystem::path& folder)
@@ -172,7 +184,34 @@ void Run::reportPlan() const
                         simulation_->bytesPerParticle());
 }
 
-void Run::printPlan() const { reportPlan(); }
+double Run::advance(const StepLimit& limit)
+{
+    const double deltaT = nextDeltaT(limit);
+    simulation_->step(time_.value(), deltaT);
+    time_.advance(deltaT);
+    check(limit);
+    warnOfCompression();
+    return deltaT;
+}
+
+void Run::dryRun()
+{
+    reportPlan();
+    if (!time_.running()) return;
+    // The first step has what no other one has: memory is touched for the first time.
+    advance(simulation_->stepLimit());
+    const double from = time_.value(), clock = clock_.clockTime();
+    const auto elapsed = [&] { return ofFirst(clock_.clockTime()) - clock; };
+    int steps = 0;
+    for (; time_.running() && steps < mostOfBurst && (steps == 0 || elapsed() < burstTime); ++steps) advance(simulation_->stepLimit());
+    if (steps == 0) return;
+    const double each = elapsed() / steps, deltaT = (time_.value() - from) / steps;
+    log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by {} steps in memory", each, deltaT, steps);
+    if (const double left = time_.endTime() - time_.startTime(); left < 1e30)
+        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start", std::ceil(left / deltaT - 1e-6),
+                            time_.endTime(), durationInWords(each * left / deltaT));
+    log_ << ". Nothing was written\n";
+}
 
 void Run::check(const StepLimit& limit) const
 {
@@ -275,12 +314,13 @@ void Run::checkEnergy()
 {
     if (!settings_.integration.moves) return;
     energy_ = simulation_->energy();
-    const double share = energy_.held / energy_.supplied;
+    const double share = energy_.held() / energy_.supplied;
     const auto what = [&]
     {
         return fmt::format(
-            "the fluid holds {:.3g} J of kinetic and surface energy at time {}, {:.3g} times all that the scene can have supplied",
-            energy_.held, time_.name(), share);
+            "the fluid holds {:.3g} J at time {}, {:.3g} J of motion and {:.3g} J of interfaces, {:.3g} times all that the scene "
+            "can have supplied",
+            energy_.held(), time_.name(), energy_.kinetic, energy_.interfaces, share);
     };
     const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.energyAdvice);
     if (share > mostEnergy) throw DivergedError(fmt::format("{}{}. {}", what(), tracedSteps_ > 0 ? "; " + sourceOfEnergy() : "", advice));
@@ -294,7 +334,7 @@ void Run::traceEnergy(double deltaT)
     if (!warnedOfEnergy_ || tracedSteps_ == tracedForEnergy) return;
     if (tracedSteps_++ == 0) tracedFrom_ = time_.name();
     for (const auto& [operation, power] : simulation_->powers()) work_[operation] += power * deltaT;
-    if (tracedSteps_ == tracedForEnergy) log_ << fmt::format("--> Warning: {}\n", sourceOfEnergy());
+    if (tracedSteps_ == tracedForEnergy || !time_.running()) log_ << fmt::format("--> Warning: {}\n", sourceOfEnergy());
 }
 
 std::string Run::sourceOfEnergy() const
@@ -302,10 +342,13 @@ std::string Run::sourceOfEnergy() const
     std::vector<std::pair<double, std::string>> all;
     for (const auto& [operation, work] : work_) all.emplace_back(work, operation);
     std::sort(all.rbegin(), all.rend());
-    std::string others;
-    for (std::size_t k = 1; k < all.size(); ++k) others += fmt::format("{}{} {:.3g} J", k > 1 ? ", " : "", all[k].second, all[k].first);
-    return fmt::format("what feeds it is {}, with {:.3g} J of work in {} steps since time {} ({})", all[0].second, all[0].first,
-                       tracedSteps_, tracedFrom_, others);
+    std::vector<std::string> each;
+    for (const auto& [work, operation] : all) each.push_back(fmt::format("{} {:.3g} J", operation, work));
+    const bool fed = !all.empty() && all.front().first > 0;
+    return fmt::format("{}, by their work in {} steps since time {}: {}",
+                       fed ? fmt::format("what feeds it is {}", all.front().second)
+                           : "nothing feeds it any more, all operations take energy",
+                       tracedSteps_, tracedFrom_, list(each));
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const
@@ -319,7 +362,7 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected =
         done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock * std::max(0.0, span / done - 1)) : "";
-    const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held / energy_.supplied) : "";
+    const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held() / energy_.supplied) : "";
     log_ << fmt::format(
         "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
@@ -342,6 +385,8 @@ ParticleView Run::view(WholeCloud& cloud) const
     v.volume = cloud.whole(simulation_->field("V")).component[0];
     v.phase = cloud.whole(simulation_->field("phase")).component[0];
     v.numbers = simulation_->summary().columns;
+    const auto energy = simulation_->energy();
+    v.supply = Supply{energy.impulse, energy.work, energy.interfaces + energy.compression};
     v.time = time_.value();
     v.deltaT = time_.deltaT();
     v.executionTime = Clock::executionTime();
@@ -423,11 +468,7 @@ void Run::solve()
     warnOfCompression();
     while (time_.running())
     {
-        const double deltaT = nextDeltaT(limit);
-        simulation_->step(time_.value(), deltaT);
-        time_.advance(deltaT);
-        check(limit);
-        warnOfCompression();
+        const double deltaT = advance(limit);
         noteLeaks();
         traceEnergy(deltaT);
         if (ofAllRanks(double(stopRequested), 0.0, Larger{}) > 0) time_.stopNow();

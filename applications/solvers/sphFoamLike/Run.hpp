@@ -23,7 +23,8 @@ public:
     /// Reads everything; throws CaseError with all mistakes of the case at once. A parallel run of a decomposed case is one of its processor folders.
     Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parallel);
 
-    void printPlan() const;
+    /// Prints the plan and, by a few steps in memory, how long the run would take. Writes nothing.
+    void dryRun();
     /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends.
     void solve();
 
@@ -51,6 +52,8 @@ private:
     Cloud readCloud() const;
     void warnOfFewParticles() const;
     void reportPlan() const;
+    /// A step, looked at; returns its length [s].
+    double advance(const StepLimit&);
     void reportStep(const StepLimit&, double deltaT) const;
     /// Throws DivergedError where the state is none of a weakly compressible fluid.
     void check(const StepLimit&) const;

@@ -16,7 +16,8 @@ int main(int argc, char** argv)
         "sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
         [&](CLI::App& app)
         {
-            app.add_flag("--dry-run", dryRun, "Print the plan (passes, fields, memory, what was left out) and stop");
+            app.add_flag("--dry-run", dryRun,
+                         "Print the plan (passes, fields, memory, what was left out) and how long the run would take, and stop");
             app.add_flag("--parallel", parallel, "Share the particles between the processes that mpirun has started");
         },
         [&](const std::filesystem::path& caseFolder)
@@ -30,7 +31,7 @@ int main(int argc, char** argv)
                 std::optional<sph::CaseLock> lock;
                 if (first && !dryRun) lock.emplace(caseFolder, "sphFoamLike");
                 sph::Run run(caseFolder, first ? std::cout : nowhere, parallel);
-                if (dryRun) run.printPlan();
+                if (dryRun) run.dryRun();
                 else run.solve();
             }
             catch (...)

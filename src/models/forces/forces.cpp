@@ -25,6 +25,9 @@ void read(const Reading& reading)
     if (mag(settings.coefficients.bodyForce) > 0) reading.select("bodyForce");
     const auto damping = entry::damping(reading.schemes.subDictOrEmpty("integration"));
     const double rate = entry::rate(damping), until = entry::until(damping);
+    if ((rate > 0) != (until > 0))
+        (rate > 0 ? entry::rate : entry::until)
+            .error(damping, rate > 0 ? "does nothing without `until`, the time at which damping ends" : "does nothing without `rate`");
     if (until > 0) settings.parts.push_back(partOf<Damping>(rate, until));
 }
 }

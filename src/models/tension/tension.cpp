@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace sph
 {
@@ -40,11 +41,27 @@ bool hasTension(const Coefficients& c)
     return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
 }
 
+/// An angle is one of an interface that has a tension.
+void refuseAngles(const Reading& reading, const std::string& why)
+{
+    std::set<std::string> said;
+    for (const auto& wall : reading.geometry.walls)
+        if (wall.wets && said.insert(toString(wall.anglesAt)).second)
+            reading.theCase.diagnostics().error(wall.anglesAt,
+                                                fmt::format("the contact angle of wall \"{}\" does nothing here: {}", wall.name, why));
+}
+
 /// gamma_sk of each wall, by Young's law from its contact angles. None where every angle is 90 degrees.
 void setContactAngles(const Reading& reading, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
-    if (n < 2 || !reading.geometry.wets()) return;
+    if (!reading.geometry.wets()) return;
+    if (n < 2)
+        return refuseAngles(reading,
+                            "it is one of two phases, and constant/phaseProperties lists one, whose free surface has no tension. Add the "
+                            "gas as a phase, and sigma between both; or leave the angle out");
+    if (!hasTension(c) && !entry::surfaceTension.is(reading.schemes, "none"))
+        return refuseAngles(reading, "constant/phaseProperties gives no sigma between any two phases. Give it, or leave the angle out");
     WettingAngles angles;
     std::vector<double> tensions;
     bool neutral = true;

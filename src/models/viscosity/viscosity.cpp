@@ -36,6 +36,7 @@ void read(const Reading& reading)
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
     const bool unequal = std::any_of(c.viscosity.begin(), c.viscosity.end(), [&](double mu) { return mu != c.viscosity[0]; });
     const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : unequal && !reading.paper() ? "newtonian" : "harmonic");
+    if (!viscous && form != "none") reading.doesNothing(entry::viscosity, "no phase of constant/phaseProperties has mu");
     const bool variable = settings.variableViscosity, central = form == "cleary", product = form == "clearyMonaghan";
     const std::string kind = central    ? variable ? "cleary" : "singlePhaseCleary"
                              : product  ? variable ? "clearyMonaghan" : "singlePhaseClearyMonaghan"

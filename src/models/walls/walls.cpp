@@ -102,6 +102,12 @@ void read(const Reading& reading)
     const auto& c = settings.coefficients;
     const auto& geometry = reading.geometry;
     const auto& pressure = reading.choose(entry::wallPressure, reading.paper() ? "mirrored" : "hydrostatic");
+    if (geometry.patches.empty())
+        for (const auto* entry : {&entry::wallVelocity, &entry::wallPressure})
+            reading.doesNothing(*entry, "there are no walls in constant/geometry");
+    else if (pressure == "detaching" && !settings.hasGravity() && !(mag(c.bodyForce) > 0))
+        reading.doesNothing(entry::wallPressure,
+                            "without gravity and body force the pressure behind a wall is that of the fluid before it");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (settings.hasGravity() || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Pressure::info.name] = {stateField(Density{})};
     settings.leaked = readLeakGuard(reading.schemes);

@@ -23,8 +23,8 @@ const Choice method{"method",
 const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"},
     count{"count", required, between(1, 1e6).saying("count {}: 1 to a million solids can be packed"), "number of solids"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
-const Text meshFile{"file", byScene("a sphere"),
-                    "closed surface in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb, normals outwards"};
+const FileName meshFile{"file", "constant/triSurface", byScene("a sphere"),
+                        "closed surface in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb, normals outwards"};
 const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};
 const Choice collision{"collision",
                        {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},

@@ -41,6 +41,7 @@ branch 2;
 "p.*" { type other; }
 "(inlet|outlet).*" { type patch; }
 inletA { type exact; }
+"r.*" 1; "rs.*" 2; "r.*" 3;
 twice 1; twice 2; blocks { x 1; } blocks { y 2; }
 #inputMode protect
 twice 3;
@@ -49,16 +50,23 @@ twice 3;
 #default fresh 5;
 removed 1;
 #remove removed
+patches ( "(walls|cyc).*" { type rebound; } outlet { type escape; } );
 #include "included"
+place parts;
+#include "$FOAM_CASE/${place}/environment"
+inCase { #include "<case>/parts/environment"
+}
+#include "./parts/ofCase"
 )";
 
 /// Every value that the sample gives, and keywords that a pattern answers.
-const std::vector<std::string> entries{"L",           "word",        "text",       "number",     "dotted",    "switch",    "g",
-                                       "list",        "uniformList", "typed",      "words",      "nu",        "named",     "field",
-                                       "nested",      "none",        "div(phi,U)", "long",       "sub.b",     "sub.c",     "sub.d",
-                                       "sub.e",       "sub.in.z",    "sub.in.top", "sub.in.alt", "sub.in.up", "copy.type", "copy.v",
-                                       "copyAfter.v", "expression",  "braces",     "degrees",    "chosen",    "branch",    "pX.type",
-                                       "inletA.type", "inletB.type", "twice",      "blocks.x",   "blocks.y",  "fresh",     "fromInclude"};
+const std::vector<std::string> entries{
+    "L",           "word",      "text",        "number",      "dotted",          "switch",     "g",           "list",
+    "uniformList", "typed",     "words",       "nu",          "named",           "field",      "nested",      "none",
+    "div(phi,U)",  "long",      "sub.b",       "sub.c",       "sub.d",           "sub.e",      "sub.in.z",    "sub.in.top",
+    "sub.in.alt",  "sub.in.up", "copy.type",   "copy.v",      "copyAfter.v",     "expression", "braces",      "degrees",
+    "chosen",      "branch",    "pX.type",     "inletA.type", "inletB.type",     "rst",        "twice",       "blocks.x",
+    "blocks.y",    "fresh",     "fromInclude", "patches",     "FoamFile.object", "deep",       "inCase.deep", "fromCase"};
 
 std::string outputOf(const std::string& command)
 {
@@ -85,7 +93,7 @@ std::string normal(const std::string& text)
     };
     for (const char c : text + " ")
     {
-        const bool bracket = std::string("(){}[]").find(c) != std::string::npos;
+        const bool bracket = std::string("(){}[];").find(c) != std::string::npos;
         if ((std::isspace(static_cast<unsigned char>(c)) || bracket) && !word.empty()) finish();
         if (bracket)
         {
@@ -111,6 +119,9 @@ TEST(FoamDictionary, readsTheSameValues)
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "sample") << sample;
     std::ofstream(folder / "included") << "fromInclude $L;\n";
+    std::filesystem::create_directory(folder / "parts");
+    std::ofstream(folder / "parts" / "environment") << "FoamFile { version 2.0; format ascii; class dictionary; object other; }\ndeep 6;\n";
+    std::ofstream(folder / "parts" / "ofCase") << "fromCase 7;\n";
 
     const auto theirs = [&](const std::string& entry)
     { return outputOf("cd " + folder.string() + " && foamDictionary -precision 10 -entry '" + entry + "' -value sample 2>&1"); };

@@ -1,7 +1,13 @@
 #include "CommandLine.hpp"
 #include "CaseError.hpp"
+#include "readText.hpp"
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <iostream>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace sph;
 
@@ -103,4 +109,37 @@ TEST(CommandLine, catchesExceptionsOfTheWork)
     const Demo program({}, [] { throw std::logic_error("oops"); });
     EXPECT_EQ(program.code, 1);
     EXPECT_EQ(program.err, "--> FATAL ERROR\ndemo stopped unexpectedly: oops\n");
+}
+
+// In a log that gets both streams each line stands where it was written: what is printed, what a library says on standard error, the error that ends
+// the application. A process of its own, whose standard output is a file from the start.
+TEST(CommandLine, keepsTheOrderOfALogOfBothStreams)
+{
+    const auto log = std::filesystem::temp_directory_path() / fmt::format("sphCommandLine.{}.log", ::getpid());
+    const auto process = ::fork();
+    ASSERT_GE(process, 0);
+    if (process == 0)
+    {
+        const bool redirected = std::freopen(log.c_str(), "w", stdout) && ::dup2(::fileno(stdout), STDERR_FILENO) >= 0;
+        const char* arguments[] = {"demo"};
+        const auto work = [](const std::filesystem::path&) -> int
+        {
+            fmt::print("printed 1\n");
+            std::fputs("a library 2\n", stderr);
+            std::cout << "streamed 3\n";
+            std::cerr << "a library 4\n";
+            fmt::print("printed 5\nwithout an end 6");
+            throw CaseError("it ends 7");
+        };
+        ::_exit(redirected ? runApplication(
+                                 "demo", 1, arguments, "", [](CLI::App&) {}, work)
+                           : 2);
+    }
+    int status = 0;
+    ::waitpid(process, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    std::string reason;
+    EXPECT_EQ(readText(log, reason).value_or(reason), "printed 1\na library 2\nstreamed 3\na library 4\nprinted 5\nwithout an end 6"
+                                                      "--> FATAL ERROR\nit ends 7\n");
+    std::filesystem::remove(log);
 }

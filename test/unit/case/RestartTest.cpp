@@ -68,7 +68,7 @@ void expectSameSteps(const std::string& middle, int stopStep, const std::string&
 
 }
 
-// Equal to the last bit, hence no tolerance. The folder's name is rounded to 6 digits: going on from it would show at once. The limits
+// Equal to the last bit, hence no tolerance. The folder's name has fewer digits than the time: going on from it would show at once. The limits
 // are those of a flow (pseudo-random over two decades), about 1000 steps a run. A write interval of 0.1 has no exact double: 3*0.1 is
 // not 0.3, where the first part ends.
 TEST(Restart, takesTheStepsOfARunThatWasNotStopped)
@@ -82,6 +82,26 @@ TEST(Restart, takesTheStepsOfARunThatWasNotStopped)
     for (const int stopStep : {1, 137, 500})
         expectSameSteps("", stopStep, "0.7", "writeControl runTime; writeInterval 0.1; adjustTimeStep no; deltaT 7e-4;");
     expectSameSteps("", 137, "2", adjustable + " maxDeltaT 3e-3; timePrecision 3;");
+}
+
+// From 10^5 s on 6 digits do not tell the times of two writes apart: each has a folder of its own, called by the time exactly, from which a run
+// that names it, or takes the latest, goes on as the one that was not stopped, to the last bit.
+TEST(Restart, findsLateTimesByTheirNames)
+{
+    const auto written = [](const TemporaryCase& c, const std::string& end, const std::string& from)
+    {
+        control(c, end, "writeControl adjustable; writeInterval 0.25; maxDeltaT 0.07; " + from);
+        return run(c);
+    };
+    const TemporaryCase whole, parts;
+    for (const auto* c : {&whole, &parts}) std::filesystem::create_directories(c->folder() / "99999.5");
+    auto uninterrupted = written(whole, "100002", "startFrom startTime; startTime 99999.5;");
+    EXPECT_EQ(Case(whole.folder()).times(), (std::vector<std::string>{"99999.5", "99999.75", "100000", "100000.25", "100000.5", "100000.75",
+                                                                      "100001", "100001.25", "100001.5", "100001.75", "100002"}));
+    auto steps = written(parts, "100000.75", "startFrom startTime; startTime 99999.5;");
+    for (const auto& part : {written(parts, "100001.25", "startFrom startTime; startTime 100000.75;"), written(parts, "100002", "")})
+        steps.insert(steps.end(), part.begin(), part.end());
+    EXPECT_TRUE(steps == uninterrupted);
 }
 
 TEST(Restart, givesBackTheExactNumbers)
@@ -102,7 +122,7 @@ TEST(Restart, givesBackTheExactNumbers)
     const RunTime time(theCase);
     EXPECT_EQ(messages(theCase.diagnostics()), "");
     EXPECT_EQ(time.restoredHistories(), histories);
-    EXPECT_EQ(time.startName(), "0.333333");
+    EXPECT_EQ(time.startName(), "0.33333333333");
     EXPECT_EQ(time.value(), 1.0 / 3);
     EXPECT_EQ(time.startTime(), 1.0 / 3);
     EXPECT_EQ(time.index(), 1);

@@ -1,4 +1,5 @@
 #include "RunTime.hpp"
+#include "OutputFile.hpp"
 #include "temporaryCase.hpp"
 #include <chrono>
 #include <cmath>
@@ -101,6 +102,10 @@ TEST(RunTime, namesWhatIsWrong)
               "system/controlDict:3: writeInterval must be a number of steps, found 1.5");
     EXPECT_EQ(saidOf("endTime 1;\npurgeWrite -1;"), "system/controlDict:3: purgeWrite must not be negative, found -1");
     EXPECT_EQ(saidOf("endTime 1;\nwritePrecision 30;"), "system/controlDict:3: writePrecision must be 1 to 17 digits, found 30");
+    EXPECT_EQ(
+        saidOf("endTime 1;\nwriteInterval 0.1;"),
+        "system/controlDict:3: writeInterval does nothing without writeControl, which says what it counts: give `writeControl adjustable` for "
+        "seconds that steps are fitted to, or leave it out");
     EXPECT_EQ(saidOf("endTime 1;\ntimePrecision 0;"), "system/controlDict:3: timePrecision must be 1 to 17 digits, found 0");
     for (const auto* wrong : {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
                               "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;",
@@ -245,6 +250,31 @@ TEST(RunTime, addsDigitsWhereTwoTimesWouldHaveOneName)
     time.advance(1);
     EXPECT_EQ(time.name(), "2.5");
     EXPECT_EQ(Case(c.folder()).times(), (Names{"0", "1.5", "1.50001"}));
+}
+
+// The name of a folder reads back as the time within 1e-10 of the step, however long ago the run began and in each format; a name that its round-off
+// alone would make longer stays short.
+TEST(RunTime, namesFoldersExactly)
+{
+    for (const std::string format : {"general", "fixed", "scientific"})
+        for (const double start : {0.0, 1.0, 99999.5, 3.15576e7, 1e9})
+            for (const double step : {0.25, 0.1, 1.0 / 3, 1.234567e-3})
+            {
+                const TemporaryCase c;
+                makeTime(c, shortestText(start));
+                control(c, "startFrom startTime; startTime " + shortestText(start) + "; endTime 1e10; timeFormat " + format + ";");
+                RunTime time{Case(c.folder())};
+                for (int k = 1; k <= 3; ++k)
+                {
+                    time.advance(step);
+                    write(time);
+                    const auto times = Case(c.folder()).times();
+                    ASSERT_EQ(times.size(), std::size_t(k + 1)) << start << ' ' << step;
+                    EXPECT_NEAR(*timeValue(times.back()), time.value(), std::max(1e-10 * step, 1e-15 * time.value())) << times.back();
+                }
+            }
+    EXPECT_EQ(timesWritten("endTime 0.3; adjustTimeStep no; deltaT 0.1; writeControl timeStep; writeInterval 1;", 1),
+              (Names{"0.1", "0.2", "0.3"}));
 }
 
 TEST(RunTime, namesTimesInTheFormatAskedFor)

@@ -1,3 +1,4 @@
+#include "Parameter.hpp"
 #include "Parsed.hpp"
 #include <cstdlib>
 #include <fstream>
@@ -69,19 +70,145 @@ TEST(DictionaryDirectives, includeMistakes)
                                      "constant/d:3: \"d\" includes itself\n3 errors");
 }
 
-// #includeEtc looks below $SPH_PROJECT_DIR/etc.
-TEST(DictionaryDirectives, includeEtc)
+/// A variable of the environment, and no more once the test is over.
+struct Environment
+{
+    std::string name;
+    Environment(const std::string& variable, const std::string& value) : name(variable) { setenv(name.c_str(), value.c_str(), 1); }
+    ~Environment() { unsetenv(name.c_str()); }
+};
+
+// Variables and names of folders in an included path are expanded as foamDictionary 1912 and OpenFOAM 11 expand them: entries of the dictionary in
+// braces, then the environment's, FOAM_CASE whatever the shell says; `./` is the case and not the folder of the including file.
+TEST(DictionaryDirectives, pathsOfIncludes)
 {
     const CaseFolder folder;
-    folder.write("project/etc/caseDicts/probes.cfg", "interval 5;\n");
-    setenv("SPH_PROJECT_DIR", (folder.path / "project").c_str(), 1);
-    folder.write("constant/d", "#includeEtc \"caseDicts/probes.cfg\"\n");
+    auto number = [&, n = 0](const std::string& path) mutable
+    {
+        const auto value = std::to_string(++n);
+        folder.write(path, "found " + value + ";\n");
+        return n;
+    };
+    const int ofCase = number("part"), ofConstant = number("constant/part"), ofSystem = number("system/deep/part"),
+              ofEtc = number("project/etc/caseDicts/part"), outside = number("meshes/part");
+    const Environment shell("FOAM_CASE", "/nowhere"), meshes("SPH_TEST_MESHES", (folder.path / "meshes").string()),
+        project("WM_PROJECT_DIR", (folder.path / "project").string());
+    const auto found = [&](const std::string& include)
+    {
+        folder.write("system/d", "where constant; sub { name part; }\n" + include + "\n");
+        const auto diagnostics = std::make_shared<Diagnostics>();
+        const int value = Dictionary::read(folder.path, "system/d", diagnostics).get<int>("found", 0);
+        EXPECT_EQ(errorsOf(diagnostics), "") << include;
+        return value;
+    };
+    EXPECT_EQ(found("#include \"$FOAM_CASE/part\""), ofCase);
+    EXPECT_EQ(found("#include \"${FOAM_CASE}/constant/part\""), ofConstant);
+    EXPECT_EQ(found("#include \"<case>/part\""), ofCase);
+    EXPECT_EQ(found("#include \"./part\""), ofCase);
+    EXPECT_EQ(found("#include \"../part\""), ofCase);
+    EXPECT_EQ(found("#include \"<constant>/part\""), ofConstant);
+    EXPECT_EQ(found("#include \"<system>/deep/part\""), ofSystem);
+    EXPECT_EQ(found("#include \"deep/part\""), ofSystem);
+    EXPECT_EQ(found("#include \"$FOAM_CASE/${where}/${sub.name}\""), ofConstant);
+    EXPECT_EQ(found("#include \"$FOAM_CASE/$where/part\""), ofConstant);
+    EXPECT_EQ(found("a where;\n#include \"<case>/${${a}}/part\""), ofConstant);
+    EXPECT_EQ(found("#include \"$SPH_TEST_MESHES/part\""), outside);
+    EXPECT_EQ(found("#include \"${SPH_TEST_NONE:-$FOAM_CASE/meshes}/part\""), outside);
+    EXPECT_EQ(found("#include \"<etc>/caseDicts/part\""), ofEtc);
+    EXPECT_EQ(found("#include \"~OpenFOAM/caseDicts/part\""), ofEtc);
+    EXPECT_EQ(found("#include \"$WM_PROJECT_DIR/etc/caseDicts/part\""), ofEtc);
+    EXPECT_EQ(found("#includeEtc \"caseDicts/part\""), ofEtc);
+    EXPECT_EQ(found("kind caseDicts;\n#includeEtc \"${kind}/part\""), ofEtc);
+    EXPECT_EQ(found("#includeIfPresent \"<constant>/part\""), ofConstant);
+    EXPECT_EQ(found("#sinclude \"<constant>/none\""), 0);
+    EXPECT_EQ(found("#includeIfPresent \"$SPH_TEST_NONE/part\""), 0);
+}
+
+// A path that cannot be expanded is refused where it stands, with what it lacks.
+TEST(DictionaryDirectives, pathsThatCannotBeExpanded)
+{
+    const CaseFolder folder;
+    const auto mistake = [&](const std::string& text)
+    {
+        folder.write("system/d", text);
+        const auto diagnostics = std::make_shared<Diagnostics>();
+        Dictionary::read(folder.path, "system/d", diagnostics);
+        return errorsOf(diagnostics);
+    };
+    EXPECT_EQ(mistake("\n#include \"$SPH_TEST_NONE/part\"\n"),
+              "system/d:2: #include \"$SPH_TEST_NONE/part\" names $SPH_TEST_NONE, which is neither an entry that is defined above nor an "
+              "environment variable");
+    EXPECT_EQ(mistake("#include \"<cse>/part\"\n"),
+              "system/d:1: #include \"<cse>/part\" begins with <cse>; known are <case>, <constant>, <system> and <etc>");
+    EXPECT_EQ(mistake("#include \"${FOAM_CASE/part\"\n"),
+              "system/d:1: #include \"${FOAM_CASE/part\" has \"${FOAM_CASE/part\", which is not closed by '}'");
+    EXPECT_EQ(mistake("list (a b);\n#include \"${list}/part\"\n"),
+              "system/d:2: #include \"${list}/part\" names $list, which is not one word");
+    EXPECT_EQ(mistake("#include \"$FOAM_CASE/constant/none\"\n"), "system/d:1: there is no file \"constant/none\" to include");
+    EXPECT_EQ(mistake("#includeEtc \"caseDicts/part\"\n"),
+              "system/d:1: #includeEtc \"caseDicts/part\" is sought in etc folders, and neither of the environment variables "
+              "SPH_PROJECT_DIR and WM_PROJECT_DIR, below which they are, is set");
+}
+
+// The header of an included file is not the including one's, in a dictionary within it neither: of the tutorials of OpenFOAM 11 and 1912 43 files
+// differed from foamDictionary in this.
+TEST(DictionaryDirectives, headersOfIncludedFiles)
+{
+    const CaseFolder folder;
+    folder.write("constant/d", "FoamFile { object d; }\n#include \"part\"\nsub { #include \"part\"\n }\n");
+    folder.write("constant/part", "FoamFile { object part; }\nx { FoamFile { y 1; } }\n");
     const auto diagnostics = std::make_shared<Diagnostics>();
-    EXPECT_EQ(Dictionary::read(folder.path, "constant/d", diagnostics).get<int>("interval"), 5);
-    unsetenv("SPH_PROJECT_DIR");
-    Dictionary::read(folder.path, "constant/d", diagnostics);
-    EXPECT_EQ(errorsOf(diagnostics), "constant/d:1: #includeEtc \"caseDicts/probes.cfg\": the environment variable SPH_PROJECT_DIR, "
-                                     "below whose etc folder the file is sought, is not set");
+    const auto d = Dictionary::read(folder.path, "constant/d", diagnostics);
+    EXPECT_EQ(d.subDict("FoamFile").get<std::string>("object"), "d");
+    EXPECT_FALSE(d.subDict("sub").found("FoamFile"));
+    EXPECT_EQ(d.subDict("sub").subDict("x").subDict("FoamFile").get<int>("y"), 1);
+    EXPECT_EQ(errorsOf(diagnostics), "");
+}
+
+// The suite's etc folder comes before OpenFOAM's.
+TEST(DictionaryDirectives, etcFolders)
+{
+    const CaseFolder folder;
+    folder.write("suite/etc/both", "found 1;\n");
+    folder.write("foam/etc/both", "found 2;\n");
+    folder.write("foam/etc/one", "other 3;\n");
+    folder.write("constant/d", "#includeEtc \"both\"\n#include \"<etc>/one\"\n#sincludeEtc \"none\"\n#includeEtc \"none\"\n");
+    const Environment suite("SPH_PROJECT_DIR", (folder.path / "suite").string()), foam("WM_PROJECT_DIR", (folder.path / "foam").string());
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::read(folder.path, "constant/d", diagnostics);
+    EXPECT_EQ(d.get<int>("found"), 1);
+    EXPECT_EQ(d.get<int>("other"), 3);
+    EXPECT_EQ(errorsOf(diagnostics), "constant/d:4: there is no file \"foam/etc/none\" to include");
+}
+
+// A file that an entry names is found by the same rules, relative to the folder that the entry is about, and through a link to the case.
+TEST(DictionaryDirectives, pathsInEntries)
+{
+    const CaseFolder folder;
+    const FileName file("file", "constant/triSurface", required, "");
+    const auto link = folder.path.string() + ".link";
+    std::filesystem::create_directory_symlink(folder.path, link);
+    const Environment meshes("SPH_TEST_MESHES", (folder.path / "meshes").string());
+    const auto read = [&](const std::string& text, const std::filesystem::path& caseFolder)
+    {
+        folder.write("constant/d", "\nfile \"" + text + "\";\n");
+        const auto diagnostics = std::make_shared<Diagnostics>();
+        const auto path = file(Dictionary::read(caseFolder, "constant/d", diagnostics));
+        const auto mistakes = errorsOf(diagnostics);
+        return mistakes.empty() ? path : mistakes;
+    };
+    for (const auto& caseFolder : {folder.path, std::filesystem::path(link)})
+    {
+        EXPECT_EQ(read("rock.stl", caseFolder), "rock.stl");
+        EXPECT_EQ(read("<constant>/triSurface/rock.stl", caseFolder), "rock.stl");
+        EXPECT_EQ(read("$FOAM_CASE/rock.stl", caseFolder), "../../rock.stl");
+        EXPECT_EQ(read("${SPH_TEST_MESHES}/rock.stl", caseFolder), "../../meshes/rock.stl");
+        EXPECT_EQ(
+            read("$SPH_TEST_NONE/rock.stl", caseFolder),
+            "constant/d:2: \"file\": \"$SPH_TEST_NONE/rock.stl\" names $SPH_TEST_NONE, which is neither an entry that is defined above "
+            "nor an environment variable");
+    }
+    std::filesystem::remove(link);
 }
 
 // A missing dictionary names the file that was probably meant, and is not followed by an error for each of its entries.

@@ -1,3 +1,4 @@
+#include "DictionaryText.hpp"
 #include "Parsed.hpp"
 #include <cstdlib>
 
@@ -103,6 +104,16 @@ TEST(DictionarySyntax, listsOfDictionaries)
     EXPECT_EQ(p.errors(), "");
 }
 
+// The name of a dictionary in a list is written as it was read: without its quotes "(a|b).*" would be read as a list.
+TEST(DictionarySyntax, quotedNamesInLists)
+{
+    const Parsed p("patches ( \"(walls|cyc).*\" { type rebound; } outlet { type escape; } );");
+    const auto text = valueText(p.dict, "patches");
+    EXPECT_NE(text.find("(\"(walls|cyc).*\" {"), text.npos) << text;
+    EXPECT_EQ(valueText(Parsed("patches " + text + ";").dict, "patches"), text);
+    EXPECT_EQ(p.dict.dictionaries("patches")[0].keyword(), "(walls|cyc).*");
+}
+
 // OpenFOAM's `sigma` list, with and without "and".
 TEST(DictionarySyntax, pairsOfWordsWithValues)
 {
@@ -177,6 +188,14 @@ TEST(DictionarySyntax, patterns)
     EXPECT_TRUE(p.dict.found("zzz"));
     const Parsed macro("\"p.*\" { k 5; } b $pX.k;");
     EXPECT_EQ(macro.dict.get<int>("b"), 5) << "a pattern must not take the path for a keyword";
+}
+
+// A pattern that is given again counts as the last one, and stands where it stood (as OpenFOAM 1912).
+TEST(DictionarySyntax, repeatedPatterns)
+{
+    const Parsed p("\"a.*\" 1;\n\"ab.*\" 2;\n\"a.*\" 3;\n");
+    EXPECT_EQ(p.dict.get<int>("abc"), 3);
+    EXPECT_EQ(keywords(p.dict, ""), (Words{"\"a.*\"", "\"ab.*\""}));
 }
 
 // The last of two equal keywords counts, with a warning; dictionaries merge.

@@ -509,7 +509,7 @@ struct Pressed
         const auto extent = std::ranges::minmax_element(x[0], x[0] + simulation->size());
         highest = *std::ranges::max_element(x[1], x[1] + simulation->size());
         widening = (*extent.max - *extent.min) / (9 * spacing) - 1;
-        energy = simulation->energy().held;
+        energy = simulation->energy().held();
         supplied = simulation->energy().supplied;
     }
 };

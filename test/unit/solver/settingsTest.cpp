@@ -596,6 +596,130 @@ TEST(Settings, AContactAngleNeedsTensionAndAWallThatHasIt)
                     "does nothing without a wall that has a contactAngle in constant/geometry");
 }
 
+// Nothing that a dictionary says is ignored: where an entry has no effect in its scene it is an error with file and line that says what it would need.
+// The same words do no harm where a set of defaults brings them.
+TEST(Settings, EntriesWithoutAnEffectAreErrors)
+{
+    const std::string schemes = "system/sphSchemes", phases = "constant/phaseProperties";
+    const auto wetting = [](const Files& files)
+    {
+        const TestCase folder(files);
+        const Case c(folder.folder());
+        auto g = channelGeometry();
+        g.walls[0].name = "floor";
+        g.walls[0].wets = true;
+        g.walls[0].contactAngle = 30;
+        g.walls[0].anglesAt = {"constant/geometry", 4};
+        readSettings(c, g);
+        try
+        {
+            c.diagnostics().throwIfAny();
+        }
+        catch (const CaseError& e)
+        {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(wetting(channelCase()),
+              "constant/geometry:4: the contact angle of wall \"floor\" does nothing here: it is one of two phases, and "
+              "constant/phaseProperties lists one, whose free surface has no tension. Add the gas as a phase, and sigma between both; "
+              "or leave the angle out");
+    for (const char* sigma : {"", "sigma ( (liquid gas) 0 );"})
+        EXPECT_EQ(
+            wetting(edited(dropCase(), phases, "sigma ( (liquid gas) 1 );", sigma)),
+            "constant/geometry:4: the contact angle of wall \"floor\" does nothing here: constant/phaseProperties gives no sigma between any two "
+            "phases. Give it, or leave the angle out");
+    EXPECT_EQ(wetting(dropCase()), "");
+    EXPECT_EQ(wetting(edited(dropCase(), schemes, "integration", "surfaceTension none; integration")), "") << "the user says so";
+
+    const auto without = [&](const std::string& gravity) { return edited(channelCase(), "constant/g", "(1 0 0)", gravity); };
+    const auto soundBy = [&](const Files& files, const std::string& expected)
+    {
+        return edited(edited(files, phases, "soundSpeed 15", "soundSpeed automatic"), phases, "phases",
+                      "expected { velocity 1;\n" + expected + " }\nphases");
+    };
+    expectError(soundBy(without("(0 0 0)"), "depth 1;"), "constant/phaseProperties:2: depth does nothing without gravity");
+    expectError(soundBy(channelCase(), "radius 1;"), "constant/phaseProperties:2: radius does nothing without sigma");
+    EXPECT_EQ(reading(soundBy(channelCase(), "depth 1;")).errors, "");
+
+    const auto adding = [&](const Files& files, const std::string& words)
+    { return edited(files, schemes, "integration", "\n" + words + "\nintegration"); };
+    expectError(adding(edited(edited(channelCase(), phases, "mu 10; ", ""), schemes, "wallVelocity secondOrder;", ""),
+                       "viscosity harmonic;"),
+                "system/sphSchemes:4: viscosity does nothing here: no phase of constant/phaseProperties has mu; leave it out");
+    expectError(adding(without("(0 0 0)"), "wallPressure detaching;"),
+                "system/sphSchemes:4: wallPressure does nothing here: without gravity");
+    EXPECT_EQ(reading(adding(channelCase(), "wallPressure detaching;")).errors, "");
+    EXPECT_EQ(reading(edited(edited(without("(0 0 0)"), schemes, "wallVelocity secondOrder;", "scheme freeSurface;"), schemes,
+                             "predictorCorrector", "leapfrog"))
+                  .errors,
+              "")
+        << "the set has wallPressure detaching";
+    expectError(adding(channelCase(), "shiftingSpeed own;"), "system/sphSchemes:4: does nothing without shifting");
+    const auto damped = [&](const std::string& words)
+    { return edited(channelCase(), schemes, "integration {", "integration { damping { " + words + " }"); };
+    expectError(damped("rate 5;"), "system/sphSchemes:3: does nothing without `until`");
+    expectError(damped("until 5;"), "system/sphSchemes:3: does nothing without `rate`");
+    EXPECT_EQ(reading(damped("rate 5; until 1;")).errors, "");
+
+    auto files = channelCase();
+    files["constant/soilProperties"] = "";
+    expectError(files, "constant/soilProperties: does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`");
+}
+
+// Of a scene without walls.
+TEST(Settings, RulesOfWallsNeedAWall)
+{
+    const auto errors = [](const std::string& words)
+    {
+        auto files = edited(channelCase(), "system/sphSchemes", "wallVelocity secondOrder;", words);
+        const TestCase folder(files);
+        const Case c(folder.folder());
+        auto g = channelGeometry();
+        g.walls.clear();
+        g.patches.clear();
+        g.periodic[1] = true;
+        readSettings(c, g);
+        try
+        {
+            c.diagnostics().throwIfAny();
+        }
+        catch (const CaseError& e)
+        {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(errors("wallVelocity reflected;"),
+              "system/sphSchemes:2: wallVelocity does nothing here: there are no walls in constant/geometry; leave it out");
+    EXPECT_EQ(errors("wallPressure mirrored;"),
+              "system/sphSchemes:2: wallPressure does nothing here: there are no walls in constant/geometry; leave it out");
+    EXPECT_EQ(errors("scheme freeSurface;"), "");
+}
+
+// The automatic sound speed of a gas that moves as slowly as the liquid, 1.5 m/s: rho c^2 is 1.125 Pa, and the interface presses by 16 and 20 Pa. A sound
+// speed of 10 sqrt(p/rho) keeps the density within 1 %; with one of that size nothing is said.
+TEST(Settings, WarnsOfAnAutomaticSoundSpeedThatInterfacesOutdo)
+{
+    const auto warnings = [](const std::string& sound)
+    {
+        const TestCase folder(edited(edited(dropCase(), "constant/phaseProperties", "gas { rho 0.5; mu 0.05; soundSpeed 20",
+                                            "gas { rho 0.5; mu 0.05; soundSpeed " + sound),
+                                     "constant/phaseProperties", "sigma", "expected { velocity 0.15; }\nsigma"));
+        const Case c(folder.folder());
+        readSettings(c, channelGeometry());
+        return c.diagnostics().warnings();
+    };
+    const auto found = warnings("automatic");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(
+        found[0],
+        "constant/phaseProperties:3: the automatic sound speed of gas, 1.5 m/s, makes rho c^2 1.12 Pa, and the background pressure is 16 Pa, "
+        "the capillary pressure sigma/spacing 20 Pa: its density will vary by a third and more. A soundSpeed of 63.2 m/s keeps it within 1 "
+        "%, one of 20 m/s within 10 %");
+}
+
 /// Terms of the group that gives the rates of the powder.
 std::vector<std::string> migrationTerms(const Reading& r)
 {
