@@ -9,11 +9,46 @@ namespace sph
 
 namespace
 {
-/// Samples to a spacing by which the extents and the area of a section are found.
+/// Samples to a spacing between which the edges of a section are sought.
 constexpr int samplesPerSpacing = 8;
+/// From a wall to the nearest line [spacings].
+constexpr double leastClearance = 0.25;
+/// By which a sample's distance to an edge is halved: 1e-12 of a spacing are left.
+constexpr int halvings = 40;
+
+/// The edge between a place that is open and one that is not.
+double edgeBetween(double in, double out, const auto& open)
+{
+    for (int k = 0; k < halvings; ++k)
+    {
+        const double middle = 0.5 * (in + out);
+        (open(middle) ? in : out) = middle;
+    }
+    return in;
 }
 
-Section::Section(const Opening& opening, const Geometry& geometry, double spacing) : point_(opening.point), dimension_(geometry.dimension)
+/// visit(low, high) of each stretch of a straight line that is open.
+void eachStretch(double from, double to, double fine, const auto& open, const auto& visit)
+{
+    const int n = std::max(1, int(std::ceil((to - from) / fine - 1e-6)));
+    double before = from, low = from;
+    bool wasOpen = open(from);
+    const auto look = [&](double at)
+    {
+        const bool isOpen = open(at);
+        if (isOpen && !wasOpen) low = edgeBetween(at, before, open);
+        if (!isOpen && wasOpen) visit(low, edgeBetween(before, at, open));
+        wasOpen = isOpen;
+        before = at;
+    };
+    for (int i = 0; i < n; ++i) look(from + (i + 0.5) * (to - from) / n);
+    look(to);
+    if (wasOpen) visit(low, to);
+}
+}
+
+Section::Section(const Opening& opening, const Geometry& geometry, double spacing, const Opening* plane)
+    : point_(opening.point), dimension_(geometry.dimension)
 {
     // Across the normal, along coordinates where it is along one.
     const auto n = opening.normal;
@@ -25,13 +60,42 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
     for (int d = 0; d < dimension_ - 1; ++d)
         for (int k = 0; k < dimension_; ++k)
             if (geometry.periodic[k] && std::abs(std::abs(across_[d].*component(k)) - 1) < 1e-12) repeats_[d] = true;
-    findExtents(opening, geometry, spacing);
+
+    const double margin = 1e-9 * spacing;
+    const Box domain{geometry.low - margin * Vector<3>{1, 1, 1}, geometry.high + margin * Vector<3>{1, 1, 1}};
+    const auto openOf = [&](const Opening& o)
+    {
+        return [&](const Vector<3>& x, double clearance = 0)
+        { return contains(domain, x, dimension_) && o.opensAt(x, dimension_) && geometry.distance(x) > clearance; };
+    };
+    const auto own = extentsOf(openOf(opening), geometry, spacing), whole = plane ? extentsOf(openOf(*plane), geometry, spacing) : own;
+    if (!(own.area > 0)) return;
+    area_ = own.area;
+    for (int d = 0; d < dimension_ - 1; ++d)
+    {
+        width_[d] = own.high[d] - own.low[d];
+        low_[d] = whole.low[d];
+        n_[d] = std::max(1, int(std::lround((whole.high[d] - whole.low[d]) / spacing)));
+        step_[d] = (whole.high[d] - whole.low[d]) / n_[d];
+    }
+    index_.assign(std::size_t(n_[0]) * n_[1], -1);
+    std::size_t ofPlane = 0;
+    for (int i = 0; i < n_[0]; ++i)
+        for (int k = 0; k < n_[1]; ++k)
+        {
+            const auto foot = at(low_[0] + (i + 0.5) * step_[0], dimension_ == 3 ? low_[1] + (k + 0.5) * step_[1] : 0);
+            ofPlane += openOf(plane ? *plane : opening)(foot, leastClearance * spacing);
+            if (!openOf(opening)(foot, leastClearance * spacing)) continue;
+            index_[std::size_t(i) * n_[1] + k] = int(lines_.size());
+            lines_.push_back({foot, 1});
+        }
     if (lines_.empty()) return;
-    rowSpacing_ = std::pow(spacing, dimension_) * double(lines_.size()) / area_;
+    rowSpacing_ = std::pow(spacing, dimension_) * double(ofPlane) / whole.area;
+    carried_ = std::pow(spacing, dimension_) * double(lines_.size()) / rowSpacing_;
     if (opening.developed) developProfile(opening.where);
 }
 
-void Section::findExtents(const Opening& opening, const Geometry& geometry, double spacing)
+Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, double spacing) const
 {
     // What the domain can hold of the plane, as seen from the opening's point.
     double from[2] = {0, 0}, to[2] = {0, 0};
@@ -45,50 +109,56 @@ void Section::findExtents(const Opening& opening, const Geometry& geometry, doub
             to[d] = std::max(to[d], dot(x - point_, across_[d]));
         }
     }
-    const double fine = spacing / samplesPerSpacing, margin = 1e-9 * spacing;
-    const auto samples = [&](int d) { return d < dimension_ - 1 ? int(std::ceil((to[d] - from[d]) / fine - 1e-6)) : 1; };
-    const auto sample = [&](int d, int i) { return d < dimension_ - 1 ? from[d] + (i + 0.5) * (to[d] - from[d]) / samples(d) : 0.0; };
-    const Box domain{geometry.low - margin * Vector<3>{1, 1, 1}, geometry.high + margin * Vector<3>{1, 1, 1}};
-    const auto open = [&](const Vector<3>& x, double clearance)
-    { return contains(domain, x, dimension_) && opening.opensAt(x, dimension_) && geometry.distance(x) > clearance; };
-
-    double least[2] = {Box::infinity, Box::infinity}, most[2] = {-Box::infinity, -Box::infinity}, cell = 1;
-    for (int d = 0; d < dimension_ - 1; ++d) cell *= (to[d] - from[d]) / samples(d);
-    long count = 0;
-    for (int i = 0; i < samples(0); ++i)
-        for (int k = 0; k < samples(1); ++k)
-        {
-            const double s[2] = {sample(0, i), sample(1, k)};
-            if (!open(at(s[0], s[1]), 0)) continue;
-            ++count;
-            for (int d = 0; d < 2; ++d)
-            {
-                least[d] = std::min(least[d], s[d]);
-                most[d] = std::max(most[d], s[d]);
-            }
-        }
-    if (count == 0) return;
-    area_ = double(count) * cell;
-    for (int d = 0; d < dimension_ - 1; ++d)
+    const double fine = spacing / samplesPerSpacing;
+    /// Length of what is open along across_[0] at b along across_[1]; the middle of the longest stretch is where its end along across_[1] is sought.
+    struct Row
     {
-        const double half = 0.5 * (to[d] - from[d]) / samples(d);
-        low_[d] = least[d] - half;
-        extent_[d] = most[d] - least[d] + 2 * half;
-        n_[d] = std::max(1, int(std::lround(extent_[d] / spacing)));
-        step_[d] = extent_[d] / n_[d];
+        double length = 0, longest = 0, middle = 0;
+    };
+    Extents all;
+    const auto rowAt = [&](double b)
+    {
+        Row row;
+        eachStretch(
+            from[0], to[0], fine, [&](double a) { return open(at(a, b)); },
+            [&](double low, double high)
+            {
+                row.length += high - low;
+                if (high - low > row.longest) row = {row.length, high - low, 0.5 * (low + high)};
+                all.low[0] = std::min(all.low[0], low);
+                all.high[0] = std::max(all.high[0], high);
+            });
+        return row;
+    };
+    if (dimension_ == 2)
+    {
+        all.area = rowAt(0).length;
+        return all;
     }
-    index_.assign(std::size_t(n_[0]) * n_[1], -1);
-    for (int i = 0; i < n_[0]; ++i)
-        for (int k = 0; k < n_[1]; ++k)
+    // Rows along across_[0] first find the ends along across_[1], then measure the area between them.
+    const int rows = std::max(1, int(std::ceil((to[1] - from[1]) / fine - 1e-6)));
+    const double apart = (to[1] - from[1]) / rows;
+    for (int k = 0; k < rows; ++k)
+    {
+        const double b = from[1] + (k + 0.5) * apart;
+        const auto row = rowAt(b);
+        if (!(row.length > 0)) continue;
+        const auto end = [&](double beyond)
         {
-            const auto foot = at(low_[0] + (i + 0.5) * step_[0], dimension_ == 3 ? low_[1] + (k + 0.5) * step_[1] : 0);
-            if (!open(foot, 0.25 * spacing)) continue;
-            index_[std::size_t(i) * n_[1] + k] = int(lines_.size());
-            lines_.push_back({foot, 1});
-        }
+            const auto opens = [&](double c) { return open(at(row.middle, c)); };
+            return opens(beyond) ? beyond : edgeBetween(b, beyond, opens);
+        };
+        all.low[1] = std::min(all.low[1], end(std::max(from[1], b - apart)));
+        all.high[1] = std::max(all.high[1], end(std::min(to[1], b + apart)));
+    }
+    if (!(all.high[1] > all.low[1])) return all;
+    const int n = std::max(1, int(std::ceil((all.high[1] - all.low[1]) / fine - 1e-6)));
+    const double h = (all.high[1] - all.low[1]) / n;
+    for (int k = 0; k < n; ++k) all.area += h * rowAt(all.low[1] + (k + 0.5) * h).length;
+    return all;
 }
 
-double Section::width() const { return dimension_ == 3 ? std::min(extent_[0], extent_[1]) : extent_[0]; }
+double Section::width() const { return dimension_ == 3 ? std::min(width_[0], width_[1]) : width_[0]; }
 
 int Section::site(int i, int k) const
 {
