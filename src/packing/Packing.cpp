@@ -2,6 +2,7 @@
 #include "components.hpp"
 #include "openFaces.hpp"
 #include "reduce.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,9 +61,11 @@ template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, P
     const Kernel<dim> kernel(plan.kernel, plan.support);
     RelaxationSettings atRest;
     atRest.steps = 0;
-    return plan.relaxation
-               ? relax<dim>(withOpenFacesClosed(plan.geometry, plan.support, spacing), kernel, V0, spacing, *plan.relaxation, points)
-               : relax<dim>(plan.geometry, kernel, V0, spacing, atRest, points);
+    if (!plan.relaxation) return relax<dim>(plan.geometry, kernel, V0, spacing, atRest, points);
+    auto closed = closedBy(openFaces(plan.geometry, spacing), plan.geometry);
+    Diagnostics ofLayers; // there are none of planes
+    if (!closed.layers.empty()) closed.layers = makeWallLayers(closed, plan.support, spacing, ofLayers);
+    return relax<dim>(closed, kernel, V0, spacing, *plan.relaxation, points);
 }
 
 void checkRelaxation(const PackingPlan& plan, const RelaxationResult& relaxation)

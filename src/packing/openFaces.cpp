@@ -1,7 +1,6 @@
 #include "openFaces.hpp"
 #include "Plane.hpp"
 #include "components.hpp"
-#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -32,30 +31,32 @@ bool isOpen(const Geometry& g, int axis, double at, double spacing)
 }
 }
 
-Geometry withOpenFacesClosed(const Geometry& geometry, double H, double spacing)
+Geometry closedBy(const std::vector<ClosingPlane>& planes, const Geometry& geometry)
 {
     auto closed = geometry;
+    if (planes.empty()) return closed;
     const int wall = int(closed.walls.size());
-    for (int axis = 0; axis < closed.dimension; ++axis)
+    closed.walls.emplace_back().name = "openFaces";
+    for (const auto& [point, normal] : planes) closed.originals.push_back({std::make_shared<Plane>(point, normal), wall});
+    repeatPeriodically(closed, geometry.reach);
+    return closed;
+}
+
+std::vector<ClosingPlane> openFaces(const Geometry& g, double spacing)
+{
+    std::vector<ClosingPlane> faces;
+    for (int axis = 0; axis < g.dimension; ++axis)
         for (const bool upper : {false, true})
         {
             const auto c = component(axis);
-            const double at = (upper ? geometry.high : geometry.low).*c;
-            if (geometry.periodic[std::size_t(axis)] || !isOpen(geometry, axis, at, spacing)) continue;
-            Vector<3> point, normal;
-            point.*c = at;
-            normal.*c = upper ? -1 : 1;
-            closed.originals.push_back({std::make_shared<Plane>(point, normal), wall});
+            const double at = (upper ? g.high : g.low).*c;
+            if (g.periodic[std::size_t(axis)] || !isOpen(g, axis, at, spacing)) continue;
+            ClosingPlane face;
+            face.point.*c = at;
+            face.normal.*c = upper ? -1 : 1;
+            faces.push_back(face);
         }
-    if (closed.originals.size() == geometry.originals.size()) return closed;
-    closed.walls.emplace_back().name = "openFaces";
-    repeatPeriodically(closed, geometry.reach);
-    if (!geometry.layers.empty())
-    {
-        Diagnostics ofPlanes; // of which all can be layers
-        closed.layers = makeWallLayers(closed, H, spacing, ofPlanes);
-    }
-    return closed;
+    return faces;
 }
 
 }

@@ -1,14 +1,22 @@
-/// Faces of the domain that no wall closes, where a scene goes on or ends: through openings, or at the lid that a tank does not have.
+/// Planes that close what a relaxation must not spread beyond: each mirrors what stands before it. Without them an open face is a free surface, over
+/// which the pressure that particles share spreads them: a pipe between two openings lost 6 % of its density in 200 steps.
 #pragma once
 #include "Geometry.hpp"
+#include <vector>
 
 namespace sph
 {
 
-/// The geometry with a plane in each face of the domain that is neither periodic nor closed by walls, for a relaxation: it mirrors what stands before it. Without it the
-/// face is a free surface, over which the pressure that particles share spreads them: a pipe between two openings lost 6 % of its density in 200 steps.
-/// A face counts as open where the fluid lies further than half of `spacing` [m] from any wall somewhere on it; layers are made anew where
-/// walls are layers, for a kernel of the support `H` [m].
-Geometry withOpenFacesClosed(const Geometry&, double H, double spacing);
+struct ClosingPlane
+{
+    Vector<3> point, normal; ///< [m]; unit, towards what is kept
+};
+
+/// The geometry with these planes as one more wall.
+Geometry closedBy(const std::vector<ClosingPlane>&, const Geometry&);
+
+/// The faces of the domain that are neither periodic nor closed by walls, where a scene goes on or ends: through openings, or at the lid that a tank does not
+/// have. A face counts as open where the fluid lies further than half of `spacing` [m] from any wall somewhere on it.
+std::vector<ClosingPlane> openFaces(const Geometry&, double spacing);
 
 }

@@ -1,6 +1,7 @@
 #include "Section.hpp"
 #include "components.hpp"
 #include "contains.hpp"
+#include "evenLines.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,12 @@ namespace
 constexpr int samplesPerSpacing = 8;
 /// From a wall to the nearest line [spacings].
 constexpr double leastClearance = 0.25;
+/// An edge nearer to a wall than this is one [spacings].
+constexpr double onWall = 1e-6;
+/// Areas of a section and of the lattice that fits it agree to this.
+constexpr double fits = 1e-6;
+/// Of the lattice on which the profile over lines that are on none is found.
+constexpr int finerForProfile = 4;
 /// By which a sample's distance to an edge is halved: 1e-12 of a spacing are left.
 constexpr int halvings = 40;
 
@@ -78,21 +85,27 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
         n_[d] = std::max(1, int(std::lround((whole.high[d] - whole.low[d]) / spacing)));
         step_[d] = (whole.high[d] - whole.low[d]) / n_[d];
     }
-    index_.assign(std::size_t(n_[0]) * n_[1], -1);
-    std::size_t ofPlane = 0;
+    std::vector<Vector<3>> feet;
     for (int i = 0; i < n_[0]; ++i)
         for (int k = 0; k < n_[1]; ++k)
-        {
-            const auto foot = at(low_[0] + (i + 0.5) * step_[0], dimension_ == 3 ? low_[1] + (k + 0.5) * step_[1] : 0);
-            ofPlane += openOf(plane ? *plane : opening)(foot, leastClearance * spacing);
-            if (!openOf(opening)(foot, leastClearance * spacing)) continue;
-            index_[std::size_t(i) * n_[1] + k] = int(lines_.size());
-            lines_.push_back({foot, 1});
-        }
-    if (lines_.empty()) return;
-    rowSpacing_ = std::pow(spacing, dimension_) * double(ofPlane) / whole.area;
+            if (openOf(plane ? *plane : opening)(centre(i, k), whole.walled ? 0 : leastClearance * spacing)) feet.push_back(centre(i, k));
+    if (feet.empty()) return;
+    rowSpacing_ = std::pow(spacing, dimension_) * double(feet.size()) / whole.area;
+    const double onLattice = step_[0] * (dimension_ == 3 ? step_[1] : 1) * double(n_[0] * n_[1]);
+    const bool isLattice = feet.size() == std::size_t(n_[0]) * n_[1] && std::abs(whole.area - onLattice) < fits * onLattice;
+    if (!isLattice && whole.walled) feet = evenLines(opening, geometry, feet, rowSpacing_, spacing);
+
+    cells_.resize(std::size_t(n_[0]) * n_[1]);
+    for (const auto& foot : feet)
+    {
+        const bool isOwn = openOf(opening)(foot, 0);
+        cells_[std::size_t(nearestSite(foot))].push_back({foot, isOwn ? int(lines_.size()) : -1});
+        if (isOwn) lines_.push_back({foot, 1});
+    }
     carried_ = std::pow(spacing, dimension_) * double(lines_.size()) / rowSpacing_;
-    if (opening.developed) developProfile(opening.where);
+    if (!opening.developed || lines_.empty()) return;
+    const auto isOpen = openOf(opening);
+    developProfile([&](const Vector<3>& x) { return isOpen(x, 0); }, isLattice ? 1 : finerForProfile, opening.where);
 }
 
 Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, double spacing) const
@@ -116,6 +129,8 @@ Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, 
         double length = 0, longest = 0, middle = 0;
     };
     Extents all;
+    const auto lookAtEdge = [&](const Vector<3>& x, int along)
+    { all.walled = all.walled && (repeats_[along] || geometry.distance(x) < onWall * spacing); };
     const auto rowAt = [&](double b)
     {
         Row row;
@@ -127,6 +142,8 @@ Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, 
                 if (high - low > row.longest) row = {row.length, high - low, 0.5 * (low + high)};
                 all.low[0] = std::min(all.low[0], low);
                 all.high[0] = std::max(all.high[0], high);
+                lookAtEdge(at(low, b), 0);
+                lookAtEdge(at(high, b), 0);
             });
         return row;
     };
@@ -146,7 +163,9 @@ Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, 
         const auto end = [&](double beyond)
         {
             const auto opens = [&](double c) { return open(at(row.middle, c)); };
-            return opens(beyond) ? beyond : edgeBetween(b, beyond, opens);
+            const double edge = opens(beyond) ? beyond : edgeBetween(b, beyond, opens);
+            if (edge != beyond || beyond == from[1] || beyond == to[1]) lookAtEdge(at(row.middle, edge), 1);
+            return edge;
         };
         all.low[1] = std::min(all.low[1], end(std::max(from[1], b - apart)));
         all.high[1] = std::max(all.high[1], end(std::min(to[1], b + apart)));
@@ -160,49 +179,94 @@ Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, 
 
 double Section::width() const { return dimension_ == 3 ? std::min(width_[0], width_[1]) : width_[0]; }
 
-int Section::site(int i, int k) const
+int Section::nearestSite(const Vector<3>& x) const
 {
-    if (repeats_[0]) i = (i + n_[0]) % n_[0];
-    if (repeats_[1]) k = (k + n_[1]) % n_[1];
-    return i < 0 || k < 0 || i >= n_[0] || k >= n_[1] ? -1 : index_[std::size_t(i) * n_[1] + k];
+    int at[2] = {0, 0};
+    for (int d = 0; d < dimension_ - 1; ++d)
+        at[d] = std::clamp(int(std::floor((dot(x - point_, across_[d]) - low_[d]) / step_[d])), 0, n_[d] - 1);
+    return site(at[0], at[1]);
+}
+
+Vector<3> Section::centre(int i, int k, int finer) const
+{
+    return at(low_[0] + (i + 0.5) * step_[0] / finer, dimension_ == 3 ? low_[1] + (k + 0.5) * step_[1] / finer : 0);
+}
+
+int Section::site(int i, int k, int finer) const
+{
+    const int n[2] = {n_[0] * finer, dimension_ == 3 ? n_[1] * finer : 1};
+    if (repeats_[0]) i = (i + n[0]) % n[0];
+    if (repeats_[1]) k = (k + n[1]) % n[1];
+    return i < 0 || k < 0 || i >= n[0] || k >= n[1] ? -1 : i * n[1] + k;
 }
 
 int Section::lineAt(const Vector<3>& x) const
 {
-    int at[2] = {0, 0};
-    for (int d = 0; d < dimension_ - 1; ++d) at[d] = int(std::floor((dot(x - point_, across_[d]) - low_[d]) / step_[d]));
-    return site(at[0], at[1]);
+    int cell[2] = {0, 0};
+    for (int d = 0; d < dimension_ - 1; ++d) cell[d] = int(std::floor((dot(x - point_, across_[d]) - low_[d]) / step_[d]));
+    if (site(cell[0], cell[1]) < 0) return -1;
+    double nearest = Box::infinity;
+    int line = -1;
+    for (int i = cell[0] - 1; i <= cell[0] + 1; ++i)
+        for (int k = cell[1] - 1; k <= cell[1] + 1; ++k)
+        {
+            const int at = site(i, k);
+            if (at < 0) continue;
+            for (const auto& of : cells_[std::size_t(at)])
+            {
+                double square = 0;
+                for (int d = 0; d < dimension_ - 1; ++d)
+                {
+                    double by = dot(x - of.foot, across_[d]);
+                    if (const double period = n_[d] * step_[d]; repeats_[d]) by -= period * std::round(by / period);
+                    square += by * by;
+                }
+                if (square >= nearest) continue;
+                nearest = square;
+                line = of.line;
+            }
+        }
+    return line;
 }
 
-void Section::developProfile(const Location& where)
+void Section::developProfile(const auto& isFluid, int finer, const Location& where)
 {
+    const int n[2] = {n_[0] * finer, dimension_ == 3 ? n_[1] * finer : 1};
+    std::vector<char> fluid;
+    for (int i = 0; i < n[0]; ++i)
+        for (int k = 0; k < n[1]; ++k) fluid.push_back(isFluid(centre(i, k, finer)));
+    const auto fluidAt = [&](int i, int k)
+    {
+        const int at = site(i, k, finer);
+        return at >= 0 && fluid[std::size_t(at)] ? at : -1;
+    };
     // Without walls nothing holds the flow back.
     bool walls = false;
-    for (int i = -1; i <= n_[0]; ++i)
-        for (int k = dimension_ == 3 ? -1 : 0; k < (dimension_ == 3 ? n_[1] + 1 : 1); ++k) walls = walls || site(i, k) < 0;
+    for (int i = -1; i <= n[0]; ++i)
+        for (int k = dimension_ == 3 ? -1 : 0; k < (dimension_ == 3 ? n[1] + 1 : 1); ++k) walls = walls || fluidAt(i, k) < 0;
     if (!walls) return;
 
     // Successive over-relaxation: the lines are few.
-    for (auto& line : lines_) line.profile = 0;
+    std::vector<double> profile(fluid.size(), 0.0);
     double change = 1, largest = 0;
     for (int sweep = 0; sweep < 100000 && change > 1e-12 * largest; ++sweep)
     {
         change = 0;
-        for (int i = 0; i < n_[0]; ++i)
-            for (int k = 0; k < n_[1]; ++k)
+        for (int i = 0; i < n[0]; ++i)
+            for (int k = 0; k < n[1]; ++k)
             {
-                const int self = site(i, k);
+                const int self = fluidAt(i, k);
                 if (self < 0) continue;
                 double sum = 1, diagonal = 0;
                 for (int d = 0; d < dimension_ - 1; ++d)
                     for (const int side : {-1, 1})
                     {
-                        const int next = d == 0 ? site(i + side, k) : site(i, k + side);
-                        const double weight = 1 / sqr(step_[d]);
+                        const int next = d == 0 ? fluidAt(i + side, k) : fluidAt(i, k + side);
+                        const double weight = sqr(finer / step_[d]);
                         diagonal += next < 0 ? 2 * weight : weight; // u = -u_i beyond a wall
-                        if (next >= 0) sum += weight * lines_[next].profile;
+                        if (next >= 0) sum += weight * profile[std::size_t(next)];
                     }
-                double& u = lines_[self].profile;
+                double& u = profile[std::size_t(self)];
                 const double by = 1.8 * (sum / diagonal - u);
                 u += by;
                 change = std::max(change, std::abs(by));
@@ -211,8 +275,26 @@ void Section::developProfile(const Location& where)
     }
     if (!(change <= 1e-12 * largest))
         throw CaseError(where, "the profile of developed flow in this section has not converged; take `profile uniform;`");
+
+    // Bilinear between the centres of cells; on a lattice those are the lines.
     double mean = 0;
-    for (const auto& line : lines_) mean += line.profile / double(lines_.size());
+    for (auto& line : lines_)
+    {
+        int cell[2] = {0, 0};
+        double share[2] = {0, 0};
+        for (int d = 0; d < dimension_ - 1; ++d)
+        {
+            const double at = (dot(line.foot - point_, across_[d]) - low_[d]) * finer / step_[d] - 0.5;
+            cell[d] = int(finer == 1 ? std::lround(at) : std::floor(at));
+            share[d] = finer == 1 ? 0 : at - cell[d];
+        }
+        line.profile = 0;
+        for (const int i : {0, 1})
+            for (const int k : {0, 1})
+                if (const int at = fluidAt(cell[0] + i, cell[1] + k); at >= 0)
+                    line.profile += (i == 1 ? share[0] : 1 - share[0]) * (k == 1 ? share[1] : 1 - share[1]) * profile[std::size_t(at)];
+        mean += line.profile / double(lines_.size());
+    }
     for (auto& line : lines_) line.profile /= mean;
 }
 

@@ -1,14 +1,15 @@
 /// The cross-section of a duct at an inlet: the lines, parallel to its normal, along which particles come in.
 ///
 /// The lines stand on a lattice that fills the fluid of the section; from wall to wall it is a little closer or wider than the spacing dx,
-/// and the distance of the particles on a line makes up for it and for a round section's rim: dx^-d particles per volume on the whole. A part
-/// that is cut out of a plane has those lines of the plane's lattice that lie within it, so that what stands beside it continues its
-/// lattice. Its particles fill `carried()`, which is more or less than its area by a part of a line's share, and a given rate takes a velocity of
-/// rate/carried. The velocity has a profile u over the section, of mean 1: 1 everywhere, or that of developed flow of a uniform viscosity,
+/// and the distance of the particles on a line makes up for it: dx^-d particles per volume on the whole. Where no lattice fits the walls they are
+/// moved until the density is even (evenLines.hpp). A part that is cut out of a plane has those lines of the plane that lie within it, so that
+/// what stands beside it continues its arrangement. Its particles fill `carried()`, which is more or less than its area by a part of a line's share, and a given rate takes a
+/// velocity of rate/carried. The velocity has a profile u over the section, of mean 1: 1 everywhere, or that of developed flow of a uniform viscosity,
 ///
 ///   -laplacian(u) = const,    u = 0 at the walls,
 ///
-/// by central differences on the lattice with the walls half a cell beyond its last lines: of second order between plane walls.
+/// by central differences on the lattice with the walls half a cell beyond its last lines: of second order between plane walls. Lines that were moved
+/// have the values of a lattice four times as fine, interpolated.
 #pragma once
 #include "Opening.hpp"
 #include <vector>
@@ -38,7 +39,7 @@ public:
     double carried() const { return carried_; }
     /// The least of its two extents [m].
     double width() const;
-    /// Index of the line nearest to a point; -1 where the lattice has none.
+    /// Index of the line nearest to a point; -1 where that is another opening's, and beside the section.
     int lineAt(const Vector<3>& x) const;
 
 private:
@@ -48,19 +49,29 @@ private:
     double width_[2] = {0, 0};                  ///< of the fluid [m]
     int n_[2] = {0, 1};
     bool repeats_[2] = {false, false};
-    std::vector<int> index_; ///< of the lattice's sites into lines_; -1: solid
     std::vector<Line> lines_;
+    /// A line of the plane: an index into lines_, or -1 where it is another opening's.
+    struct OfPlane
+    {
+        Vector<3> foot;
+        int line;
+    };
+    std::vector<std::vector<OfPlane>> cells_; ///< of the lattice, the lines that meet the plane there
     double rowSpacing_ = 0, area_ = 0, carried_ = 0;
 
     Vector<3> at(double a, double b) const { return point_ + a * across_[0] + b * across_[1]; }
-    int site(int i, int k) const;
-    /// What is open of a plane: its area, and its ends along `across_`.
+    /// Of a lattice `finer` times as fine; -1 outside of it.
+    int site(int i, int k, int finer = 1) const;
+    int nearestSite(const Vector<3>& x) const;
+    Vector<3> centre(int i, int k, int finer = 1) const;
+    /// What is open of a plane: its area, its ends along `across_`, and whether all of its edges are walls or periodic faces.
     struct Extents
     {
         double area = 0, low[2] = {Box::infinity, Box::infinity}, high[2] = {-Box::infinity, -Box::infinity};
+        bool walled = true;
     };
     Extents extentsOf(const auto& open, const Geometry&, double spacing) const;
-    void developProfile(const Location& where);
+    void developProfile(const auto& isFluid, int finer, const Location& where);
 };
 
 }
