@@ -74,11 +74,12 @@ void checkRelaxation(const PackingPlan& plan, const RelaxationResult& relaxation
     const bool uneven = after.scatter > goodResidual && after.scatter > before.scatter,
                thin = after.mean < -goodResidual && after.mean < before.mean;
     if (!uneven && !thin) return;
-    throw CaseError(plan.relaxAt,
-                    fmt::format("the relaxation makes the packing worse: in {} steps the scatter of the kernel sums went from {:.3g} to "
-                                "{:.3g}, their mean from {:+.3g} to {:+.3g}. The walls leave no room for an even packing at a spacing of "
-                                "{:g} m: choose a finer one, or leave `relax` out",
-                                relaxation.steps, before.scatter, after.scatter, before.mean, after.mean, plan.lattice.spacing));
+    throw CaseError(
+        plan.relaxAt,
+        fmt::format("the relaxation makes the packing worse: in {} steps the scatter of the kernel sums went from {:.3g} to "
+                    "{:.3g}, their mean from {:+.3g} to {:+.3g}. The walls leave no room for an even packing at a spacing of "
+                    "{:g} m, or its steps are too long: choose a finer spacing, the default bias and coefficient, or leave `relax` out",
+                    relaxation.steps, before.scatter, after.scatter, before.mean, after.mean, plan.lattice.spacing));
 }
 
 void checkDistances(const PackingPlan& plan, const Packing& packing)

@@ -1,5 +1,6 @@
 #include "Openings.hpp"
 #include "CaseError.hpp"
+#include "OpenPlanes.hpp"
 #include "components.hpp"
 #include "contains.hpp"
 #include "forEachFoot.hpp"
@@ -223,7 +224,10 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
     { throw CaseError(opening.where, fmt::format("opening \"{}\" has {}: its normal must point into the scene", opening.name, what)); };
     for (const auto& other : gates_)
         if (std::ranges::any_of(other.section.lines(),
-                                [&](const auto& line) { return opening.distance(line.foot) <= -2 * depth_ && inSight(gate, line.foot); }))
+                                [&](const auto& line) {
+                                    return opening.distance(line.foot) <= -2 * depth_ &&
+                                           inSight(opening, geometry_, line.foot, coefficients_.spacing);
+                                }))
             fail(fmt::format("\"{}\" beyond its plane, and would take away the fluid between them", other.opening.name));
     double deepest = 0;
     for (const auto& line : gate.section.lines())
@@ -269,21 +273,14 @@ template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
     return beside;
 }
 
-/// Whether a point lies in the duct beyond a plane: the plane is in sight along its normal.
-template<int dim> bool Openings<dim>::inSight(const Gate& gate, const Vector<3>& x) const
-{
-    const double s = gate.opening.distance(x);
-    if (s > 0 || !belongs(gate, x)) return false;
-    for (double by = 0; by < -s; by += coefficients_.spacing)
-        if (!geometry_.inFluid(x + by * gate.opening.normal)) return false;
-    return true;
-}
-
 /// 1 + the opening in whose duct a point lies, further beyond its plane than is held there; 0 where there is none.
 template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
 {
-    const auto gate =
-        std::ranges::find_if(gates_, [&](const Gate& each) { return each.opening.distance(x) <= -2 * depth_ && inSight(each, x); });
+    const auto gate = std::ranges::find_if(gates_,
+                                           [&](const Gate& each) {
+                                               return each.opening.distance(x) <= -2 * depth_ &&
+                                                      inSight(each.opening, geometry_, x, coefficients_.spacing);
+                                           });
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 

@@ -193,7 +193,6 @@ private:
     bool inDomain(const Vector<3>& x, double beyond) const;
     bool belongs(const Gate&, const Vector<3>& x) const;
     bool meet(const Gate& a, const Gate& b) const;
-    bool inSight(const Gate&, const Vector<3>& x) const;
     int holderOf(const Vector<3>& x) const;
     int farBeyond(const Vector<3>& x) const;
     /// Who holds a particle at x_i from now on; counts what passes. Returns 1 + the opening, or 0.

@@ -215,13 +215,11 @@ EntryList openingEntries()
     return {{opening, {{type, byType}, normal}}};
 }
 
-std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
-                                  const std::map<std::string, std::string>& absent)
+namespace
+{
+std::vector<Opening> readAll(const Dictionary& dict, const Reader& read, const std::map<std::string, std::string>& absent)
 {
     std::vector<Opening> openings;
-    if (!theCase.has("constant/openings")) return openings;
-    const auto dict = theCase.dictionary("constant/openings");
-    const Reader read{geometry, coefficients, state};
     std::vector<std::string> others; // names of those that are not cut out of an open plane
     for (const auto& name : dict.keys())
     {
@@ -237,13 +235,29 @@ std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry,
             if ((all.empty() || all[0].inlet) && d.found(field)) d.error(field, why);
         if (entry::type.is(d, "inlet") || entry::type.is(d, "outlet")) others.push_back(name);
     }
-    dict.reportUnused();
     const auto isOther = [&](const Opening& o) { return std::ranges::find(others, o.name) != others.end(); };
     const auto before = openings;
     for (auto& opening : openings)
         for (const auto& part : before)
-            if (isOther(opening) && !isOther(part) && inOnePlane(opening, part, coefficients.spacing)) opening.without.push_back(part);
+            if (isOther(opening) && !isOther(part) && inOnePlane(opening, part, read.coefficients.spacing)) opening.without.push_back(part);
     return openings;
+}
+}
+
+std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
+                                  const std::map<std::string, std::string>& absent)
+{
+    if (!theCase.has("constant/openings")) return {};
+    const auto dict = theCase.dictionary("constant/openings");
+    auto openings = readAll(dict, {geometry, coefficients, state}, absent);
+    dict.reportUnused();
+    return openings;
+}
+
+std::vector<Opening> readOpeningPlanes(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients)
+{
+    if (!theCase.has("constant/openings")) return {};
+    return readAll(theCase.dictionary("constant/openings"), {geometry, coefficients, State{}}, {});
 }
 
 }
