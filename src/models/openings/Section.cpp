@@ -88,12 +88,14 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
     std::vector<Vector<3>> feet;
     for (int i = 0; i < n_[0]; ++i)
         for (int k = 0; k < n_[1]; ++k)
-            if (openOf(plane ? *plane : opening)(centre(i, k), whole.walled ? 0 : leastClearance * spacing)) feet.push_back(centre(i, k));
-    if (feet.empty()) return;
-    rowSpacing_ = std::pow(spacing, dimension_) * double(feet.size()) / whole.area;
+            if (openOf(plane ? *plane : opening)(centre(i, k), leastClearance * spacing)) feet.push_back(centre(i, k));
     const double onLattice = step_[0] * (dimension_ == 3 ? step_[1] : 1) * double(n_[0] * n_[1]);
     const bool isLattice = feet.size() == std::size_t(n_[0]) * n_[1] && std::abs(whole.area - onLattice) < fits * onLattice;
-    if (!isLattice && whole.walled) feet = evenLines(opening, geometry, feet, rowSpacing_, spacing);
+    const bool isMoved = !isLattice && whole.walled;
+    if (isMoved) feet = oneToASquare(whole, spacing, openOf(plane ? *plane : opening));
+    if (feet.empty()) return;
+    rowSpacing_ = std::pow(spacing, dimension_) * double(feet.size()) / whole.area;
+    if (isMoved) feet = evenLines(opening, geometry, feet, rowSpacing_, spacing);
 
     cells_.resize(std::size_t(n_[0]) * n_[1]);
     for (const auto& foot : feet)
@@ -105,7 +107,27 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
     carried_ = std::pow(spacing, dimension_) * double(lines_.size()) / rowSpacing_;
     if (!opening.developed || lines_.empty()) return;
     const auto isOpen = openOf(opening);
-    developProfile([&](const Vector<3>& x) { return isOpen(x, 0); }, isLattice ? 1 : finerForProfile, opening.where);
+    developProfile([&](const Vector<3>& x) { return isOpen(x, 0); }, isMoved ? finerForProfile : 1, opening.where);
+}
+
+/// Places of a square lattice of the spacing, shifted so that they come nearest in number to one for each square of a spacing: rows of particles then stand a spacing
+/// apart.
+std::vector<Vector<3>> Section::oneToASquare(const Extents& whole, double spacing, const auto& open) const
+{
+    constexpr int shifts = 4;
+    const double wanted = whole.area / std::pow(spacing, dimension_ - 1);
+    std::vector<Vector<3>> best;
+    for (int shift = 0; shift < (dimension_ == 3 ? shifts * shifts : shifts); ++shift)
+    {
+        std::vector<Vector<3>> feet;
+        const double first = whole.low[0] + (0.5 + shift % shifts) * spacing / shifts,
+                     second = dimension_ == 3 ? whole.low[1] + (0.5 + double(shift / shifts)) * spacing / shifts : 0;
+        for (double a = first; a < whole.high[0]; a += spacing)
+            for (double b = second; dimension_ == 3 ? b < whole.high[1] : b == second; b += spacing)
+                if (open(at(a, b), 0)) feet.push_back(at(a, b));
+        if (best.empty() || std::abs(double(feet.size()) - wanted) < std::abs(double(best.size()) - wanted)) best = std::move(feet);
+    }
+    return best;
 }
 
 Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, double spacing) const

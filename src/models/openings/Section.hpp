@@ -71,6 +71,7 @@ private:
         bool walled = true;
     };
     Extents extentsOf(const auto& open, const Geometry&, double spacing) const;
+    std::vector<Vector<3>> oneToASquare(const Extents& whole, double spacing, const auto& open) const;
     void developProfile(const auto& isFluid, int finer, const Location& where);
 };
 

@@ -341,6 +341,7 @@ TEST(Packing, relaxesUpToOpenFacesOfTheDomain)
 TEST(PackingErrors, aRelaxationThatMakesItWorse)
 {
     CaseFolder c;
+    c.write("system/sphSchemes", "resolution { spacing 0.005; support 2.6; }\n");
     c.write("system/packParticlesDict", "jitter 0.1;\nallowEmpty yes;\nrelax { steps 20; bias (1000 1000); coefficient 1; }\n");
     const auto message = c.error();
     EXPECT_EQ(
