@@ -1,6 +1,8 @@
 #include "Packing.hpp"
 #include "components.hpp"
+#include "openFaces.hpp"
 #include "reduce.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,6 +14,9 @@ namespace
 {
 /// Particles nearer than this, in spacings, are one particle twice: no kernel sum can tell them apart.
 constexpr double coincidence = 0.05;
+
+/// Scatter of the kernel residual, and mean below 0, up to which a relaxation is good, whatever it began with.
+constexpr double goodResidual = 0.01;
 
 std::string text(const Vector<3>& a) { return fmt::format("({:.6g} {:.6g} {:.6g})", a.x, a.y, a.z); }
 
@@ -52,10 +57,29 @@ Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& pack
 
 template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, Points& points)
 {
+    const double spacing = plan.lattice.spacing;
+    const Kernel<dim> kernel(plan.kernel, plan.support);
     RelaxationSettings atRest;
     atRest.steps = 0;
-    return relax<dim>(plan.geometry, Kernel<dim>(plan.kernel, plan.support), V0, plan.lattice.spacing, plan.relaxation.value_or(atRest),
-                      points);
+    if (!plan.relaxation) return relax<dim>(plan.geometry, kernel, V0, spacing, atRest, points);
+    auto closed = closedBy(openFaces(plan.geometry, spacing), plan.geometry);
+    Diagnostics ofLayers; // there are none of planes
+    if (!closed.layers.empty()) closed.layers = makeWallLayers(closed, plan.support, spacing, ofLayers);
+    return relax<dim>(closed, kernel, V0, spacing, *plan.relaxation, points);
+}
+
+void checkRelaxation(const PackingPlan& plan, const RelaxationResult& relaxation)
+{
+    const auto &before = relaxation.before.overall, &after = relaxation.after.overall;
+    const bool uneven = after.scatter > goodResidual && after.scatter > before.scatter,
+               thin = after.mean < -goodResidual && after.mean < before.mean;
+    if (!uneven && !thin) return;
+    throw CaseError(
+        plan.relaxAt,
+        fmt::format("the relaxation makes the packing worse: in {} steps the scatter of the kernel sums went from {:.3g} to "
+                    "{:.3g}, their mean from {:+.3g} to {:+.3g}. The walls leave no room for an even packing at a spacing of "
+                    "{:g} m, or its steps are too long: choose a finer spacing, the default bias and coefficient, or leave `relax` out",
+                    relaxation.steps, before.scatter, after.scatter, before.mean, after.mean, plan.lattice.spacing));
 }
 
 void checkDistances(const PackingPlan& plan, const Packing& packing)
@@ -142,6 +166,7 @@ Packing pack(const PackingPlan& plan)
     packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
                                           : relaxIn<2>(plan, packing.particleVolume, packing.points);
     checkDistances(plan, packing);
+    checkRelaxation(plan, packing.relaxation);
 
     auto occupation = occupy(plan, packing.points);
     if (plan.saturation) share(*plan.saturation, g, packing.points, occupation);

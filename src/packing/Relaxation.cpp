@@ -10,6 +10,7 @@
 #include "relaxationTerms.hpp"
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -26,6 +27,9 @@ constexpr double largestStep = 0.1;
 
 /// Particles are kept this many spacings off a wall; relaxed ones stand about half a spacing off.
 constexpr double wallInset = 0.2;
+
+/// Particles stand on one line where their distances from one another across it are below this [spacings].
+constexpr double sameLine = 1e-6;
 
 /// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
@@ -113,6 +117,9 @@ template<int dim> class Relaxer
     std::array<std::vector<double>, dim> atBuild_;      ///< of what moves
     KernelResidual residual_;                           ///< at the present places
     Vector<dim> travelled_{};                           ///< sum over all particles and steps [m]
+    std::vector<std::vector<std::size_t>> lines_;       ///< of particles that move as one
+    Vector<dim> direction_{};                           ///< of the lines
+    std::vector<double> place_;                         ///< of each particle along its line [m]
 
 public:
     /// `moves`: whether `move` will be called.
@@ -139,6 +146,22 @@ public:
         const auto sorted = sortedByCells(points, kernel.support());
         forEach([&](std::size_t i) { place(i, in<dim>(sorted[i])); });
         rebuild();
+    }
+
+    /// From now on particles that stand behind one another along this unit vector stay so, where they are along it.
+    void keepLines(const Vector<3>& along)
+    {
+        direction_ = in<dim>(along);
+        std::map<std::array<long, std::size_t(dim)>, std::vector<std::size_t>> lines;
+        for (std::size_t i = 0; i < n_; ++i)
+        {
+            place_.push_back(dot(position(i), direction_));
+            const auto foot = in3D(position(i) - place_[i] * direction_);
+            std::array<long, std::size_t(dim)> at;
+            for (int c = 0; c < dim; ++c) at[std::size_t(c)] = std::lround(foot.*component(c) / (sameLine * spacing_));
+            lines[at].push_back(i);
+        }
+        for (auto& [_, line] : lines) lines_.push_back(std::move(line));
     }
 
     /// By which the centre of mass has moved [m].
@@ -184,6 +207,7 @@ public:
             },
             [](Shifts& all, const Shifts& of) { all += of; });
         travelled_ += total.sum;
+        straighten();
         return {total.largest / spacing_, total.held};
     }
 
@@ -255,6 +279,16 @@ private:
     void place(std::size_t i, Vector<dim> x_i)
     {
         store(x_i, [&](int c, double q) { x_[c][i] = q; });
+    }
+
+    void straighten()
+    {
+        for (const auto& line : lines_)
+        {
+            Vector<dim> mean{};
+            for (const auto i : line) mean += position(i) / double(line.size());
+            for (const auto i : line) place(i, mean + (place_[i] - dot(mean, direction_)) * direction_);
+        }
     }
 
     void wrap()
@@ -348,6 +382,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
 {
     RelaxationResult result;
     Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points, settings.steps > 0);
+    if (settings.alongLines) relaxer.keepLines(*settings.alongLines);
     relaxer.updateDensity();
     result.before = result.after = relaxer.residual();
     while (result.steps < settings.steps && relaxer.scatter() > settings.tolerance)

@@ -34,11 +34,13 @@ std::optional<Outlier> notFinite(const AnySimulation& simulation)
 
 std::optional<Outlier> impossibleDensity(const AnySimulation& simulation, const std::vector<double>& restDensity)
 {
-    const double *rho = simulation.field(Density::info.name).component[0], *phase = simulation.field(Phase::info.name).component[0];
+    const double *rho = simulation.field(Density::info.name).component[0], *phase = simulation.field(Phase::info.name).component[0],
+                 *holder = simulation.field(Holder::info.name).component[0];
     std::size_t furthest = 0;
     double most = 0;
     for (std::size_t i = 0; i < simulation.size(); ++i)
     {
+        if (holder && holder[i] > 0) continue;
         const double ratio = rho[i] / restDensity[phase ? std::size_t(phase[i]) : 0];
         if (ratio >= leastCompression && ratio <= mostCompression) continue;
         const double off = ratio > 0 ? std::fabs(std::log(ratio)) : std::numeric_limits<double>::infinity();

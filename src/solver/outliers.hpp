@@ -19,7 +19,7 @@ struct Outlier
 
 /// The first position or value that is not finite, of the fields that are written.
 std::optional<Outlier> notFinite(const AnySimulation&);
-/// Of densities outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
+/// Of densities in the scene outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
 std::optional<Outlier> impossibleDensity(const AnySimulation&, const std::vector<double>& restDensity);
 
 }

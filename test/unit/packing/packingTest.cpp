@@ -303,6 +303,55 @@ TEST(Packing, reportsTheBed)
     EXPECT_NE(text.find("Relaxation: 5 steps"), std::string::npos) << text;
 }
 
+// Ends of the domain that no wall closes, as openings need them: a pipe, a pipe askew and a column between the faces. The relaxation mirrors there: the density, which was uneven by
+// 2 to 10 %, ends within 1 % of a lattice's (1.01 at this support, and up to another per cent where the pipe cuts the lattice's share), and as even as in
+// closed scenes. Over a free surface the mean fell to 0.94 in the pipe and 0.93 in the column.
+TEST(Packing, relaxesUpToOpenFacesOfTheDomain)
+{
+    for (
+        const std::string geometry :
+        {"dimension 3; domain { min (-0.5 -0.25 -0.25); max (0.5 0.25 0.25); } walls { pipe { type cylinder; point (0 0 0); axis (1 0 0); radius "
+         "0.25; fluid inside; } }",
+         "dimension 3; domain { min (-0.5 -0.3 -0.3); max (0.5 0.3 0.3); } walls { pipe { type cylinder; point (0 0 0); axis (1 0.2 0.1); radius "
+         "0.2; fluid inside; } }",
+         "dimension 2; domain { min (0 -0.4 0); max (1 1.4 0); periodic (x); } walls { a { type cylinder; point (0.25 0.3 0); radius 0.2; fluid "
+         "outside; } b { type cylinder; point (0.75 0.7 0); radius 0.2; fluid outside; } }"})
+    {
+        SCOPED_TRACE(geometry);
+        CaseFolder c;
+        c.write("constant/geometry", geometry);
+        c.write("system/sphSchemes", "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n");
+        c.write("system/packParticlesDict", "fill ( { region all; phase water; } ); allowEmpty yes; relax { steps 200; }\n");
+        const auto plan = c.plan();
+        const auto packing = pack(plan);
+        const auto &before = packing.relaxation.before.overall, &after = packing.relaxation.after.overall;
+        EXPECT_GT(before.scatter, 0.015);
+        EXPECT_LT(after.scatter, 0.005);
+        EXPECT_NEAR(after.mean, 0.01, 0.012);
+        for (std::size_t i = 0; i < packing.points.size(); ++i)
+        {
+            const auto x = packing.points[i];
+            EXPECT_TRUE(x.x >= plan.geometry.low.x && x.x <= plan.geometry.high.x && x.y >= plan.geometry.low.y &&
+                        x.y <= plan.geometry.high.y);
+        }
+    }
+}
+
+// Steps that are limited to a tenth of a spacing, for ever in the wrong direction: refused, with line and numbers.
+TEST(PackingErrors, aRelaxationThatMakesItWorse)
+{
+    CaseFolder c;
+    c.write("system/sphSchemes", "resolution { spacing 0.005; support 2.6; }\n");
+    c.write("system/packParticlesDict", "jitter 0.1;\nallowEmpty yes;\nrelax { steps 20; bias (1000 1000); coefficient 1; }\n");
+    const auto message = c.error();
+    EXPECT_EQ(
+        message.find(
+            "system/packParticlesDict:3: the relaxation makes the packing worse: in 20 steps the scatter of the kernel sums went from 0.0"),
+        0u)
+        << message;
+    EXPECT_NE(message.find("choose a finer spacing, the default bias and coefficient, or leave `relax` out"), std::string::npos) << message;
+}
+
 TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
 {
     // Each message says where, what was meant and what is possible.

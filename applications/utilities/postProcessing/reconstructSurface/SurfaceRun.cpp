@@ -9,6 +9,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
 
 namespace sph
 {
@@ -54,7 +56,22 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
         settings_.phases = {int(found - scene_.phases.begin())};
     }
     grid_ = gridOfDomain(geometry_, settings_.gridSpacing);
-    wallDistance_ = wallDistances(grid_, geometry_);
+    wallDistance_ = sceneDistance_ = wallDistances(grid_, geometry_);
+    openings_.emplace(folder, geometry_, resolution, scene_.phases);
+    folder.diagnostics().throwIfAny();
+    if (openings_->none()) openings_.reset();
+    else
+    {
+        const double far = mag(geometry_.high - geometry_.low);
+        sceneDistance_.resize(grid_.size(), far);
+        for (int k = 0; k < grid_.nodes[2]; ++k)
+            for (int j = 0; j < grid_.nodes[1]; ++j)
+                for (int i = 0; i < grid_.nodes[0]; ++i)
+                {
+                    double& distance = sceneDistance_[grid_.index(i, j, k)];
+                    distance = std::min({distance, openings_->distance(grid_.node(i, j, k)), far});
+                }
+    }
     if (const auto& names = settings_.picture.shownWalls; !names.empty())
     {
         auto shown = geometry_;
@@ -84,24 +101,47 @@ SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase
     const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
     colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
     SurfaceReport report;
-    report.particleVolume = particles.phaseVolume();
-    report.level = settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, grid_, colour, wallDistance_);
-    const auto free = freeSurface(grid_, colour, report.level, geometry_, settings_.smoothing);
-    const auto enclosed = enclosedVolume(grid_, colour, report.level, wallDistance_);
+    for (std::size_t p = 0; p < particles.size(); ++p)
+    {
+        if (!particles.inPhase[p]) continue;
+        if (beyond(particles.position[p])) ++report.held;
+        else
+        {
+            ++report.particles;
+            report.particleVolume += particles.volume[p];
+        }
+    }
+    report.level = settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, grid_, colour, sceneDistance_);
+    const auto free = inScene(freeSurface(grid_, colour, report.level, geometry_, settings_.smoothing));
+    const auto enclosed = enclosedVolume(grid_, colour, report.level, sceneDistance_);
     report.phase = scene_.phases[phase];
-    report.particles = std::ranges::count(particles.inPhase, 1);
     report.area = measure(free);
     report.volume = enclosed.volume;
     report.pieces = enclosed.pieces;
     if (!write) return report;
 
-    const auto mesh = settings_.closed ? closedSurface(grid_, colour, report.level, wallDistance_, settings_.support) : free;
+    const auto mesh = settings_.closed ? closedSurface(grid_, colour, report.level, sceneDistance_, settings_.support) : free;
     for (const auto& format : settings_.formats)
     {
         written.push_back(output(time, fmt::format("{}.{}", report.phase, format)));
         writeSurface(mesh, case_.folder() / written.back());
     }
     return report;
+}
+
+/// The part of a surface before the planes of openings.
+Mesh SurfaceRun::inScene(Mesh mesh) const
+{
+    if (!openings_ || mesh->GetNumberOfPoints() == 0) return mesh;
+    vtkNew<vtkDoubleArray> distance;
+    distance->SetNumberOfValues(mesh->GetNumberOfPoints());
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+        double x[3];
+        mesh->GetPoint(p, x);
+        distance->SetValue(p, std::min(openings_->distance({x[0], x[1], x[2]}), grid_.largestStep()));
+    }
+    return clipped(mesh, distance);
 }
 
 Scene SurfaceRun::emptyScene(const std::string& time) const
@@ -138,7 +178,7 @@ void SurfaceRun::showWalls(Scene& scene) const
 
 void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, double level) const
 {
-    const auto surface = freeSurface(grid_, colour, level, geometry_, settings_.picture.smoothing);
+    const auto surface = inScene(freeSurface(grid_, colour, level, geometry_, settings_.picture.smoothing));
     if (geometry_.dimension == 2)
     {
         scene.contour = surface;
@@ -147,7 +187,7 @@ void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, do
     auto excess = colour;
     for (auto& c : excess) c -= level;
     scene.liquid = surface;
-    scene.liquidCuts = cutFaces(grid_, excess, wallDistance_);
+    scene.liquidCuts = cutFaces(grid_, excess, sceneDistance_);
 }
 
 void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
@@ -171,6 +211,7 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
     {
         const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
         if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5 * scene_.spacing) continue;
+        if (beyond(x)) continue;
         points.position.push_back(x);
         points.value.push_back(values[p]);
     }

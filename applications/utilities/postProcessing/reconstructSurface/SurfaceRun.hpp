@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "Geometry.hpp"
+#include "OpenPlanes.hpp"
 #include "SurfaceSettings.hpp"
 #include <optional>
 #include <string>
@@ -15,7 +16,8 @@ namespace sph
 struct SurfaceReport
 {
     std::string phase;
-    std::size_t particles = 0;
+    std::size_t particles = 0; ///< in the scene
+    std::size_t held = 0;      ///< beyond openings
     double area = 0, volume = 0, particleVolume = 0;
     double level = 0.5; ///< of the colour function on it
     int pieces = 0;
@@ -36,7 +38,9 @@ class SurfaceRun
     Geometry geometry_;
     SurfaceSettings settings_;
     RegularGrid grid_;
-    std::vector<double> wallDistance_; ///< once for all times; of the grid
+    std::optional<OpenPlanes> openings_;
+    std::vector<double> wallDistance_;  ///< once for all times; of the grid
+    std::vector<double> sceneDistance_; ///< from walls and the planes of openings, behind which there is no scene
     struct Shown
     {
         Geometry geometry;
@@ -47,6 +51,8 @@ class SurfaceRun
     std::string output(const std::string& time, const std::string& file) const;
     SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
                               std::vector<std::string>& written) const;
+    bool beyond(const Vector<3>& x) const { return openings_ && openings_->beyond(x); }
+    Mesh inScene(Mesh) const;
     Scene emptyScene(const std::string& time) const;
     void showWalls(Scene&) const;
     void showSurface(Scene&, const std::vector<double>& colour, double level) const;

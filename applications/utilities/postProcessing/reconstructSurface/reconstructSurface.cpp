@@ -81,9 +81,10 @@ int run(const std::filesystem::path& path, const Options& options)
         fmt::print("Time = {}\n", time);
         const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
         for (const auto& s : result.surfaces)
-            fmt::print("    {}: {} particles, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}{}\n", s.phase,
-                       s.particles, words.area, s.area, words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces,
-                       s.pieces == 1 ? "" : "s", surfaceRun.settings().iso ? "" : fmt::format(", level {:.3f}", s.level));
+            fmt::print("    {}: {} particles{}, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}{}\n", s.phase,
+                       s.particles, s.held > 0 ? fmt::format(" ({} more held beyond openings)", s.held) : "", words.area, s.area,
+                       words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces, s.pieces == 1 ? "" : "s",
+                       surfaceRun.settings().iso ? "" : fmt::format(", level {:.3f}", s.level));
         for (const auto& file : result.written) fmt::print("    {}\n", file);
         if (table) table->row(std::stod(time), row(result.surfaces));
         std::fflush(stdout);

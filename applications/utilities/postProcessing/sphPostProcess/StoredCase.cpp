@@ -21,7 +21,12 @@ Geometry loadGeometry(const Case& c)
 
 }
 
-StoredCase::StoredCase(const Case& c) : case_(c), geometry_(loadGeometry(c)), settings_(readSettings(c, geometry_)) {}
+StoredCase::StoredCase(const Case& c)
+    : case_(c),
+      geometry_(loadGeometry(c)),
+      settings_(readSettings(c, geometry_)),
+      openings_(c, geometry_, settings_.resolution, settings_.coefficients.phases)
+{}
 
 std::vector<std::string> StoredCase::times() const
 {
@@ -55,6 +60,12 @@ ParticleView StoredCase::load(const std::string& time)
         if (!cloud_.fields.contains("phase")) throw CaseError({cloud_.folder + "/phase", 0}, "is missing");
         phasesOf(cloud_, c.phases.size());
         v.phase = cloud_.fields.at("phase").component[0].data();
+    }
+    if (!openings_.none())
+    {
+        heldBy_.clear();
+        for (std::size_t i = 0; i < cloud_.size(); ++i) heldBy_.push_back(openings_.beyond({cloud_.x[i], cloud_.y[i], cloud_.z[i]}));
+        v.heldBy = heldBy_.data();
     }
     v.time = std::stod(time);
     v.executionTime = std::numeric_limits<double>::quiet_NaN();
