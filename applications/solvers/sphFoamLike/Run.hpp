@@ -51,6 +51,8 @@ private:
     Cloud readCloud() const;
     void warnOfFewParticles() const;
     void reportPlan() const;
+    /// A line with the particle that the next step waits for, where one sets the limit. All ranks have to ask.
+    std::string binding() const;
     void reportStep(const StepLimit&, double deltaT) const;
     /// Throws DivergedError where the state is none of a weakly compressible fluid.
     void check(const StepLimit&) const;

@@ -1,4 +1,5 @@
 #include "StoredCase.hpp"
+#include "Shaking.hpp"
 #include "Walls.hpp"
 #include "viewOfScene.hpp"
 #include <algorithm>
@@ -36,7 +37,8 @@ ParticleView StoredCase::load(const std::string& time)
     cloud_ = readCloud(case_.folder(), time, cloudName, case_.diagnostics(), settings_.writtenClasses());
     case_.diagnostics().throwIfAny();
     const auto& c = settings_.coefficients;
-    auto v = viewOfScene(c, settings_.resolution.kernel, geometry_);
+    const double at = std::stod(time);
+    auto v = viewOfScene(c, gravityAt(c.g, settings_.shaking, at), settings_.resolution.kernel, geometry_);
     v.n = cloud_.size();
     v.x = cloud_.x.data();
     v.y = cloud_.y.data();
@@ -56,7 +58,7 @@ ParticleView StoredCase::load(const std::string& time)
         phasesOf(cloud_, c.phases.size());
         v.phase = cloud_.fields.at("phase").component[0].data();
     }
-    v.time = std::stod(time);
+    v.time = at;
     v.executionTime = std::numeric_limits<double>::quiet_NaN();
     return v;
 }
