@@ -128,6 +128,7 @@ TEST(Shaking, DoesTheWorkThatTheEnergyBalanceHas)
 {
     auto files = shaken(channelCase(), "(0 -1 0)", "vector(0, -40*$t, 0)");
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 0; soundSpeed 8; exponent 1; }\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme leapfrog; }\n";
     const auto settings = settingsOf(files);
     const auto square = periodicSquare();
     Cloud cloud;
