@@ -12,8 +12,9 @@ namespace sph
 ///
 ///     type conservation;  angularMomentum no;  origin (0 0 0);
 ///
-/// g [m/s^2] is the gravity of the moment, with `shaking` of constant/g, and f [N/m^3] the body force. In a periodic direction height has no meaning: E_pot leaves their components there out. The log gets the changes since the first
-/// sample, relative to the total mass, to sum m|u|, and to the largest kinetic energy so far.
+/// g [m/s^2] is the gravity of the moment, with `shaking` of constant/g, and f [N/m^3] the body force. In a periodic direction height has
+/// no meaning: E_pot leaves their components there out. The log gets the changes since the first sample, relative to the total mass, to sum
+/// m|u|, and to the largest kinetic energy so far.
 class Conservation : public FunctionObject
 {
     FunctionContext context_;

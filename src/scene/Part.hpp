@@ -57,7 +57,7 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
-    bool ofPart = false; ///< of what acts in each part of a step, with the most parts; else of what acts once
+    bool ofPart = false;              ///< of what acts in each part of a step, with the most parts; else of what acts once
     const FieldInfo* field = nullptr; ///< whose largest value, of one particle, sets the limit; none where constants of the scene do
 };
 

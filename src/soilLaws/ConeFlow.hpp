@@ -1,12 +1,14 @@
-/// Flow on the cone of Drucker and Prager (DruckerPrager.hpp) while the strain rate does not change. The deviator stays in the plane of its start and of the strain rate's deviator e; with r = |s| and the
-/// angle theta between the two the law is, over one strain D dt taken from t = 0 to 1,
+/// Flow on the cone of Drucker and Prager (DruckerPrager.hpp) while the strain rate does not change. The deviator stays in the plane of its
+/// start and of the strain rate's deviator e; with r = |s| and the angle theta between the two the law is, over one strain D dt taken from
+/// t = 0 to 1,
 ///
 ///   dr/dt = a cos(theta) + b,    du/dt = -omega/r,    u = ln tan(theta/2), cos(theta) = -tanh(u)
 ///   omega = 2 G |e|,    a = omega 9 K alpha_phi alpha_psi/d,    b = -3 sqrt(2) G K alpha_phi tr(D)/d,    d = 9 K alpha_phi alpha_psi + G
 ///
-/// r, a, b, omega [Pa]. Without dilatancy a = 0, and the integral is known: r = r_0 + b t, u = u_0 - omega/b ln(1 + b t/r_0) (Loret & Prevost 1986, Comput. Methods Appl. Mech. Eng. 56, after Krieg & Krieg 1977). Else it is
-/// taken by substeps: u and r are not stiff where the stress itself is, beside the vertex, to which r -> 0 leads where a + b < 0.
-/// Verified by test/unit/soilLaws against substeps of the law itself.
+/// r, a, b, omega [Pa]. Without dilatancy a = 0, and the integral is known: r = r_0 + b t, u = u_0 - omega/b ln(1 + b t/r_0) (Loret &
+/// Prevost 1986, Comput. Methods Appl. Mech. Eng. 56, after Krieg & Krieg 1977). Else it is taken by substeps: u and r are not stiff where
+/// the stress itself is, beside the vertex, to which r -> 0 leads where a + b < 0. Verified by test/unit/soilLaws against substeps of the
+/// law itself.
 #pragma once
 #include "EmbeddedPair.hpp"
 #include <limits>

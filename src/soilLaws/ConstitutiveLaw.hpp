@@ -1,7 +1,8 @@
 /// What a constitutive law of soil is: a value with a few constants, and pure functions of the stress.
 ///
 /// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
-/// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own is one header that satisfies this concept and one word in soilLaws.hpp.
+/// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own
+/// is one header that satisfies this concept and one word in soilLaws.hpp.
 #pragma once
 #include "EmbeddedPair.hpp"
 #include "EntryList.hpp"
@@ -49,7 +50,8 @@ concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTenso
         } -> std::same_as<L>;
 };
 
-/// A law that is linearly elastic within a yield surface. Given the strain rate, a step is then an elastic part that is known in closed form, and flow on the surface; the strain has a plastic part.
+/// A law that is linearly elastic within a yield surface. Given the strain rate, a step is then an elastic part that is known in closed
+/// form, and flow on the surface; the strain has a plastic part.
 template<class L>
 concept ElastoPlasticLaw = ConstitutiveLaw<L> &&
     requires(const L& law, SymmTensor<3> stress, SymmTensor<3> D, const EmbeddedPair& pair, SubSteps& taken)

@@ -4,24 +4,30 @@
 ///   sigma^ = C:D - lambda' [ 3 K alpha_psi I + G n ],   n = s/sqrt(J2)
 ///   lambda' = [ 3 K alpha_phi tr(D) + G n:D ]/(9 K alpha_phi alpha_psi + G),  at f = 0 and where it is positive; else 0
 ///
-/// sigma^ [Pa/s] Jaumann rate, D [1/s] strain rate, C, G, K [Pa] those of ElasticLaw, lambda' [1/s] rate of the plastic multiplier: plastic strain grows by lambda' (alpha_psi I + n/2).
+/// sigma^ [Pa/s] Jaumann rate, D [1/s] strain rate, C, G, K [Pa] those of ElasticLaw, lambda' [1/s] rate of the plastic multiplier: plastic
+/// strain grows by lambda' (alpha_psi I + n/2).
 ///
-/// The constants are those of the criterion of Mohr and Coulomb in plane strain, with friction angle phi, cohesion c [Pa] and dilatancy angle psi:
+/// The constants are those of the criterion of Mohr and Coulomb in plane strain, with friction angle phi, cohesion c [Pa] and dilatancy
+/// angle psi:
 ///
 ///   alpha_psi = sin(psi)/q,   alpha_phi = q sin(phi)/(3 (3 + sin(phi) sin(psi))),   k_c = q c cos(phi)/(3 + sin(phi) sin(psi)),   q = sqrt(9 + 3 sin^2(psi))
 ///
-/// At the limit stresses stay, so that all strain is plastic, and none is across the plane: n_yy = -2 alpha_psi, and with it, for the half difference t and the half sum m of the two principal
-/// stresses in the plane, t = sqrt(J2) sqrt(1 - 3 alpha_psi^2) and I1 = 3 m - 3 alpha_psi sqrt(J2). f = 0 is then
+/// At the limit stresses stay, so that all strain is plastic, and none is across the plane: n_yy = -2 alpha_psi, and with it, for the half
+/// difference t and the half sum m of the two principal stresses in the plane, t = sqrt(J2) sqrt(1 - 3 alpha_psi^2) and I1 = 3 m - 3
+/// alpha_psi sqrt(J2). f = 0 is then
 ///
 ///   t = sqrt(1 - 3 alpha_psi^2)/(1 - 3 alpha_phi alpha_psi) (k_c - 3 alpha_phi m),   of Mohr and Coulomb: t = c cos(phi) - m sin(phi)
 ///
-/// and the ratio of the plastic strain rates there, 3 alpha_psi/sqrt(1 - 3 alpha_psi^2), is the sine of the dilatancy angle in the plane (the plane strain match of the Abaqus Analysis User's Guide, section
-/// on extended Drucker-Prager models, in the letters above). For psi = phi, the associated flow rule, these are the constants of Drucker & Prager (1952) that Bui et al. take, alpha_phi = tan(phi)/sqrt(9 + 12
-/// tan^2(phi)); with psi = 0, flow at constant volume, alpha_phi = sin(phi)/3, k_c = c cos(phi), for which the constants of psi = phi would act as 28.7 degrees where 30 are asked for.
+/// and the ratio of the plastic strain rates there, 3 alpha_psi/sqrt(1 - 3 alpha_psi^2), is the sine of the dilatancy angle in the plane
+/// (the plane strain match of the Abaqus Analysis User's Guide, section on extended Drucker-Prager models, in the letters above). For psi =
+/// phi, the associated flow rule, these are the constants of Drucker & Prager (1952) that Bui et al. take, alpha_phi = tan(phi)/sqrt(9 + 12
+/// tan^2(phi)); with psi = 0, flow at constant volume, alpha_phi = sin(phi)/3, k_c = c cos(phi), for which the constants of psi = phi would
+/// act as 28.7 degrees where 30 are asked for.
 ///
-/// At the vertex of the cone, s = 0, n has the direction of the strain rate's deviator, in which the stress leaves it; soil that is pulled apart stays there. What truncation leaves outside is put back as in the
-/// paper: tension cracking, I1 > k_c/alpha_phi to I1 = k_c/alpha_phi, then sqrt(J2) to k_c - alpha_phi I1.
-/// Verified by test/unit/elementTests (strength in triaxial compression and extension, and in plane strain at any psi) and test/unit/soilLaws (the yield surface, its vertex, and the way to it).
+/// At the vertex of the cone, s = 0, n has the direction of the strain rate's deviator, in which the stress leaves it; soil that is pulled
+/// apart stays there. What truncation leaves outside is put back as in the paper: tension cracking, I1 > k_c/alpha_phi to I1 =
+/// k_c/alpha_phi, then sqrt(J2) to k_c - alpha_phi I1. Verified by test/unit/elementTests (strength in triaxial compression and extension,
+/// and in plane strain at any psi) and test/unit/soilLaws (the yield surface, its vertex, and the way to it).
 #pragma once
 #include "ConeFlow.hpp"
 #include "ElasticLaw.hpp"
@@ -54,7 +60,8 @@ struct DruckerPrager
         return {elastic, q * sinPhi / (3 * d), sinPsi / q, q * cohesion * std::cos(frictionAngle * degree) / d};
     }
 
-    /// The friction angles that act [degrees]: what is asked for in plane strain, and that in triaxial compression, sin = 3 sqrt(3) alpha_phi/(2 + sqrt(3) alpha_phi).
+    /// The friction angles that act [degrees]: what is asked for in plane strain, and that in triaxial compression, sin = 3 sqrt(3)
+    /// alpha_phi/(2 + sqrt(3) alpha_phi).
     struct FrictionAngles
     {
         double planeStrain, triaxialCompression;
@@ -80,7 +87,8 @@ struct DruckerPrager
         if (lambda > 0 && trace(D) >= 3 * alpha_psi * lambda && isVertex(sigma)) return {}; // pulled apart
         return trial - lambda * (3 * K * alpha_psi * identity(D) + G * n);
     }
-    /// The stress after a strain at a constant rate [Pa], from one that is admitted: elastic as far as the cone, and from there along it (ConeFlow.hpp). `tolerance` [1] of the larger of the stress and smallStress.
+    /// The stress after a strain at a constant rate [Pa], from one that is admitted: elastic as far as the cone, and from there along it
+    /// (ConeFlow.hpp). `tolerance` [1] of the larger of the stress and smallStress.
     SymmTensor<3> strained(SymmTensor<3> sigma, SymmTensor<3> strain, const EmbeddedPair& pair, double tolerance, SubSteps& taken) const
     {
         const double share = elasticShare(sigma, strain);
@@ -88,8 +96,8 @@ struct DruckerPrager
         sigma += share * elastic.rate(sigma, strain);
         return share < 1 ? flowed(sigma, (1 - share) * strain, pair, allowed, taken) : sigma;
     }
-    /// The share of a strain, from a stress that is admitted, before the stress is on the yield surface and stays there; 1 where it does not come to that. The elastic path is straight, and crosses the cone where
-    /// J2 = (k_c - alpha_phi I1)^2.
+    /// The share of a strain, from a stress that is admitted, before the stress is on the yield surface and stays there; 1 where it does
+    /// not come to that. The elastic path is straight, and crosses the cone where J2 = (k_c - alpha_phi I1)^2.
     double elasticShare(SymmTensor<3> sigma, SymmTensor<3> strain) const
     {
         const bool onSurface = yields(sigma);

@@ -83,9 +83,10 @@ template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegratio
     }
 }
 
-/// The error of a substep over what is tolerated: of a law whose stiffness vanishes with the stress relative to the substep's own stresses, of others to that at the start of the step, too, and at least to
-/// that of smallStrain, for they pass through 0. A substep that begins within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate
-/// there, and so finds the place.
+/// The error of a substep over what is tolerated: of a law whose stiffness vanishes with the stress relative to the substep's own stresses,
+/// of others to that at the start of the step, too, and at least to that of smallStrain, for they pass through 0. A substep that begins
+/// within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate there,
+/// and so finds the place.
 template<ConstitutiveLaw Law>
 double substepError(const Law& law, SymmTensor<3> error, SymmTensor<3> start, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
 {

@@ -27,7 +27,8 @@ struct Outlier : NamedParticle
 std::optional<Outlier> notFinite(const AnySimulation&);
 /// Of densities outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
 std::optional<Outlier> impossibleDensity(const AnySimulation&, const std::vector<double>& restDensity);
-/// The particle, among those of all ranks, that sets a limit: whose value of the limit's field is the largest at present. None where constants of the scene set it. All ranks have to ask.
+/// The particle, among those of all ranks, that sets a limit: whose value of the limit's field is the largest at present. None where
+/// constants of the scene set it. All ranks have to ask.
 std::optional<Outlier> binding(const AnySimulation&, const StepLimit&);
 
 }

@@ -169,7 +169,8 @@ const std::string bui(double psi)
            "; cohesion 5e3; }";
 }
 
-// Strength: with alpha = alpha_phi, in triaxial compression q/sqrt(3) = k_c + alpha (3 p_0 + q), in extension with alpha (3 p_0 - q). The bound is ten times what rows of the default tolerance may be off.
+// Strength: with alpha = alpha_phi, in triaxial compression q/sqrt(3) = k_c + alpha (3 p_0 + q), in extension with alpha (3 p_0 - q). The
+// bound is ten times what rows of the default tolerance may be off.
 TEST(ElementTests, strengthOfDruckerPrager)
 {
     const double p = 1e5, r = 1 / std::sqrt(3.0);
@@ -191,8 +192,9 @@ TEST(ElementTests, strengthOfDruckerPrager)
     EXPECT_NEAR(trace(steady[2].strain - steady[1].strain), 0, 1e-9);
 }
 
-// In plane strain the strength is that of Mohr and Coulomb whatever the dilatancy, sigma_1 = sigma_3 N + 2 c sqrt(N), N = (1 + sin phi)/(1 - sin phi), and soil at the limit dilates by sin(psi) of its shear. The
-// stress across the plane nears its limit as exp(-2 G gamma/|s|): at 10 % of compression of so stiff a soil nothing is left of the way, and the bound is far above the tolerance of the rows.
+// In plane strain the strength is that of Mohr and Coulomb whatever the dilatancy, sigma_1 = sigma_3 N + 2 c sqrt(N), N = (1 + sin phi)/(1
+// - sin phi), and soil at the limit dilates by sin(psi) of its shear. The stress across the plane nears its limit as exp(-2 G gamma/|s|):
+// at 10 % of compression of so stiff a soil nothing is left of the way, and the bound is far above the tolerance of the rows.
 TEST(ElementTests, DruckerPragerIsMohrCoulombInPlaneStrain)
 {
     for (const double phi : {10., 30., 45.})

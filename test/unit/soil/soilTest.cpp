@@ -377,7 +377,8 @@ TEST(SoilBlock, KeepsItsMomentum)
     }
 }
 
-/// A lone block of Drucker and Prager's soil with random velocities, free of stress at the start, after 50 steps: the largest shear strain, and the largest and the least plastic one; and how much the latter is beyond the former.
+/// A lone block of Drucker and Prager's soil with random velocities, free of stress at the start, after 50 steps: the largest shear strain,
+/// and the largest and the least plastic one; and how much the latter is beyond the former.
 struct ShakenBlock
 {
     Largest shear, plastic, beyond;
@@ -409,8 +410,9 @@ struct ShakenBlock
         }
     }
 };
-// Strong soil that swings has shear strain, and of it no plastic part but for rounding; weak soil yields everywhere, and what is plastic of its strain is positive. A path that turns back can have more plastic than
-// total strain by what the elastic part gives back, which here is at most the strength over G, 3e-4, a turn.
+// Strong soil that swings has shear strain, and of it no plastic part but for rounding; weak soil yields everywhere, and what is plastic of
+// its strain is positive. A path that turns back can have more plastic than total strain by what the elastic part gives back, which here is
+// at most the strength over G, 3e-4, a turn.
 TEST(SoilBlock, ElasticOscillationIsNoPlasticStrain)
 {
     const ShakenBlock strong(1e7), weak(100);

@@ -151,8 +151,9 @@ SymmTensor<3> anyTensor(std::mt19937& generator)
     return {any(generator), any(generator), any(generator), any(generator), any(generator), any(generator)};
 }
 
-// The elastic path to the cone and the flow along it, in closed form or in its own two variables, against substeps of the law that look for the cone and follow it: random states and directions, with strains that move the
-// stress by a hundredth to ten times of itself. The bound is ten substeps of the reference's tolerance, and what the flow's own, 1e-6, leaves with dilatancy.
+// The elastic path to the cone and the flow along it, in closed form or in its own two variables, against substeps of the law that look for
+// the cone and follow it: random states and directions, with strains that move the stress by a hundredth to ten times of itself. The bound
+// is ten times the tolerance of a substep of either.
 TEST(DruckerPrager, stepIsTheIntegralOfTheRate)
 {
     std::mt19937 generator(6);
@@ -180,7 +181,8 @@ TEST(DruckerPrager, stepIsTheIntegralOfTheRate)
     }
 }
 
-// From no stress soil without cohesion that is sheared while it is pressed together leaves the vertex along the strain's deviator, and stays on the cone: I1 and sqrt(J2) by hand, r = (a + b) t of ConeFlow.hpp.
+// From no stress soil without cohesion that is sheared while it is pressed together leaves the vertex along the strain's deviator, and
+// stays on the cone: I1 and sqrt(J2) by hand, r = (a + b) t of ConeFlow.hpp.
 TEST(DruckerPrager, leavesTheVertexAlongTheStrain)
 {
     for (const double psi : {0., 20.})
@@ -196,7 +198,8 @@ TEST(DruckerPrager, leavesTheVertexAlongTheStrain)
     }
 }
 
-// Soil that is shaken about its vertex, with and without cohesion, in steps that would take its stress to ten times of what it is: each resolved, in less than 60 substeps of two numbers; none without dilatancy.
+// Soil that is shaken about its vertex, with and without cohesion, in steps that would take its stress to ten times of what it is: each
+// resolved, in less than 60 substeps of two numbers; none without dilatancy.
 TEST(DruckerPrager, isCheapAtItsVertex)
 {
     std::mt19937 generator(7);
