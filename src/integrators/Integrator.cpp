@@ -206,7 +206,7 @@ std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& me
     const auto& integration = settings.integration;
     return StepLimit{integration.maxSubSteps *
                          (integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxAcceleration)),
-                     "force", true};
+                     "force", true, &Acceleration::info};
 }
 }
 

@@ -60,6 +60,8 @@ public:
     /// All that apply, of which the least binds.
     virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
+    /// That acts at present [m/s^2]: `shaking` of constant/g included.
+    virtual Vector<3> gravity() const = 0;
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 

@@ -208,8 +208,8 @@ void Run::dryRun()
     const double each = elapsed() / steps, deltaT = (time_.value() - from) / steps;
     log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by {} steps in memory", each, deltaT, steps);
     if (const double left = time_.endTime() - time_.startTime(); left < 1e30)
-        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start", std::ceil(left / deltaT - 1e-6),
-                            time_.endTime(), durationInWords(each * left / deltaT));
+        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start",
+                            std::ceil(left / deltaT - 1e-6), time_.endTime(), durationInWords(each * left / deltaT));
     log_ << ". Nothing was written\n";
 }
 
@@ -270,8 +270,9 @@ double Run::nextDeltaT(const StepLimit& limit)
     if (time_.adjustTimeStep() && limit.deltaT < shortestStep * span)
         throw DivergedError(
             fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
-                        "acceleration {:.3g} m/s^2)",
-                        limit.deltaT, time_.name(), limit.by, simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+                        "acceleration {:.3g} m/s^2). {}",
+                        limit.deltaT, time_.name(), limit.by, simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration,
+                        binding()));
     const double deltaT = time_.nextDeltaT(limit.deltaT);
     if (!warnedOfStep_ && !time_.adjustTimeStep() && deltaT > limit.deltaT)
     {
@@ -351,6 +352,15 @@ std::string Run::sourceOfEnergy() const
                        tracedSteps_, tracedFrom_, list(each));
 }
 
+std::string Run::binding() const
+{
+    const auto limit = simulation_->stepLimit();
+    const auto particle = sph::binding(*simulation_, limit);
+    if (!particle) return "";
+    return fmt::format("Step bound by {}: {} has {} {:.4g} {}\n", limit.by, particle->inWords(), particle->field, particle->value,
+                       limit.field->unit);
+}
+
 void Run::reportStep(const StepLimit& limit, double deltaT) const
 {
     const auto s = simulation_->summary();
@@ -369,17 +379,17 @@ void Run::reportStep(const StepLimit& limit, double deltaT) const
         done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock * std::max(0.0, span / done - 1)) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held() / energy_.supplied) : "";
     log_ << fmt::format(
-        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
+        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}{}"
         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
         time_.name(), time_.index(), deltaT, limit.by, s.maxSpeedOfScene(), s.kineticEnergy, energy, simulation_->meanNeighbours(),
-        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), simulation_->leaks().count() > 0 ? leaked() : "",
-        Clock::executionTime(), clock, expected);
+        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), binding(),
+        simulation_->leaks().count() > 0 ? leaked() : "", Clock::executionTime(), clock, expected);
     log_.flush();
 }
 
 ParticleView Run::view(WholeCloud& cloud) const
 {
-    auto v = viewOfScene(settings_.coefficients, settings_.resolution.kernel, geometry_);
+    auto v = viewOfScene(settings_.coefficients, simulation_->gravity(), settings_.resolution.kernel, geometry_);
     v.n = cloud.size();
     const auto x = cloud.whole(simulation_->positions());
     v.x = x.component[0];

@@ -102,16 +102,17 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
     if (settings.has(entry::stress.keyword(), byLaw)) return {};
-    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow"};
+    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow", false, &Velocity::info};
     const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const double soundStep = s.sound * h / (sound + measured.maxSpeed);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < c.phases.size(); ++k) least = std::min(least, c.viscosity[k] / c.restDensity[k]);
     if (measured.leastViscosity) least = *measured.leastViscosity / c.restDensity[0];
-    const double damped = std::min(s.dampedSound * least / sqr(sound), 0.5 * s.sound * h / measured.maxSpeed);
+    const double byViscosity = s.dampedSound * least / sqr(sound), ofWay = 0.5 * s.sound * h / measured.maxSpeed;
+    const double damped = std::min(byViscosity, ofWay);
     if (integration.solves && integration.theta == 1 && damped > soundStep)
-        return StepLimit{integration.maxSubSteps * damped, "damped sound", true};
-    return StepLimit{integration.maxSubSteps * soundStep, "sound", true};
+        return StepLimit{integration.maxSubSteps * damped, "damped sound", true, ofWay < byViscosity ? &Velocity::info : nullptr};
+    return StepLimit{integration.maxSubSteps * soundStep, "sound", true, measured.maxSpeed > sound ? &Velocity::info : nullptr};
 }
 
 /// s h/c_eff, c_eff = sqrt(max(rho c^2)/min(rho)), s = 1.2, for the Hu-Adams pressure between phases: it pushes the light particle with the heavy

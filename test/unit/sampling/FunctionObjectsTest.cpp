@@ -223,6 +223,12 @@ TEST(Conservation, sumsAreThoseByHand)
     EXPECT_EQ(s.kineticEnergy, 3.5);
     EXPECT_EQ(s.potentialEnergy, 60);
     EXPECT_EQ(s.angularMomentum, (Vector<3>{0, 0, 8}));
+    // A force of 4 N/m^3 along -y on a volume of 5 m^3 at y = 3: 60 J more, whatever the densities of the phases.
+    auto view = particles.view();
+    const double volume[]{7, 5};
+    view.volume = volume;
+    view.bodyForce = {0, -4, 0};
+    EXPECT_EQ(Conservation::sums(view, {}, {}).potentialEnergy, 120);
     particles.geometry.periodic = {false, true, false};
     EXPECT_EQ(Conservation::sums(particles.view(), {}, {}).potentialEnergy, 0);
 }
