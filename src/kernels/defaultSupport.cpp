@@ -10,7 +10,7 @@ namespace sph
 
 double defaultSupport(const std::string& kernel)
 {
-    if (kernel == WendlandC2<3>::name) return 3;
+    if (kernel == WendlandC2<3>::name) return 3.05;
     if (kernel == WendlandC4<3>::name) return 3.4;
     if (kernel == WendlandC6<3>::name) return 3.6;
     if (kernel == CubicSpline<3>::name) return 2.7;
