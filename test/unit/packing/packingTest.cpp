@@ -419,10 +419,11 @@ TEST(Packing, relaxesLittleInALargeDomainAsTheWhole)
     const auto scatterIn = [](double end)
     {
         const CaseFolder c;
-        c.write("constant/geometry", "dimension 2;\ndomain { min (0 0 0); max (" + std::to_string(end) +
-                                         " 2 0); }\n"
-                                         "walls { pipe { type cylinder; point (1 0 0); axis (0 0 1); radius 0.5; fluid outside; }\n"
-                                         "floor { type plane; point (0 0 0); normal (0 1 0); } }\n");
+        c.write("constant/geometry",
+                "dimension 2;\ndomain { min (0 0 0); max (" + std::to_string(end) +
+                    " 2 0); periodic (x); }\n"
+                    "walls { pipe { type cylinder; point (1 0 0); axis (0 0 1); radius 0.5; fluid outside; }\n"
+                    "floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 2 0); normal (0 -1 0); } }\n");
         c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
         c.write("system/sphSchemes", "resolution { spacing 0.05; }\n");
         c.write("system/packParticlesDict",
