@@ -425,7 +425,7 @@ TEST(Packing, relaxesLittleInALargeDomainAsTheWhole)
                     "walls { pipe { type cylinder; point (1 0 0); axis (0 0 1); radius 0.5; fluid outside; }\n"
                     "floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 2 0); normal (0 -1 0); } }\n");
         c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
-        c.write("system/sphSchemes", "resolution { spacing 0.05; }\n");
+        c.write("system/sphSchemes", "resolution { spacing 0.08; }\n");
         c.write("system/packParticlesDict",
                 "fill ( { region box; min (0 0 0); max (2 1 0); phase water; } );\nrelax { steps 200; tolerance 0; }\n");
         return c.pack().relaxation.after.nearWalls.scatter;
