@@ -106,7 +106,7 @@ template<int dim> class Relaxer
     const Kernel<dim>& kernel_;
     const Kernel<dim> repulsion_;
     const double V0_, spacing_, reach_;
-    const std::size_t n_;
+    const std::size_t n_, owned_; ///< particles that are relaxed; with those around
     const Catalogue<dim> catalogue_;
     Plan<dim> plan_;
     FieldStore<dim> store_;
@@ -123,7 +123,8 @@ template<int dim> class Relaxer
 
 public:
     /// `moves`: whether `move` will be called.
-    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& points, bool moves)
+    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& around, const Points& points,
+            bool moves)
         : geometry_(geometry),
           kernel_(kernel),
           repulsion_(repulsionOf(kernel)),
@@ -131,6 +132,7 @@ public:
           spacing_(spacing),
           reach_(kernel.support() + skin * spacing),
           n_(points.size()),
+          owned_(n_ + around.size()),
           catalogue_(relaxationTerms<dim>(V0)),
           plan_(catalogue_, groupsOf(moves), {PackingPressure::info.name}),
           images_(geometry, reach_, spacing),
@@ -141,10 +143,10 @@ public:
         // No term reads a velocity; layers ask for a rule all the same.
         images_.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
-        store_.resize(n_ + 1, n_);
+        store_.resize(owned_ + 1, owned_);
         x_ = store_.pointers(Position{});
-        const auto sorted = sortedByCells(points, kernel.support());
-        forEach([&](std::size_t i) { place(i, in<dim>(sorted[i])); });
+        const auto sorted = sortedByCells(points, kernel.support()), sortedAround = sortedByCells(around, kernel.support());
+        forEach([&](std::size_t i) { place(i, in<dim>(i < n_ ? sorted[i] : sortedAround[i - n_])); });
         rebuild();
     }
 
@@ -186,7 +188,7 @@ public:
         const double* const V = store_.component(Volume::info.name, 0);
         double* const P = store_.component(PackingPressure::info.name, 0);
         const double mean = (1 + residual_.overall.mean) / V0_;
-        forEach([&](std::size_t i) { P[i] = bias + 1 / (V[i] * mean) - 1; });
+        forEach([&](std::size_t i) { P[i] = i < n_ ? bias + 1 / (V[i] * mean) - 1 : bias; });
         plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
 
         const double C = coefficient * spacing_ * spacing_, limit = largestStep * spacing_;
@@ -237,7 +239,7 @@ public:
                 // mirror images of a particle may be as near as the wall is
                 typename NeighbourLists<dim>::Room room;
                 for (const int j : lists_.of(i, room))
-                    if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
+                    if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0 && source[j] < double(n_))
                         nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
                 return nearest;
             },
@@ -273,7 +275,7 @@ private:
     template<class F> void forEach(const F& f) const
     {
 #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n_; ++i) f(i);
+        for (std::size_t i = 0; i < owned_; ++i) f(i);
     }
     Vector<dim> position(std::size_t i) const { return valueAt<Vector<dim>>(x_, i); }
     void place(std::size_t i, Vector<dim> x_i)
@@ -311,7 +313,7 @@ private:
     void rebuild()
     {
         wrap();
-        images_.build(store_, n_);
+        images_.build(store_, owned_);
         x_ = store_.pointers(Position{});
         std::array<const double*, dim> x;
         for (int c = 0; c < dim; ++c)
@@ -319,7 +321,7 @@ private:
             x[c] = x_[c];
             if (stored_ == NeighbourLists<dim>::Stored::yes) atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
         }
-        lists_.build(x, n_, images_.nullParticle(), reach_, stored_, plan_.idle());
+        lists_.build(x, owned_, images_.nullParticle(), reach_, stored_, plan_.idle());
         plan_.bind(store_, Coefficients{});
     }
 
@@ -378,10 +380,10 @@ double biasAt(int step, const RelaxationSettings& s)
 
 template<int dim>
 RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const RelaxationSettings& settings,
-                       Points& points)
+                       const Points& around, Points& points)
 {
     RelaxationResult result;
-    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points, settings.steps > 0);
+    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, around, points, settings.steps > 0);
     if (settings.alongLines) relaxer.keepLines(*settings.alongLines);
     relaxer.updateDensity();
     result.before = result.after = relaxer.residual();
@@ -398,7 +400,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
     return result;
 }
 
-template RelaxationResult relax<2>(const Geometry&, const Kernel<2>&, double, double, const RelaxationSettings&, Points&);
-template RelaxationResult relax<3>(const Geometry&, const Kernel<3>&, double, double, const RelaxationSettings&, Points&);
+template RelaxationResult relax<2>(const Geometry&, const Kernel<2>&, double, double, const RelaxationSettings&, const Points&, Points&);
+template RelaxationResult relax<3>(const Geometry&, const Kernel<3>&, double, double, const RelaxationSettings&, const Points&, Points&);
 
 }

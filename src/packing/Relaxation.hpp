@@ -50,9 +50,10 @@ struct RelaxationResult
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
-/// neighbours in memory, and inside the periodic faces. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// neighbours in memory, and inside the periodic faces. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
 /// threads.
 template<int dim>
-RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, Points&);
+RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, const Points& around,
+                       Points&);
 
 }

@@ -1,5 +1,8 @@
 #include "Packing.hpp"
+#include "FluidSpace.hpp"
+#include "Lattice.hpp"
 #include "reduce.hpp"
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -415,4 +418,68 @@ TEST(PackingErrors, overlappingParticles)
     c.write("system/packParticlesDict", "allowEmpty yes;\njitter 0.5;\n");
     const auto message = c.error();
     EXPECT_EQ(message.substr(0, 49), "system/packParticlesDict:2: particles overlap: 0.") << message;
+}
+
+// Where little is filled, places elsewhere are counted and not made: particles lie where those of the whole lattice lie, jitter included, and have the volume between the
+// walls over all places, with a ball in the fluid. Exact, but for the sum of the volume (1e-12).
+TEST(Packing, ofLittleInALargeDomainIsThatOfTheWholeLattice)
+{
+    const CaseFolder c;
+    c.write("constant/geometry", "dimension 3;\ndomain { min (0 0 0); max (3 3 3); periodic (x); }\n"
+                                 "walls { ball { type sphere; centre (1.5 1.5 1.5); radius 0.6; fluid outside; }\n"
+                                 "floor { type plane; point (0 0 0); normal (0 0 1); } }\n");
+    c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
+    c.write("system/sphSchemes", "resolution { spacing 0.1; }\n");
+    c.write("system/packParticlesDict", "lattice fcc; jitter 0.1;\n"
+                                        "fill ( { region box; min (-1 0 0); max (0.4 0.5 0.4); phase water; }\n"
+                                        "       { region box; min (2.5 2.5 2.5); max (3 3 3); phase water; }\n"
+                                        "       { region sphere; centre (1.5 1.5 0.9); radius 0.2; phase water; }\n"
+                                        "       { region all; phase none; } { region box; min (2.5 2.5 2.5); max (3 3 3); phase water; }\n"
+                                        "       { region box; min (-1 0 0); max (0.4 0.5 0.4); phase water; } );\n");
+    const auto plan = c.plan();
+    const auto packing = pack(plan);
+    const auto whole = Lattice(plan.lattice, 3, fluidBox(plan.geometry), plan.geometry.periodic).points();
+    std::size_t places = 0, filled = 0;
+    std::set<std::array<double, 3>> found;
+    for (std::size_t i = 0; i < packing.points.size(); ++i) found.insert({packing.points.x[i], packing.points.y[i], packing.points.z[i]});
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+        const auto x = whole[i];
+        if (!(plan.geometry.distance(x) > 0)) continue;
+        ++places;
+        const bool inside = (x.x < 0.4 && x.y >= 0 && x.y < 0.5 && x.z >= 0 && x.z < 0.4 && x.x >= -1) ||
+                            (x.x >= 2.5 && x.y >= 2.5 && x.z >= 2.5 && x.x < 3 && x.y < 3 && x.z < 3);
+        if (!inside) continue;
+        ++filled;
+        // jitter may take a particle across the periodic face, and the packing brings it back
+        const auto there = [&](double shift) { return found.contains({x.x + shift, x.y, x.z}); };
+        EXPECT_TRUE(there(0) || there(3) || there(-3)) << x.x << " " << x.y << " " << x.z;
+    }
+    EXPECT_GT(filled, 100u);
+    EXPECT_EQ(packing.points.size(), filled);
+    EXPECT_EQ(packing.leftEmpty, places - filled);
+    EXPECT_NEAR(packing.mass[0], 1000 * (27 - 4 * std::numbers::pi / 3 * 0.216) / double(places), 1e-12 * packing.mass[0]);
+}
+
+// Relaxed, what is filled is seen by what lies around it: next to a wall, in a domain of eleven times the space, its density is as even as in one that is relaxed as a whole. The
+// scatters are 0.2 % of the density and differ by less than a third.
+TEST(Packing, relaxesLittleInALargeDomainAsTheWhole)
+{
+    const auto scatterIn = [](double end)
+    {
+        const CaseFolder c;
+        c.write("constant/geometry",
+                "dimension 2;\ndomain { min (0 0 0); max (" + std::to_string(end) +
+                    " 2 0); periodic (x); }\n"
+                    "walls { pipe { type cylinder; point (1 0 0); axis (0 0 1); radius 0.5; fluid outside; }\n"
+                    "floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 2 0); normal (0 -1 0); } }\n");
+        c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
+        c.write("system/sphSchemes", "resolution { spacing 0.08; }\n");
+        c.write("system/packParticlesDict",
+                "fill ( { region box; min (0 0 0); max (2 1 0); phase water; } );\nrelax { steps 200; tolerance 0; }\n");
+        return c.pack().relaxation.after.nearWalls.scatter;
+    };
+    const double whole = scatterIn(2), part = scatterIn(22);
+    EXPECT_LT(whole, 0.004);
+    EXPECT_NEAR(part, whole, whole / 3);
 }

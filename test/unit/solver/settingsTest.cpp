@@ -816,6 +816,18 @@ TEST(Settings, SetsOfWordsGoTogether)
     EXPECT_TRUE(mixed.settings.has("pressureGradient", "monaghan"));
     EXPECT_EQ(mixed.settings.integration.scheme, "predictorCorrector");
     EXPECT_TRUE(mixed.settings.integratedDensity);
+    // A support goes with its kernel, a set's too.
+    const auto supportOf = [&](Files f, const std::string& words)
+    {
+        f[schemes] += words;
+        return reading(f).settings.resolution.support;
+    };
+    EXPECT_EQ(supportOf(by(channelCase(), "suite"), ""), 3.05);
+    EXPECT_EQ(supportOf(by(channelCase(), "suite"), "resolution { kernel wendlandC4; }\n"), 3.4);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), ""), 2.6);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), "resolution { kernel wendlandC2; }\n"), 3.05);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), "resolution { kernel wendlandC2; support 4; }\n"), 4);
+
     expectError(by(channelCase(), "freesurface"), "Did you mean \"freeSurface\"?");
     expectError(by(dropCase(), "freeSurface"), "scheme freeSurface:1: ");
 }

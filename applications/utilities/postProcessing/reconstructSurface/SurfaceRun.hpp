@@ -3,7 +3,6 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "Geometry.hpp"
-#include "OpenPlanes.hpp"
 #include "SurfaceSettings.hpp"
 #include <optional>
 #include <string>
@@ -16,8 +15,7 @@ namespace sph
 struct SurfaceReport
 {
     std::string phase;
-    std::size_t particles = 0; ///< in the scene
-    std::size_t held = 0;      ///< beyond openings
+    std::size_t particles = 0;
     double area = 0, volume = 0, particleVolume = 0;
     double level = 0.5; ///< of the colour function on it
     int pieces = 0;
@@ -37,10 +35,14 @@ class SurfaceRun
     SurfaceCase scene_;
     Geometry geometry_;
     SurfaceSettings settings_;
-    RegularGrid grid_;
-    std::optional<OpenPlanes> openings_;
-    std::vector<double> wallDistance_;  ///< once for all times; of the grid
-    std::vector<double> sceneDistance_; ///< from walls and the planes of openings, behind which there is no scene
+    /// A grid and the distances of its nodes from the walls.
+    struct Space
+    {
+        RegularGrid grid;
+        std::vector<double> wallDistance;
+    };
+    Space space_; ///< of the domain, once for all times; where that has too many nodes for its surfaces, a coarser one that shows the walls
+    bool sparse_; ///< the latter
     struct Shown
     {
         Geometry geometry;
@@ -49,13 +51,18 @@ class SurfaceRun
     std::optional<Shown> shown_; ///< with the walls alone that pictures show; none where these are all
 
     std::string output(const std::string& time, const std::string& file) const;
-    SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
+    /// A part of the domain and the colour function in it.
+    struct Part
+    {
+        Space space;
+        std::vector<double> colour;
+    };
+    std::vector<Part> partsAround(const PhaseParticles&) const;
+    SurfaceReport reconstruct(const std::vector<Part>&, const PhaseParticles&, int phase, const std::string& time, bool write,
                               std::vector<std::string>& written) const;
-    bool beyond(const Vector<3>& x) const { return openings_ && openings_->beyond(x); }
-    Mesh inScene(Mesh) const;
     Scene emptyScene(const std::string& time) const;
     void showWalls(Scene&) const;
-    void showSurface(Scene&, const std::vector<double>& colour, double level) const;
+    void showSurface(Scene&, const std::vector<Part>&, double level) const;
     void showParticles(Scene&, const Cloud&) const;
 
 public:
@@ -64,7 +71,8 @@ public:
     SurfaceRun(const Case&, const std::string& phase);
 
     const Geometry& geometry() const { return geometry_; }
-    const RegularGrid& grid() const { return grid_; }
+    /// What surfaces are found on, in words.
+    std::string gridInWords() const;
     const SurfaceSettings& settings() const { return settings_; }
     std::vector<std::string> phaseNames() const;
 

@@ -60,9 +60,8 @@ int run(const std::filesystem::path& path, const Options& options)
     const sph::SurfaceRun surfaceRun(folder, options.phase);
     for (const auto& warning : folder.diagnostics().warnings()) fmt::print(stderr, "--> Warning: {}\n", warning);
     const auto times = chosenTimes(folder, surfaceRun.settings(), options);
-    const auto& n = surfaceRun.grid().nodes;
-    fmt::print("Grid of {} x {} x {} nodes, {:.4g} m apart; kernel {} of radius {:.4g} m\n\n", n[0], n[1], n[2],
-               surfaceRun.grid().largestStep(), surfaceRun.settings().kernel, surfaceRun.settings().support);
+    fmt::print("{}; kernel {} of radius {:.4g} m\n\n", surfaceRun.gridInWords(), surfaceRun.settings().kernel,
+               surfaceRun.settings().support);
 
     std::optional<sph::VirtualDisplay> display;
     if (options.pictures) display.emplace();
