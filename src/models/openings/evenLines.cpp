@@ -20,7 +20,7 @@ template<int dim> Points relaxed(const Geometry& duct, const Vector<3>& directio
     RelaxationSettings settings;
     settings.steps = steps;
     settings.alongLines = direction;
-    relax<dim>(duct, Kernel<dim>("wendlandC2", supportOfLines * spacing), std::pow(spacing, dim), spacing, settings, points);
+    relax<dim>(duct, Kernel<dim>("wendlandC2", supportOfLines * spacing), std::pow(spacing, dim), spacing, settings, {}, points);
     return points;
 }
 }
