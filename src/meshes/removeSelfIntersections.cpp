@@ -350,6 +350,17 @@ double removeSelfIntersections(NumberedMesh& m, double tolerance, std::vector<st
     repairs.push_back(fmt::format("the solid is now {:.6g} m3; along {} lines the mesh as it was winds around {:.6g} +- {:.1g} m3",
                                   enclosedVolume(result), enclosed.lines, enclosed.volume, enclosed.error));
     m = std::move(result);
+    if (apart < tolerance) // what the first tolerance would have drawn together
+    {
+        auto even = m;
+        std::vector<std::string> removed;
+        removeSlivers(even, tolerance, removed);
+        if (FacetSoup parts(even, apart); findMeetings(parts).pairs.empty())
+        {
+            m = std::move(even);
+            repairs.insert(repairs.end(), removed.begin(), removed.end());
+        }
+    }
     return apart;
 }
 
