@@ -1,5 +1,6 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
+#include "EnergyBalance.hpp"
 #include "Walls.hpp"
 #include "WholeCloud.hpp"
 #include "outliers.hpp"
@@ -208,8 +209,8 @@ void Run::dryRun()
     const double each = elapsed() / steps, deltaT = (time_.value() - from) / steps;
     log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by {} steps in memory", each, deltaT, steps);
     if (const double left = time_.endTime() - time_.startTime(); left < 1e30)
-        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start", std::ceil(left / deltaT - 1e-6),
-                            time_.endTime(), durationInWords(each * left / deltaT));
+        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start",
+                            std::ceil(left / deltaT - 1e-6), time_.endTime(), durationInWords(each * left / deltaT));
     log_ << ". Nothing was written\n";
 }
 
@@ -339,16 +340,7 @@ void Run::traceEnergy(double deltaT)
 
 std::string Run::sourceOfEnergy() const
 {
-    std::vector<std::pair<double, std::string>> all;
-    for (const auto& [operation, work] : work_) all.emplace_back(work, operation);
-    std::sort(all.rbegin(), all.rend());
-    std::vector<std::string> each;
-    for (const auto& [work, operation] : all) each.push_back(fmt::format("{} {:.3g} J", operation, work));
-    const bool fed = !all.empty() && all.front().first > 0;
-    return fmt::format("{}, by their work in {} steps since time {}: {}",
-                       fed ? fmt::format("what feeds it is {}", all.front().second)
-                           : "nothing feeds it any more, all operations take energy",
-                       tracedSteps_, tracedFrom_, list(each));
+    return fmt::format("{} in {} steps since time {}", sourceInWords(work_), tracedSteps_, tracedFrom_);
 }
 
 void Run::reportStep(const StepLimit& limit, double deltaT) const
