@@ -22,11 +22,12 @@ const Scalar weld{"weld", units::m, byScene("1e-6 of the diagonal of the mesh"),
     featureAngle{"featureAngle", degrees, 30.0, positiveUpTo(180),
                  "between the normals of two facets: edges that turn more are sharp, and kept by remeshing"};
 const Switch removeSelfIntersections{"removeSelfIntersections", false,
-                                     "bodies that overlap become one, facets that cross others are replaced; an error otherwise"};
+                                     "bodies that overlap or touch become one, and what crosses itself the outside of all that it winds "
+                                     "around: box and volume stay, or it is refused; an error otherwise"};
 const SubDictionary wrap{"wrap", notGiven, "a closed surface around a mesh that has holes or crosses itself, as scans have"};
 const SubDictionary regions{"regions", notGiven, "regions of the file with properties other than the wall's"};
 const FreeName region{"<region>", "dictionary",
-                      "a region by its name in the file: solid of an ascii STL, group of an OBJ, material of a glTF"};
+                      "a region by its name in the file: solid of an ascii STL, group or object of an OBJ, material of a glTF"};
 }
 
 EntryList triSurfaceEntries(const EntryList& ofRegion)

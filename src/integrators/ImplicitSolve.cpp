@@ -70,7 +70,7 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(Place place)
 {
     if (place != Place::solve) return {};
-    const std::string equation = withPressure_ ? "(1 - dt L - dt^2 K) dv = dt a" : "(1 - theta dt L) dv = dt a";
+    const std::string equation = withPressure_ ? "(1 - theta dt L - theta^2 dt^2 K) dv = dt a" : "(1 - theta dt L) dv = dt a";
     return {{"solve",
              equation + ", conjugate gradients",
              [this](Particles<dim>& p, const Substep& s)
@@ -90,7 +90,7 @@ template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, doub
 {
     solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
-    else if (particles.geometry().patches.empty()) addMeanResidual(particles);
+    else addMeanResidual(particles);
     const auto a = particles.store().pointers(Acceleration{});
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -133,7 +133,7 @@ template<int dim> void ImplicitSolve<dim>::solveSteady(Particles<dim>& particles
                                     share));
 }
 
-/// (inertia - theta dt L - dt^2 K) dv = dt a
+/// (inertia - theta dt L - theta^2 dt^2 K) dv = dt a
 template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& particles, double inertia, double deltaT)
 {
     auto& store = particles.store();
@@ -145,7 +145,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
     const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{});
     const auto Lp = viscous_ ? store.pointers(ViscousResponse{}) : decltype(v){},
                Kp = withPressure_ ? store.pointers(StiffResponse{}) : decltype(v){};
-    const double implicit = settings.theta * deltaT, stiff = sqr(deltaT);
+    const double implicit = settings.theta * deltaT, stiff = sqr(implicit);
     std::array<double*, dim> dv, r;
     for (int c = 0; c < dim; ++c)
     {
@@ -178,7 +178,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
                 if (component)
                     for (const int i : particles.held()) component[i] = 0;
     };
-    const char* const what = withPressure_ ? "pressure" : "viscosity";
+    const char* const name = withPressure_ ? "the implicit pressure" : "the implicit viscosity";
     double start = 0;
     std::string history;
     const auto done = [&](const ResidualSums<Norms>& now, int iterations)
@@ -187,22 +187,22 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         const double rr = now.further.rr, vv = now.further.vv;
         // Infinite forces would be within any share of themselves, and a residual within any share of infinite velocities.
         if (!(std::isfinite(now.rz) && std::isfinite(rr) && std::isfinite(vv)))
-            throw DivergedError(fmt::format(
-                "the implicit {} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step",
-                what, iterations, history));
+            throw DivergedError(
+                fmt::format("{} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step", name,
+                            iterations, history));
         // Of the velocity, or with pressure, whose forces balance one another, of what they were before.
         if (withPressure_ ? now.rz <= sqr(settings.tolerance) * start : rr <= sqr(settings.tolerance) * vv) return true;
         const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
         if (iterations == settings.maxIter)
-            throw DivergedError(fmt::format(
-                "the implicit {} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
-                "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
-                what, iterations, residual, withPressure_ ? "forces" : "velocity", settings.tolerance, history));
+            throw DivergedError(
+                fmt::format("{} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
+                            "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
+                            name, iterations, residual, withPressure_ ? "forces" : "velocity", settings.tolerance, history));
         if (iterations > 0 && iterations % std::max(1, settings.maxIter / 4) == 0)
             history += fmt::format("; after {} it was {:.3g}", iterations, residual);
         return false;
     };
-    iterations_ = conjugateGradients(LinearSystem<dim>{n, m, dv, r, p}, diagonal, apply, applied, norms, done);
+    iterations_ = conjugateGradients(LinearSystem<dim>{name, n, m, dv, r, p}, diagonal, apply, applied, norms, done);
 }
 
 template<int dim> std::size_t ImplicitSolve<dim>::bytes() const

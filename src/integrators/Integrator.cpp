@@ -52,8 +52,10 @@ const Count maxSubSteps{"maxSubSteps", 1, anyNumber,
                         "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
     verletSteps{"verletSteps", 50, atLeast(2), "of verlet: each so many steps one starts from the present level alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
-const Scalar theta{"theta", units::none, 1, positive, "of semiImplicit: 1/2 (Crank-Nicolson) to 1 (Euler)"},
-    tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive,
+const Scalar theta{"theta", units::none, byScene("1; 0.6 with implicit"),
+                   between(0.5, 1).saying("theta is 1/2 (Crank-Nicolson) to 1 (Euler), not {}: below 1/2 no step is stable however stiff"),
+                   "where in the step the forces of a solve act: 1/2 (in the middle, of second order) to 1 (at the end, Euler)"},
+    tolerance{"tolerance", units::none, byScene("1e-6; 0.05 with implicit"), positive,
               "residual of a solve over the velocity; with implicit over that at its start"},
     flowFactor{"flowFactor", units::none, 0.2, positive, "of the limit by flow, h/|v|, with implicit"},
     soundFactor{"soundFactor", units::none, byScene("0.4; half of it with verlet"), positive, "of the limit by sound, h/(c + |v|)"},
@@ -144,23 +146,19 @@ void readSolve(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
-    integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.1 : 1e-6);
+    integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.05 : 1e-6);
+    if (integration.moves) integration.theta = entry::theta(dict, integration.solvesPressure ? 0.6 : 1);
     integration.maxIter = entry::maxIter(dict);
     if (integration.solvesPressure && integration.tolerance >= 1)
         entry::tolerance.error(dict, "is a share of the forces, below 1: at 1 nothing would be solved for");
     if (integration.solvesPressure)
         settings.reasons.push_back(
-            fmt::format("pressure and viscosity at the end of the step, by conjugate gradients to {:.3g} of the forces",
-                        integration.tolerance));
+            fmt::format("pressure and viscosity within the step (theta {:.3g}), by conjugate gradients to {:.3g} of the forces",
+                        integration.theta, integration.tolerance));
     else if (integration.moves)
-    {
-        integration.theta = entry::theta(dict);
-        if (integration.theta < 0.5 || integration.theta > 1)
-            entry::theta.error(dict, "is 1/2 (Crank-Nicolson) to 1 (Euler): below 1/2 no step is stable however stiff");
         settings.reasons.push_back(
             fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",
                         integration.theta, integration.tolerance));
-    }
     else
     {
         const bool carries = std::any_of(settings.state.begin(), settings.state.end(),
@@ -208,7 +206,7 @@ std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& me
     const auto& integration = settings.integration;
     return StepLimit{integration.maxSubSteps *
                          (integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxAcceleration)),
-                     "force", true};
+                     "force", true, &Acceleration::info};
 }
 }
 

@@ -41,23 +41,26 @@ template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
     return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5 * s.deltaT); }});
 }
 
-template<int dim> Schedule<dim>& Schedule<dim>::driftWhole()
+template<int dim> Schedule<dim>& Schedule<dim>::driftByTheta()
 {
-    return then({"drift", "x += dt v",
+    return then({"drift", "x += theta dt v",
                  [](Particles<dim>& p, const Substep& s)
                  {
-                     sph::drift(p, s.deltaT);
-                     p.moved(s.deltaT * p.maxSpeed());
+                     const double theta = p.settings().integration.theta;
+                     sph::drift(p, theta * s.deltaT);
+                     p.moved(theta * s.deltaT * p.maxSpeed());
                  }});
 }
 
-template<int dim> Schedule<dim>& Schedule<dim>::driftByKick()
+template<int dim> Schedule<dim>& Schedule<dim>::driftOnByTheta()
 {
-    return then({"drift by kick", "x += dt (v_1 - v_0)",
+    return then({"drift on", "x += (1 - theta) dt v_1 + (2 theta - 1) dt (v_1 - v_0)",
                  [](Particles<dim>& p, const Substep& s)
                  {
-                     driftByAcceleration(p, sqr(s.deltaT));
-                     p.moved(s.deltaT * s.deltaT * largestAcceleration(p));
+                     const double theta = p.settings().integration.theta, beyond = (2 * theta - 1) * sqr(s.deltaT);
+                     sph::drift(p, (1 - theta) * s.deltaT);
+                     driftByAcceleration(p, beyond);
+                     p.moved(beyond * largestAcceleration(p));
                  }});
 }
 

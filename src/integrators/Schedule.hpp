@@ -25,9 +25,9 @@ public:
     /// dt/2; the second one ends the step, and `measure` says how far it may have gone.
     Schedule& drift();
     Schedule& driftOn();
-    /// The whole of a step with the velocity at its start, and on to where the velocity at its end leads.
-    Schedule& driftWhole();
-    Schedule& driftByKick();
+    /// A share theta of a step, with the velocity at its start; and on to x_0 + dt ((1 - theta) v_0 + theta v_1).
+    Schedule& driftByTheta();
+    Schedule& driftOnByTheta();
     Schedule& predict();
     Schedule& correct();
     Schedule& kick();

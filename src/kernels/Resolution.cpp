@@ -1,4 +1,5 @@
 #include "Resolution.hpp"
+#include "defaultSupport.hpp"
 #include "resolutionEntries.hpp"
 #include "schemeSets.hpp"
 
@@ -10,7 +11,8 @@ Resolution readResolution(const Dictionary& sphSchemes)
     addSchemeSet(sphSchemes);
     const auto before = sphSchemes.diagnostics().errors();
     const auto dict = entry::resolution::dictionary(sphSchemes);
-    const Resolution resolution{entry::resolution::spacing(dict), entry::resolution::support(dict), entry::resolution::kernel(dict),
+    const auto kernel = entry::resolution::kernel(dict);
+    const Resolution resolution{entry::resolution::spacing(dict), entry::resolution::support(dict, defaultSupport(kernel)), kernel,
                                 entry::resolution::spacing.where(dict)};
     if (sphSchemes.diagnostics().errors() > before) sphSchemes.diagnostics().throwIfAny();
     return resolution;

@@ -8,8 +8,8 @@ namespace sph
 
 struct Resolution
 {
-    double spacing = 1;   ///< [m]
-    double support = 2.6; ///< H in spacings
+    double spacing = 1;    ///< [m]
+    double support = 3.05; ///< H in spacings
     std::string kernel = "wendlandC2";
     Location where; ///< of the spacing
     double H() const { return support * spacing; }

@@ -2,11 +2,11 @@
 #include "cleanSoup.hpp"
 #include "importMesh.hpp"
 #include "orientShells.hpp"
+#include "placeMesh.hpp"
 #include "repairSurface.hpp"
 #include "workingMesh.hpp"
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <deque>
-#include <fmt/format.h>
 
 namespace sph
 {
@@ -26,17 +26,19 @@ struct SolidOfFile::Shells
 
 SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurface& t) : shells_(std::make_unique<Shells>())
 {
-    if (t.wrap) throw UnusableMesh(fmt::format("constant/triSurface/{} is to be wrapped: by itself it bounds no solid", t.file));
+    if (t.wrap) throw UnusableMesh("it is to be wrapped: by itself it bounds no solid");
     std::vector<std::string> notes;
     auto m = importMesh(caseFolder / "constant" / "triSurface" / t.file, notes);
     place(m, t);
-    const auto box = boundingBox(m);
-    weldPoints(m, t.weld.value_or(weldOf(box)), notes);
+    const double weld = weldOf(boundingBox(m));
+    weldPoints(m, t.weld.value_or(weld), notes);
     removeDuplicates(m, notes);
+    if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
     orientFacets(m, notes);
     splitPoints(m, notes);
     closeHoles(m, t.closeHoles, notes);
+    if (t.removeSelfIntersections) removeSelfIntersections(m, contactOf(t.weld.value_or(weld), weld), notes);
     orientShells(m, t.fluid, notes);
 
     shells_->outside = t.fluid == FluidSide::inside;

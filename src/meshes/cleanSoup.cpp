@@ -1,7 +1,8 @@
 #include "cleanSoup.hpp"
 #include "Shape.hpp"
+#include "WeldedPoints.hpp"
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <numeric>
@@ -33,6 +34,107 @@ std::size_t dropFacets(NumberedMesh& m, const auto& keep)
 
 void turn(NumberedMesh& m, std::size_t facet) { std::swap(m.triangles[facet][1], m.triangles[facet][2]); }
 
+/// Points in which parts meet become one point for each of them; corners that facets of a pair share belong together. Their number.
+std::size_t part(NumberedMesh& m, const auto& pairsOf)
+{
+    DisjointSets corners(3 * m.triangles.size());
+    const auto corner = [&](int facet, int point)
+    {
+        const auto& t = m.triangles[std::size_t(facet)];
+        return 3 * facet + int(std::find(t.begin(), t.end(), point) - t.begin());
+    };
+    forEachEdge(sortedHalfEdges(m),
+                [&](std::span<const HalfEdge> edge)
+                {
+                    for (const auto& [a, b] : pairsOf(edge))
+                        for (const int p : {a.low, a.high}) corners.join(corner(a.facet, p), corner(b.facet, p));
+                });
+    std::vector<int> fanOf(m.points.size(), -1);
+    std::unordered_map<int, int> more; // fans beyond the first of their point, and the points they get
+    std::size_t split = 0;
+    std::vector<char> isSplit(m.points.size(), 0);
+    for (std::size_t f = 0; f < m.triangles.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const int p = m.triangles[f][k], fan = corners.find(int(3 * f + k));
+            auto& first = fanOf[std::size_t(p)];
+            if (first < 0) first = fan;
+            if (first == fan) continue;
+            const auto [place, isNew] = more.try_emplace(fan, int(m.points.size()));
+            if (isNew) m.points.push_back(m.points[std::size_t(p)]);
+            if (!isSplit[std::size_t(p)]++) ++split;
+            m.triangles[f][k] = place->second;
+        }
+    return split;
+}
+
+/// Facets of an edge by twos: those between which solid lies, by their orientation; where that does not tell, those of one region. None
+/// where neither does.
+std::vector<std::array<HalfEdge, 2>> pairsAt(const NumberedMesh& m, std::span<const HalfEdge> edge)
+{
+    std::vector<std::array<HalfEdge, 2>> pairs;
+    const auto forward = std::count_if(edge.begin(), edge.end(), [](const HalfEdge& h) { return h.forward; });
+    if (2 * std::size_t(forward) != edge.size())
+    {
+        if (edge.size() == 2) return {{edge[0], edge[1]}};
+        std::map<int, std::vector<HalfEdge>> ofRegion;
+        for (const auto& h : edge) ofRegion[m.region[std::size_t(h.facet)]].push_back(h);
+        for (const auto& [_, facets] : ofRegion)
+        {
+            if (facets.size() != 2) return {};
+            pairs.push_back({facets[0], facets[1]});
+        }
+        return pairs;
+    }
+    // Counter-clockwise around the edge, solid begins at a facet that goes backwards along it and ends at one that goes forwards.
+    const auto from = m.points[std::size_t(edge[0].low)], along = unitVector(m.points[std::size_t(edge[0].high)] - from);
+    const auto across = [&](const HalfEdge& h)
+    {
+        const auto r = centroid(m, h.facet) - from;
+        return r - dot(r, along) * along;
+    };
+    const auto u = unitVector(across(edge[0])), v = cross(along, u);
+    std::vector<std::pair<double, HalfEdge>> around;
+    for (const auto& h : edge) around.emplace_back(std::atan2(dot(across(h), v), dot(across(h), u)), h);
+    std::stable_sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    // As brackets: from behind the place where most have ended, each end belongs to the last beginning before it.
+    int depth = 0, least = 0;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+        depth += around[i].second.forward ? -1 : 1;
+        if (depth < least)
+        {
+            least = depth;
+            start = i + 1;
+        }
+    }
+    std::vector<HalfEdge> open;
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+        const auto& h = around[(start + i) % around.size()].second;
+        if (!h.forward) open.push_back(h);
+        else
+        {
+            pairs.push_back({open.back(), h});
+            open.pop_back();
+        }
+    }
+    return pairs;
+}
+
+/// Cuts the facet of a half-edge in two at a point on it.
+void divide(NumberedMesh& m, const HalfEdge& h, int point)
+{
+    auto& t = m.triangles[std::size_t(h.facet)];
+    std::rotate(t.begin(), std::find(t.begin(), t.end(), h.forward ? h.low : h.high), t.end());
+    const std::array<int, 3> other{point, t[1], t[2]};
+    t[1] = point;
+    m.triangles.push_back(other);
+    m.region.push_back(m.region[std::size_t(h.facet)]);
+    m.number.push_back(m.number[std::size_t(h.facet)]);
+}
+
 }
 
 void removeUnusedPoints(NumberedMesh& m)
@@ -54,46 +156,14 @@ void removeUnusedPoints(NumberedMesh& m)
 
 void weldPoints(NumberedMesh& m, double tolerance, std::vector<std::string>& repairs)
 {
-    // Cells of the tolerance's width: what is near is in the same cell or in the next one.
-    const auto low = boundingBox(m).low;
-    const double width = std::max(tolerance, std::numeric_limits<double>::min());
-    const auto cell = [&](double x, double from) { return std::int64_t(std::floor((x - from) / width)); };
-    const auto key = [](std::int64_t i, std::int64_t j, std::int64_t k)
-    { return std::uint64_t(i) * 0x9E3779B97F4A7C15u ^ std::uint64_t(j) * 0xC2B2AE3D27D4EB4Fu ^ std::uint64_t(k) * 0x165667B19E3779F9u; };
-
-    std::unordered_map<std::uint64_t, int> first; // of the points of a cell; the others follow by `next`
-    first.reserve(m.points.size());
-    std::vector<int> next, place(m.points.size());
-    std::vector<Vector<3>> kept;
-    for (std::size_t p = 0; p < m.points.size(); ++p)
-    {
-        const auto x = m.points[p];
-        const std::int64_t i = cell(x.x, low.x), j = cell(x.y, low.y), k = cell(x.z, low.z);
-        int same = -1;
-        const auto look = [&](std::int64_t di, std::int64_t dj, std::int64_t dk)
-        {
-            const auto there = first.find(key(i + di, j + dj, k + dk));
-            if (there == first.end()) return;
-            for (int q = there->second; q >= 0 && same < 0; q = next[std::size_t(q)])
-                if (mag(kept[std::size_t(q)] - x) <= tolerance) same = q;
-        };
-        look(0, 0, 0);
-        for (int n = 0; n < 27 && same < 0; ++n)
-            if (n != 13) look(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-        if (same < 0)
-        {
-            same = int(kept.size());
-            kept.push_back(x);
-            const auto [entry, isNew] = first.try_emplace(key(i, j, k), same);
-            next.push_back(isNew ? -1 : entry->second);
-            entry->second = same;
-        }
-        place[p] = same;
-    }
-    if (kept.size() < m.points.size())
+    WeldedPoints kept(tolerance, boundingBox(m));
+    std::vector<int> place;
+    place.reserve(m.points.size());
+    for (const auto& x : m.points) place.push_back(kept.add(x));
+    if (kept.all().size() < m.points.size())
         repairs.push_back(
-            fmt::format("{} points welded to {}: those within {:.3g} m of each other", m.points.size(), kept.size(), tolerance));
-    m.points = std::move(kept);
+            fmt::format("{} points welded to {}: those within {:.3g} m of each other", m.points.size(), kept.all().size(), tolerance));
+    m.points = kept.all();
     for (auto& t : m.triangles)
         for (int& p : t) p = place[std::size_t(p)];
     const auto dropped = dropFacets(m,
@@ -148,10 +218,12 @@ void checkManifold(const NumberedMesh& m)
 {
     std::vector<std::array<int, 2>> edges;
     std::vector<int> facets;
+    bool bodiesTouch = true; // and can be united: each edge then parts to them
     forEachEdge(sortedHalfEdges(m),
                 [&](std::span<const HalfEdge> edge)
                 {
                     if (edge.size() <= 2) return;
+                    bodiesTouch = bodiesTouch && !pairsAt(m, edge).empty();
                     for (const auto& h : edge)
                     {
                         edges.push_back({h.low, h.high});
@@ -160,7 +232,9 @@ void checkManifold(const NumberedMesh& m)
                 });
     if (!edges.empty())
         throw UnusableMesh("the surface is not manifold: more than two facets meet in an edge", m, edges, facets,
-                           "Separate the parts that touch there, or wrap them: wrap { tolerance ...; }");
+                           bodiesTouch
+                               ? "If bodies touch there, unite them: removeSelfIntersections yes; or wrap them: wrap { tolerance ...; }"
+                               : "Separate the parts that touch there, or wrap them: wrap { tolerance ...; }");
 }
 
 void orientFacets(NumberedMesh& m, std::vector<std::string>& repairs)
@@ -229,36 +303,47 @@ void orientFacets(NumberedMesh& m, std::vector<std::string>& repairs)
 
 void splitPoints(NumberedMesh& m, std::vector<std::string>& repairs)
 {
-    // Corners of facets, joined across the edges that their facets share.
-    DisjointSets corners(3 * m.triangles.size());
-    const auto corner = [&](int facet, int point)
-    {
-        const auto& t = m.triangles[std::size_t(facet)];
-        return 3 * facet + int(std::find(t.begin(), t.end(), point) - t.begin());
-    };
-    forEachEdge(sortedHalfEdges(m),
-                [&](std::span<const HalfEdge> edge)
-                {
-                    if (edge.size() != 2) return;
-                    for (const int p : {edge[0].low, edge[0].high}) corners.join(corner(edge[0].facet, p), corner(edge[1].facet, p));
-                });
-    std::vector<int> fanOf(m.points.size(), -1);
-    std::unordered_map<int, int> more; // fans beyond the first of their point, and the points they get
-    std::size_t split = 0;
-    std::vector<char> counted_(m.points.size(), 0);
-    for (std::size_t f = 0; f < m.triangles.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            const int p = m.triangles[f][k], fan = corners.find(int(3 * f + k));
-            auto& first = fanOf[std::size_t(p)];
-            if (first < 0) first = fan;
-            if (first == fan) continue;
-            const auto [place, isNew] = more.try_emplace(fan, int(m.points.size()));
-            if (isNew) m.points.push_back(m.points[std::size_t(p)]);
-            if (!counted_[std::size_t(p)]++) ++split;
-            m.triangles[f][k] = place->second;
-        }
+    const auto split = part(
+        m,
+        [](std::span<const HalfEdge> edge) {
+            return edge.size() == 2 ? std::vector<std::array<HalfEdge, 2>>{{edge[0], edge[1]}} : std::vector<std::array<HalfEdge, 2>>{};
+        });
     if (split > 0) repairs.push_back(counted(split, "point") + " in which parts touch split, one for each part");
+}
+
+void splitEdges(NumberedMesh& m)
+{
+    const auto pairsOf = [&](std::span<const HalfEdge> edge) { return pairsAt(m, edge); };
+    const auto isShared = [&](std::span<const HalfEdge> edge) { return edge.size() > 2 && !pairsOf(edge).empty(); };
+    const auto anyIsShared = [&]
+    {
+        bool any = false;
+        forEachEdge(sortedHalfEdges(m), [&](std::span<const HalfEdge> edge) { any = any || isShared(edge); });
+        return any;
+    };
+    if (!anyIsShared()) return;
+    part(m, pairsOf);
+    // An edge whose ends lie within parts that go on around them stays; a point in its middle for each part divides it.
+    while (anyIsShared())
+    {
+        std::vector<char> divided(m.triangles.size(), 0);
+        forEachEdge(sortedHalfEdges(m),
+                    [&](std::span<const HalfEdge> edge)
+                    {
+                        if (!isShared(edge)) return;
+                        if (std::any_of(edge.begin(), edge.end(), [&](const HalfEdge& h) { return divided[std::size_t(h.facet)]; })) return;
+                        for (const auto& pair : pairsOf(edge))
+                        {
+                            const int middle = int(m.points.size());
+                            m.points.push_back(0.5 * (m.points[std::size_t(pair[0].low)] + m.points[std::size_t(pair[0].high)]));
+                            for (const auto& h : pair)
+                            {
+                                divided[std::size_t(h.facet)] = 1;
+                                divide(m, h, middle);
+                            }
+                        }
+                    });
+    }
 }
 
 }

@@ -13,6 +13,10 @@ void weldPoints(NumberedMesh&, double tolerance, std::vector<std::string>& repai
 /// Of equal facets one remains; none where each has its opposite: what separated two bodies is within one.
 void removeDuplicates(NumberedMesh&, std::vector<std::string>& repairs);
 
+/// Parts the bodies that meet in an edge of four facets or more, so that each has its own: facets that bound one solid wedge there belong
+/// together, or those of one region, where the orientation does not tell. What is left is a matter of `checkManifold`.
+void splitEdges(NumberedMesh&);
+
 /// Throws UnusableMesh where more than two facets meet in an edge.
 void checkManifold(const NumberedMesh&);
 

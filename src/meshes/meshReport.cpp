@@ -67,6 +67,7 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
     out += fmt::format("  Sharp edges (more than {:.3g} degrees): {} convex, {} concave\n", t.featureAngle, f.convex, f.concave);
     if (!full) return out;
     out += sharpest("convex", f.most, f.mostAt) + sharpest("concave", f.least, f.leastAt);
+    if (f.grooves > 0) out += fmt::format("    Grooves of less than {:.0f} degrees: {}\n", leastFilled, f.grooves);
     if (f.convex + f.concave > 0)
         out += fmt::format("    Smallest face between sharp edges: {:.4g} m = {:.3g} H (square root of its area) at {}\n", f.smallest,
                            f.smallest / H, inWords(f.smallestAt));

@@ -98,6 +98,7 @@ MeshFeatures meshFeatures(const FacetSurface& s, const std::vector<DihedralEdge>
                         result.least = angle;
                         result.leastAt = middle;
                     }
+                    result.grooves += angle < leastFilled;
                     if (std::abs(angle - 180) <= featureAngle) faces.join(edge[0].facet, edge[1].facet);
                     else ++(angle > 180 ? result.convex : result.concave);
                 });

@@ -2,6 +2,7 @@
 #pragma once
 #include "NumberedMesh.hpp"
 #include "triSurface.hpp"
+#include <algorithm>
 
 namespace sph
 {
@@ -14,12 +15,27 @@ void removeSlivers(NumberedMesh&, double tolerance, std::vector<std::string>& re
 /// UnusableMesh where edges stay open, and says how wide the widest hole is.
 void closeHoles(NumberedMesh&, std::optional<double> widest, std::vector<std::string>& repairs);
 
-/// Pairs of facets that cross or touch each other without sharing an edge or a point there.
-std::vector<std::array<int, 2>> selfIntersections(const NumberedMesh&);
-/// Throws UnusableMesh where there are some.
-void checkSelfIntersections(const NumberedMesh&, const std::string& remedy);
-/// Closed surfaces that cross one another become one, the boundary of their union; what crosses itself within one is cut out and filled.
-void removeSelfIntersections(NumberedMesh&, std::vector<std::string>& repairs);
+/// Distance within which surfaces touch, of those within which points are welded and would be by default [m]: where nothing is to be welded, what is
+/// nearer than rounding brings it touches all the same.
+inline double contactOf(double weld, double byDefault) { return std::max(weld, 1e-3 * byDefault); }
+/// Throws UnusableMesh where facets cross or touch others within `tolerance` [m], other than in points and edges that they have in common.
+void checkSelfIntersections(const NumberedMesh&, double tolerance, const std::string& remedy);
+/// The boundary of the solid where closed surfaces cross or touch one another or themselves: of all around which one of them winds (winding number
+/// not zero), without what lies in their cavities. Facets are split where they meet (within `tolerance` [m] they meet), and those kept that have
+/// solid on one side: Zhou et al. (2016), Mesh arrangements for solid geometry, ACM Trans. Graph. 35. Throws UnusableMesh where the result has not
+/// the box, or not the volume, that the mesh encloses. The tolerance within which parts of the result are apart: a smaller one where facets are
+/// as small as that given.
+double removeSelfIntersections(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
+
+/// A volume by lines through it, and its standard error.
+struct EnclosedByLines
+{
+    double volume = 0, error = 0; ///< [m^3]
+    std::size_t lines = 0;
+};
+/// Throws UnusableMesh, which says how much, where `repaired` has not the box of the mesh, or not the volume that it encloses: six standard errors and
+/// what the tolerance [m] may change along the surface are allowed.
+void checkNothingIsLost(const NumberedMesh& repaired, const NumberedMesh&, const EnclosedByLines&, double tolerance);
 
 /// A closed surface around all facets, at a distance of half the tolerance: Portaneri et al. (2022), Alpha wrapping with an offset, ACM Trans. Graph.
 /// 41. Its facets belong to the region of the nearest facet of the mesh.

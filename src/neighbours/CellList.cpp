@@ -11,6 +11,8 @@ namespace
 constexpr std::size_t manyInPlane = 1 << 15;
 /// Rows of a band.
 constexpr int bandRows = 16;
+/// Cells grow where a row would have more of them than an int holds, or all of them more than a long.
+constexpr double mostInRow = 1e9, mostNumbers = 4e18;
 }
 
 template<int dim> void CellList<dim>::build(const std::array<const double*, dim>& x, std::size_t count, double side)
@@ -30,37 +32,62 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
         low_[c] = low;
         extent[c] = high - low;
     }
-    const double most = 4 * double(count) + 1000;
     const auto cells = [&](double s)
     {
         double product = 1;
         for (double e : extent) product *= std::max(1.0, std::floor(e / s));
         return product;
     };
-    while (cells(side) > most) side *= 1.5;
-
-    std::size_t total = 1;
+    while (*std::max_element(extent.begin(), extent.end()) / side > mostInRow || cells(side) > mostNumbers) side *= 1.5;
     for (int c = 0; c < dim; ++c)
     {
         n_[c] = std::max(1, int(extent[c] / side));
         width_[c] = std::max(side, extent[c] / n_[c]);
-        total *= n_[c];
     }
-    begin_.assign(total + 1, 0);
     order_.resize(count);
+    filled_.clear();
+    rows_.clear();
+    if (cells(side) > 4 * double(count) + 1000) keepFilledCells(x, count);
+    else keepEveryCell(x, count, std::size_t(cells(side)));
+}
+
+template<int dim> void CellList<dim>::keepEveryCell(const std::array<const double*, dim>& x, std::size_t count, std::size_t cells)
+{
+    begin_.assign(cells + 1, 0);
     orderRows(count);
     std::vector<int> cellOfPoint(count);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < count; ++i)
     {
         const auto p = valueAt<Vector<dim>>(x, i);
-        cellOfPoint[i] = index(cellOf(p));
+        cellOfPoint[i] = int(index(cellOf(p)));
     }
     for (std::size_t i = 0; i < count; ++i) ++begin_[cellOfPoint[i] + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     for (std::size_t i = 0; i < count; ++i) order_[begin_[cellOfPoint[i]]++] = int(i);
     std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
     begin_[0] = 0;
+}
+
+template<int dim> void CellList<dim>::keepFilledCells(const std::array<const double*, dim>& x, std::size_t count)
+{
+    std::vector<std::pair<long, int>> byCell(count);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const auto p = valueAt<Vector<dim>>(x, i);
+        byCell[i] = {index(cellOf(p)), int(i)};
+    }
+    std::sort(byCell.begin(), byCell.end());
+    begin_.clear();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        order_[k] = byCell[k].second;
+        if (!filled_.empty() && filled_.back() == byCell[k].first) continue;
+        filled_.push_back(byCell[k].first);
+        begin_.push_back(int(k));
+    }
+    begin_.push_back(int(count));
 }
 
 template<int dim> void CellList<dim>::orderRows(std::size_t count)
@@ -77,14 +104,20 @@ template<int dim> void CellList<dim>::orderRows(std::size_t count)
     }
 }
 
-template<int dim> int CellList<dim>::index(const Cell& a) const
+template<int dim> long CellList<dim>::index(const Cell& a) const
 {
-    if constexpr (dim == 2) return a[0] * n_[1] + a[1];
+    if constexpr (dim == 2) return long(a[0]) * n_[1] + a[1];
     else
     {
-        const Row& row = rows_[std::size_t(a[1])];
-        return (row.first + a[0] * row.stride) * n_[2] + a[2];
+        const Row row = rows_.empty() ? Row{a[1], n_[1]} : rows_[std::size_t(a[1])];
+        return (row.first + long(a[0]) * row.stride) * n_[2] + a[2];
     }
+}
+
+template<int dim> int CellList<dim>::start(long cell) const
+{
+    if (filled_.empty()) return begin_[std::size_t(cell)];
+    return begin_[std::size_t(std::lower_bound(filled_.begin(), filled_.end(), cell) - filled_.begin())];
 }
 
 template<int dim> typename CellList<dim>::Cell CellList<dim>::cellOf(Vector<dim> x) const
@@ -107,9 +140,9 @@ template<int dim> void CellList<dim>::runsAround(const Cell& a, double radius, s
     const auto add = [&](Cell b)
     {
         b[dim - 1] = first[dim - 1];
-        const int begin = begin_[index(b)];
+        const int begin = start(index(b));
         b[dim - 1] = last[dim - 1];
-        const int end = begin_[index(b) + 1];
+        const int end = start(index(b) + 1);
         if (begin < end) runs.push_back({begin, end});
     };
     Cell b{};

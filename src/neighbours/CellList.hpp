@@ -3,8 +3,9 @@
 /// Where a plane of rows holds many points, rows come in bands of a few that go through all planes: what is near in space is then in a cache together,
 /// whatever the size of the scene (test/benchmark/README.md).
 ///
-/// Cells are at least `side` wide; where points are so scattered that such cells would outnumber them by far, cells grow, so that
-/// memory is bounded by the number of points whatever the extent of the scene.
+/// Cells are at least `side` wide. Where points are so scattered that such cells would outnumber them by far, only the cells that hold points are kept, as
+/// a sorted list of their numbers in which a search bisects: memory is bounded by the number of points, and the cost of a search by how densely they lie,
+/// whatever the extent of the scene.
 #pragma once
 #include "FieldStore.hpp"
 #include <span>
@@ -35,15 +36,20 @@ private:
     std::array<double, dim> low_{}, width_{};
     std::array<int, dim> n_{};
     std::vector<int> begin_, order_;
+    std::vector<long> filled_; ///< numbers of the cells that hold points, to which begin_ then belongs; empty where every cell is kept
     /// Of a row by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
     struct Row
     {
         int first, stride;
     };
-    std::vector<Row> rows_;
+    std::vector<Row> rows_; ///< empty where only filled cells are kept
 
     void orderRows(std::size_t count);
-    int index(const Cell&) const;
+    void keepEveryCell(const std::array<const double*, dim>& x, std::size_t count, std::size_t cells);
+    void keepFilledCells(const std::array<const double*, dim>& x, std::size_t count);
+    long index(const Cell&) const;
+    /// The first sorted point whose cell has this number or a higher one.
+    int start(long cell) const;
 };
 
 }

@@ -1,7 +1,7 @@
 #include "FluidSpace.hpp"
 #include "components.hpp"
 #include "forEachFoot.hpp"
-#include "reduce.hpp"
+#include "overFluid.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -93,24 +93,23 @@ double fluidIn(const Geometry& g, const Vector<3>& centre, const Vector<3>& edge
 double quadrature(const Geometry& g, const Box& box, double coarsest, int halvings)
 {
     const Vector<3> length = box.high - box.low;
-    std::array<long, 3> n{1, 1, 1};
-    Vector<3> edge;
+    RegularCells cells{box.low, {}};
+    CellRange all{{0, 0, 0}, {1, 1, 1}};
     for (int k = 0; k < g.dimension; ++k)
     {
-        n[k] = std::max(1L, std::lround(std::ceil(length.*component(k) / coarsest)));
-        edge.*component(k) = length.*component(k) / n[k];
+        const auto c = component(k);
+        all.high[k] = std::max(1L, std::lround(std::ceil(length.*c / coarsest)));
+        cells.step.*c = length.*c / double(all.high[k]);
     }
-    const long cells = n[0] * n[1] * n[2];
-    std::vector<double> part(cells);
-#pragma omp parallel for schedule(dynamic, 8)
-    for (long c = 0; c < cells; ++c)
+    if (g.dimension == 2) cells.low.z = 0;
+    const auto ofBlock = [&](const CellRange& range)
     {
-        const Vector<3> offset{(c % n[0] + 0.5) * edge.x, (c / n[0] % n[1] + 0.5) * edge.y, (c / (n[0] * n[1]) + 0.5) * edge.z};
-        Vector<3> centre = box.low + offset;
-        if (g.dimension == 2) centre.z = 0;
-        part[c] = fluidIn(g, centre, edge, halvings);
-    }
-    return sum(part.size(), [&](std::size_t c) { return part[c]; });
+        double count = 1;
+        for (int k = 0; k < g.dimension; ++k) count *= double(range.high[k] - range.low[k]);
+        return count * measure(cells.step, g.dimension);
+    };
+    return overFluid<double>(g, cells, all, 0, ofBlock,
+                             [&](const auto&, const Vector<3>& middle) { return fluidIn(g, middle, cells.step, halvings); });
 }
 
 /// Nothing but balls and the faces of the box bounds the fluid, and no two of these overlap.

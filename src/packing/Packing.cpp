@@ -1,6 +1,9 @@
 #include "Packing.hpp"
 #include "components.hpp"
+#include "openFaces.hpp"
+#include "overFluid.hpp"
 #include "reduce.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,6 +15,9 @@ namespace
 {
 /// Particles nearer than this, in spacings, are one particle twice: no kernel sum can tell them apart.
 constexpr double coincidence = 0.05;
+
+/// Scatter of the kernel residual, and mean below 0, up to which a relaxation is good, whatever it began with.
+constexpr double goodResidual = 0.01;
 
 std::string text(const Vector<3>& a) { return fmt::format("({:.6g} {:.6g} {:.6g})", a.x, a.y, a.z); }
 
@@ -30,41 +36,113 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
     }
 }
 
-Points placesBetweenWalls(const PackingPlan& plan, const Box& box, Packing& packing)
+/// Places that are relaxed around what is filled [spacings]: what lies farther off has no part in it.
+constexpr double relaxedAround = 10;
+/// Where filled boxes are less than this share of the lattice, places elsewhere are counted only.
+constexpr double sparse = 0.125;
+
+/// The cells of the lattice that fill rules put particles in.
+std::vector<CellRange> filledCells(const PackingPlan& plan, const Lattice& lattice)
 {
-    auto lattice = makeLattice(plan.lattice, plan.geometry.dimension, box, plan.geometry.periodic);
-    packing.layers = lattice.layers;
-    packing.fittedSpacing = lattice.fittedSpacing;
-    const long n = long(lattice.points.size());
+    if (plan.fill.empty()) return {lattice.all()};
+    std::vector<CellRange> filled;
+    double count = 0;
+    for (const auto& rule : plan.fill)
+        if (rule.phase != FillRule::noPhase)
+            for (const auto& box : rule.region.within)
+            {
+                filled.push_back(lattice.cellsIn(box));
+                count += double(lattice.count(filled.back()));
+            }
+    if (count > sparse * double(lattice.count(lattice.all()))) return {lattice.all()};
+    return filled;
+}
+
+Points inFluid(const Geometry& g, const Points& points)
+{
+    const long n = long(points.size());
     std::vector<char> isFluid(n);
 #pragma omp parallel for schedule(static)
-    for (long i = 0; i < n; ++i) isFluid[i] = plan.geometry.distance(lattice.points[i]) > 0;
-
-    Points places;
+    for (long i = 0; i < n; ++i) isFluid[i] = g.distance(points[i]) > 0;
+    Points inside;
     for (long i = 0; i < n; ++i)
-        if (isFluid[i]) places.add(lattice.points[i]);
-    if (places.size() == 0)
+        if (isFluid[i]) inside.add(points[i]);
+    return inside;
+}
+
+std::size_t placesBetweenWalls(const Geometry& g, const Lattice& lattice)
+{
+    return overFluid<std::size_t>(
+        g, lattice.cells, lattice.all(), lattice.farthestOff(), [&](const CellRange& range) { return lattice.count(range); },
+        [&](const std::array<long, 3>& cell, const Vector<3>&)
+        { return std::size_t(lattice.holds(cell) && g.distance(lattice.particle(cell)) > 0); });
+}
+
+/// The places that may be filled.
+struct Places
+{
+    Points points;
+    Points around;       ///< beyond them, within reach of the kernel
+    std::size_t all = 0; ///< between the walls, wherever
+};
+
+Places findPlaces(const PackingPlan& plan, const Lattice& lattice)
+{
+    const auto& g = plan.geometry;
+    const auto filled = filledCells(plan, lattice);
+    Places places;
+    if (filled == std::vector{lattice.all()})
+    {
+        places.points = inFluid(g, lattice.points());
+        places.all = places.points.size();
+    }
+    else
+    {
+        const auto moving = lattice.grown(filled, plan.relaxation ? relaxedAround * plan.lattice.spacing : 0);
+        const auto seen = lattice.grown(moving, plan.support + plan.lattice.spacing);
+        places = {inFluid(g, lattice.points(moving)), inFluid(g, lattice.points(seen, moving)), placesBetweenWalls(g, lattice)};
+    }
+    if (places.all == 0)
         throw CaseError(plan.spacingAt, fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
                                                     "no fluid, or its gaps are narrower than the spacing",
-                                                    plan.lattice.spacing, text(plan.geometry.low), text(plan.geometry.high)));
+                                                    plan.lattice.spacing, text(g.low), text(g.high)));
     return places;
 }
 
-template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, Points& points)
+template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, const Points& around, Points& points)
 {
+    const double spacing = plan.lattice.spacing;
+    const Kernel<dim> kernel(plan.kernel, plan.support);
     RelaxationSettings atRest;
     atRest.steps = 0;
-    return relax<dim>(plan.geometry, Kernel<dim>(plan.kernel, plan.support), V0, plan.lattice.spacing, plan.relaxation.value_or(atRest),
-                      points);
+    if (!plan.relaxation) return relax<dim>(plan.geometry, kernel, V0, spacing, atRest, around, points);
+    auto closed = closedBy(openFaces(plan.geometry, spacing), plan.geometry);
+    Diagnostics ofLayers; // there are none of planes
+    if (!closed.layers.empty()) closed.layers = makeWallLayers(closed, plan.support, spacing, ofLayers);
+    return relax<dim>(closed, kernel, V0, spacing, *plan.relaxation, around, points);
 }
 
-void checkDistances(const PackingPlan& plan, const Packing& packing)
+void checkRelaxation(const PackingPlan& plan, const RelaxationResult& relaxation)
 {
-    const auto& [i, j] = packing.relaxation.closest;
-    const double r = packing.relaxation.closestPair;
+    const auto &before = relaxation.before.overall, &after = relaxation.after.overall;
+    const bool uneven = after.scatter > goodResidual && after.scatter > before.scatter,
+               thin = after.mean < -goodResidual && after.mean < before.mean;
+    if (!uneven && !thin) return;
+    throw CaseError(
+        plan.relaxAt,
+        fmt::format("the relaxation makes the packing worse: in {} steps the scatter of the kernel sums went from {:.3g} to "
+                    "{:.3g}, their mean from {:+.3g} to {:+.3g}. The walls leave no room for an even packing at a spacing of "
+                    "{:g} m, or its steps are too long: choose a finer spacing, the default bias and coefficient, or leave `relax` out",
+                    relaxation.steps, before.scatter, after.scatter, before.mean, after.mean, plan.lattice.spacing));
+}
+
+void checkDistances(const PackingPlan& plan, const RelaxationResult& relaxation, const Points& points)
+{
+    const auto& [i, j] = relaxation.closest;
+    const double r = relaxation.closestPair;
     if (r < coincidence * plan.lattice.spacing)
         throw CaseError(plan.latticeAt, fmt::format("particles overlap: {:.3g} spacings between {} and {}. Use less jitter, or relax",
-                                                    r / plan.lattice.spacing, text(packing.points[i]), text(packing.points[j])));
+                                                    r / plan.lattice.spacing, text(points[i]), text(points[j])));
 }
 
 /// The phase of each place, and the velocity and pressure that a rule gives.
@@ -133,40 +211,42 @@ Packing pack(const PackingPlan& plan)
     const Box box = fluidBox(g);
     checkSpacing(plan, box);
     packing.balls = ballsInCell(g);
-    packing.points = placesBetweenWalls(plan, box, packing);
+    const Lattice lattice(plan.lattice, g.dimension, box, g.periodic);
+    packing.layers = lattice.layers;
+    packing.fittedSpacing = lattice.fittedSpacing;
+    auto [relaxed, around, allPlaces] = findPlaces(plan, lattice);
     packing.volume = fluidVolume(g, plan.lattice.spacing / 4);
-    packing.particleVolume = packing.volume.value / double(packing.points.size());
+    packing.particleVolume = packing.volume.value / double(allPlaces);
     const Vector<3> length = box.high - box.low;
     packing.porosity = packing.volume.value / (length.x * length.y * (g.dimension == 3 ? length.z : 1));
 
-    packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, packing.points)
-                                          : relaxIn<2>(plan, packing.particleVolume, packing.points);
-    checkDistances(plan, packing);
+    packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, around, relaxed)
+                                          : relaxIn<2>(plan, packing.particleVolume, around, relaxed);
+    checkDistances(plan, packing.relaxation, relaxed);
+    checkRelaxation(plan, packing.relaxation);
 
-    auto occupation = occupy(plan, packing.points);
-    if (plan.saturation) share(*plan.saturation, g, packing.points, occupation);
+    auto occupation = occupy(plan, relaxed);
+    if (plan.saturation) share(*plan.saturation, g, relaxed, occupation);
 
-    const Points places = std::move(packing.points);
-    packing.points = {};
     const bool pressed =
         plan.pressure || std::any_of(plan.fill.begin(), plan.fill.end(), [](const FillRule& rule) { return rule.p.has_value(); });
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t i = 0; i < relaxed.size(); ++i)
     {
         const int phase = occupation.phase[i];
         if (phase == FillRule::noPhase) continue;
         const double rho = plan.phases[phase].rho, mass = rho * packing.particleVolume;
-        packing.points.add(places[i]);
+        packing.points.add(relaxed[i]);
         packing.phase.push_back(phase);
         packing.rho.push_back(rho);
         packing.mass.push_back(mass);
-        if (pressed) packing.p.push_back(occupation.p[i] ? *occupation.p[i] : plan.pressure ? (*plan.pressure)(places[i]) : 0);
-        const Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(places[i]) : Vector<3>{};
+        if (pressed) packing.p.push_back(occupation.p[i] ? *occupation.p[i] : plan.pressure ? (*plan.pressure)(relaxed[i]) : 0);
+        const Vector<3> U = occupation.U[i] ? *occupation.U[i] : plan.velocity ? (*plan.velocity)(relaxed[i]) : Vector<3>{};
         if (g.dimension == 2 && U.z != 0)
             throw CaseError({"system/packParticlesDict", 0},
-                            fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(places[i])));
+                            fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(relaxed[i])));
         packing.velocity.add(U);
     }
-    packing.leftEmpty = places.size() - packing.points.size();
+    packing.leftEmpty = allPlaces - packing.points.size();
     packing.phases = groupSums(
         packing.points.size(), plan.phases.size(), [&](std::size_t i) { return std::size_t(packing.phase[i]); },
         [&](std::size_t i) {

@@ -45,7 +45,7 @@ struct PackingPlan
     std::optional<VelocityField> velocity;
     std::optional<PressureField> pressure;
     bool allowEmpty = false;
-    Location spacingAt, latticeAt;
+    Location spacingAt, latticeAt, relaxAt;
 
     /// For the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
     double bedPeriod = 0, g = 0, surfaceTension = 0;

@@ -2,6 +2,7 @@
 #include "components.hpp"
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sph
 {
@@ -51,18 +52,32 @@ Region sphere(const Dictionary& dict, const Geometry& g)
 {
     auto centre = entry::centre(dict);
     if (g.dimension == 2) centre.z = 0;
-    const double R2 = sqr(entry::radius(dict));
+    const double R = entry::radius(dict);
     // by value: regions outlive the reading
     Geometry space;
     space.dimension = g.dimension;
     space.low = g.low;
     space.high = g.high;
     space.periodic = g.periodic;
-    return [=](const Vector<3>& x)
+    Box within;
+    for (const auto c : coordinates)
+    {
+        within.low.*c = centre.*c - R;
+        within.high.*c = centre.*c + R;
+    }
+    for (int k = 0; k < g.dimension; ++k)
+    {
+        const auto c = component(k);
+        if (!g.periodic[k] || (within.low.*c >= g.low.*c && within.high.*c <= g.high.*c)) continue;
+        within.low.*c = -Box::infinity;
+        within.high.*c = Box::infinity;
+    }
+    const auto contains = [=](const Vector<3>& x)
     {
         const Vector<3> d = shortest(space, x, centre);
-        return dot(d, d) < R2;
+        return dot(d, d) < sqr(R);
     };
+    return {contains, {within}};
 }
 
 Region box(const Dictionary& dict, const Geometry& g)
@@ -71,20 +86,60 @@ Region box(const Dictionary& dict, const Geometry& g)
     for (int k = 0; k < g.dimension; ++k)
         if (low.*component(k) > high.*component(k)) entry::max.error(dict, "max lies below min: the box is inside out");
     const bool hasDepth = g.dimension == 3;
-    return [=](const Vector<3>& x)
+    const auto contains = [=](const Vector<3>& x)
     { return x.x >= low.x && x.x < high.x && x.y >= low.y && x.y < high.y && (!hasDepth || (x.z >= low.z && x.z < high.z)); };
+    return {contains, {{low, high}}};
 }
 
 Region cylinder(const Dictionary& dict)
 {
     const auto centre = entry::centre(dict), axis = entry::axis(dict);
-    const double R2 = sqr(entry::radius(dict)), half = entry::length(dict, 2 * Box::infinity) / 2;
-    return [=](const Vector<3>& x)
+    const double R = entry::radius(dict), half = entry::length(dict, 2 * Box::infinity) / 2;
+    Box within;
+    for (const auto c : coordinates)
+    {
+        const double a = std::fabs(axis.*c), reach = (a > 0 ? a * half : 0) + std::sqrt(std::max(0.0, 1 - a * a)) * R;
+        within.low.*c = centre.*c - reach;
+        within.high.*c = centre.*c + reach;
+    }
+    const auto contains = [=](const Vector<3>& x)
     {
         const Vector<3> d = x - centre;
         const double along = dot(d, axis);
-        return std::fabs(along) < half && dot(d, d) - along * along < R2;
+        return std::fabs(along) < half && dot(d, d) - along * along < sqr(R);
     };
+    return {contains, {within}};
+}
+
+Region halfSpace(const Dictionary& dict)
+{
+    const auto point = entry::point(dict), normal = entry::normal(dict);
+    Box within;
+    for (const auto c : coordinates)
+    {
+        if (normal.*c == 1) within.low.*c = point.*c;
+        if (normal.*c == -1) within.high.*c = point.*c;
+    }
+    return {[=](const Vector<3>& x) { return dot(x - point, normal) >= 0; }, {within}};
+}
+
+std::vector<Box> inBoth(const std::vector<Box>& some, const std::vector<Box>& others)
+{
+    std::vector<Box> both;
+    for (const auto& a : some)
+        for (const auto& b : others)
+        {
+            Box shared;
+            bool any = true;
+            for (const auto c : coordinates)
+            {
+                shared.low.*c = std::max(a.low.*c, b.low.*c);
+                shared.high.*c = std::min(a.high.*c, b.high.*c);
+                any &= shared.low.*c <= shared.high.*c;
+            }
+            if (any) both.push_back(shared);
+        }
+    return both;
 }
 
 Region combined(const Dictionary& dict, const std::string& type, const Geometry& g)
@@ -93,10 +148,16 @@ Region combined(const Dictionary& dict, const std::string& type, const Geometry&
     for (const auto& part : entry::of(dict)) parts.push_back(readRegion(part, g));
     if (parts.empty() && entry::of.given(dict)) entry::of.error(dict, "the " + type + " is of no regions");
     const auto contains = [](const Vector<3>& x) { return [&x](const Region& r) { return r(x); }; };
-    if (type == "union") return [=](const Vector<3>& x) { return std::any_of(parts.begin(), parts.end(), contains(x)); };
-    if (type == "intersection")
-        return [=](const Vector<3>& x) { return !parts.empty() && std::all_of(parts.begin(), parts.end(), contains(x)); };
-    return [=](const Vector<3>& x) { return !parts.empty() && parts[0](x) && std::none_of(parts.begin() + 1, parts.end(), contains(x)); };
+    if (parts.empty()) return {[](const Vector<3>&) { return false; }, {}};
+    auto within = parts[0].within;
+    for (const auto& part : std::span(parts).subspan(1))
+    {
+        if (type == "union") within.insert(within.end(), part.within.begin(), part.within.end());
+        if (type == "intersection") within = inBoth(within, part.within);
+    }
+    if (type == "union") return {[=](const Vector<3>& x) { return std::any_of(parts.begin(), parts.end(), contains(x)); }, within};
+    if (type == "intersection") return {[=](const Vector<3>& x) { return std::all_of(parts.begin(), parts.end(), contains(x)); }, within};
+    return {[=](const Vector<3>& x) { return parts[0](x) && std::none_of(parts.begin() + 1, parts.end(), contains(x)); }, within};
 }
 }
 
@@ -105,17 +166,13 @@ EntryList regionEntries() { return {{entry::region(), entry::regions()}}; }
 Region readRegion(const Dictionary& dict, const Geometry& g)
 {
     const std::string type = entry::region()(dict);
-    if (type == "all") return [](const Vector<3>&) { return true; };
+    if (type == "all") return {[](const Vector<3>&) { return true; }, {Box{}}};
     if (type == "sphere") return sphere(dict, g);
     if (type == "box") return box(dict, g);
     if (type == "cylinder") return cylinder(dict);
-    if (type == "halfSpace")
-    {
-        const auto point = entry::point(dict), normal = entry::normal(dict);
-        return [=](const Vector<3>& x) { return dot(x - point, normal) >= 0; };
-    }
+    if (type == "halfSpace") return halfSpace(dict);
     if (type == "union" || type == "intersection" || type == "difference") return combined(dict, type, g);
-    return [](const Vector<3>&) { return false; };
+    return {[](const Vector<3>&) { return false; }, {}};
 }
 
 }

@@ -3,11 +3,18 @@
 #include "EntryList.hpp"
 #include "Geometry.hpp"
 #include <functional>
+#include <vector>
 
 namespace sph
 {
 
-using Region = std::function<bool(const Vector<3>&)>;
+struct Region
+{
+    std::function<bool(const Vector<3>&)> contains;
+    std::vector<Box> within; ///< boxes outside of which there is nothing of it
+
+    bool operator()(const Vector<3>& x) const { return contains(x); }
+};
 
 /// Reads `region <type>;` and what belongs to it from an entry of `fill`.
 Region readRegion(const Dictionary&, const Geometry&);

@@ -10,6 +10,7 @@
 #include "relaxationTerms.hpp"
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -26,6 +27,9 @@ constexpr double largestStep = 0.1;
 
 /// Particles are kept this many spacings off a wall; relaxed ones stand about half a spacing off.
 constexpr double wallInset = 0.2;
+
+/// Particles stand on one line where their distances from one another across it are below this [spacings].
+constexpr double sameLine = 1e-6;
 
 /// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
@@ -102,7 +106,7 @@ template<int dim> class Relaxer
     const Kernel<dim>& kernel_;
     const Kernel<dim> repulsion_;
     const double V0_, spacing_, reach_;
-    const std::size_t n_;
+    const std::size_t n_, owned_; ///< particles that are relaxed; with those around
     const Catalogue<dim> catalogue_;
     Plan<dim> plan_;
     FieldStore<dim> store_;
@@ -113,10 +117,14 @@ template<int dim> class Relaxer
     std::array<std::vector<double>, dim> atBuild_;      ///< of what moves
     KernelResidual residual_;                           ///< at the present places
     Vector<dim> travelled_{};                           ///< sum over all particles and steps [m]
+    std::vector<std::vector<std::size_t>> lines_;       ///< of particles that move as one
+    Vector<dim> direction_{};                           ///< of the lines
+    std::vector<double> place_;                         ///< of each particle along its line [m]
 
 public:
     /// `moves`: whether `move` will be called.
-    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& points, bool moves)
+    Relaxer(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const Points& around, const Points& points,
+            bool moves)
         : geometry_(geometry),
           kernel_(kernel),
           repulsion_(repulsionOf(kernel)),
@@ -124,6 +132,7 @@ public:
           spacing_(spacing),
           reach_(kernel.support() + skin * spacing),
           n_(points.size()),
+          owned_(n_ + around.size()),
           catalogue_(relaxationTerms<dim>(V0)),
           plan_(catalogue_, groupsOf(moves), {PackingPressure::info.name}),
           images_(geometry, reach_, spacing),
@@ -134,11 +143,27 @@ public:
         // No term reads a velocity; layers ask for a rule all the same.
         images_.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
-        store_.resize(n_ + 1, n_);
+        store_.resize(owned_ + 1, owned_);
         x_ = store_.pointers(Position{});
-        const auto sorted = sortedByCells(points, kernel.support());
-        forEach([&](std::size_t i) { place(i, in<dim>(sorted[i])); });
+        const auto sorted = sortedByCells(points, kernel.support()), sortedAround = sortedByCells(around, kernel.support());
+        forEach([&](std::size_t i) { place(i, in<dim>(i < n_ ? sorted[i] : sortedAround[i - n_])); });
         rebuild();
+    }
+
+    /// From now on particles that stand behind one another along this unit vector stay so, where they are along it.
+    void keepLines(const Vector<3>& along)
+    {
+        direction_ = in<dim>(along);
+        std::map<std::array<long, std::size_t(dim)>, std::vector<std::size_t>> lines;
+        for (std::size_t i = 0; i < n_; ++i)
+        {
+            place_.push_back(dot(position(i), direction_));
+            const auto foot = in3D(position(i) - place_[i] * direction_);
+            std::array<long, std::size_t(dim)> at;
+            for (int c = 0; c < dim; ++c) at[std::size_t(c)] = std::lround(foot.*component(c) / (sameLine * spacing_));
+            lines[at].push_back(i);
+        }
+        for (auto& [_, line] : lines) lines_.push_back(std::move(line));
     }
 
     /// By which the centre of mass has moved [m].
@@ -163,7 +188,7 @@ public:
         const double* const V = store_.component(Volume::info.name, 0);
         double* const P = store_.component(PackingPressure::info.name, 0);
         const double mean = (1 + residual_.overall.mean) / V0_;
-        forEach([&](std::size_t i) { P[i] = bias + 1 / (V[i] * mean) - 1; });
+        forEach([&](std::size_t i) { P[i] = i < n_ ? bias + 1 / (V[i] * mean) - 1 : bias; });
         plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
 
         const double C = coefficient * spacing_ * spacing_, limit = largestStep * spacing_;
@@ -184,6 +209,7 @@ public:
             },
             [](Shifts& all, const Shifts& of) { all += of; });
         travelled_ += total.sum;
+        straighten();
         return {total.largest / spacing_, total.held};
     }
 
@@ -213,7 +239,7 @@ public:
                 // mirror images of a particle may be as near as the wall is
                 typename NeighbourLists<dim>::Room room;
                 for (const int j : lists_.of(i, room))
-                    if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0)
+                    if (std::size_t(j) != i && std::size_t(j) != images_.nullParticle() && wall[j] == 0 && source[j] < double(n_))
                         nearer(nearest, {mag(position(i) - position(std::size_t(j))), {i, std::size_t(source[j])}});
                 return nearest;
             },
@@ -249,12 +275,22 @@ private:
     template<class F> void forEach(const F& f) const
     {
 #pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n_; ++i) f(i);
+        for (std::size_t i = 0; i < owned_; ++i) f(i);
     }
     Vector<dim> position(std::size_t i) const { return valueAt<Vector<dim>>(x_, i); }
     void place(std::size_t i, Vector<dim> x_i)
     {
         store(x_i, [&](int c, double q) { x_[c][i] = q; });
+    }
+
+    void straighten()
+    {
+        for (const auto& line : lines_)
+        {
+            Vector<dim> mean{};
+            for (const auto i : line) mean += position(i) / double(line.size());
+            for (const auto i : line) place(i, mean + (place_[i] - dot(mean, direction_)) * direction_);
+        }
     }
 
     void wrap()
@@ -277,7 +313,7 @@ private:
     void rebuild()
     {
         wrap();
-        images_.build(store_, n_);
+        images_.build(store_, owned_);
         x_ = store_.pointers(Position{});
         std::array<const double*, dim> x;
         for (int c = 0; c < dim; ++c)
@@ -285,7 +321,7 @@ private:
             x[c] = x_[c];
             if (stored_ == NeighbourLists<dim>::Stored::yes) atBuild_[c].assign(x[c], x[c] + images_.nullParticle());
         }
-        lists_.build(x, n_, images_.nullParticle(), reach_, stored_, plan_.idle());
+        lists_.build(x, owned_, images_.nullParticle(), reach_, stored_, plan_.idle());
         plan_.bind(store_, Coefficients{});
     }
 
@@ -344,10 +380,11 @@ double biasAt(int step, const RelaxationSettings& s)
 
 template<int dim>
 RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, double V0, double spacing, const RelaxationSettings& settings,
-                       Points& points)
+                       const Points& around, Points& points)
 {
     RelaxationResult result;
-    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, points, settings.steps > 0);
+    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, around, points, settings.steps > 0);
+    if (settings.alongLines) relaxer.keepLines(*settings.alongLines);
     relaxer.updateDensity();
     result.before = result.after = relaxer.residual();
     while (result.steps < settings.steps && relaxer.scatter() > settings.tolerance)
@@ -363,7 +400,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
     return result;
 }
 
-template RelaxationResult relax<2>(const Geometry&, const Kernel<2>&, double, double, const RelaxationSettings&, Points&);
-template RelaxationResult relax<3>(const Geometry&, const Kernel<3>&, double, double, const RelaxationSettings&, Points&);
+template RelaxationResult relax<2>(const Geometry&, const Kernel<2>&, double, double, const RelaxationSettings&, const Points&, Points&);
+template RelaxationResult relax<3>(const Geometry&, const Kernel<3>&, double, double, const RelaxationSettings&, const Points&, Points&);
 
 }

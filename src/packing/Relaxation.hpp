@@ -12,6 +12,7 @@
 #include "Kernel.hpp"
 #include "Points.hpp"
 #include <array>
+#include <optional>
 
 namespace sph
 {
@@ -21,6 +22,7 @@ struct RelaxationSettings
     int steps = 200;
     std::array<double, 2> bias{1, 0.01}; ///< b1, b2
     double tolerance = 1e-3;             ///< scatter of sigma/<sigma> within a support of the walls at which to stop
+    std::optional<Vector<3>> alongLines; ///< unit vector: points start on straight lines along it, and each line moves as a whole across it
     double coefficient = 0.3;            ///< C; 0.05 is slow (scatter 0.28 %), 0.2..0.8 reach 0.08..0.11 % on the bed of the unit test
 };
 
@@ -48,9 +50,10 @@ struct RelaxationResult
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
-/// neighbours in memory, and inside the periodic faces. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// neighbours in memory, and inside the periodic faces. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
 /// threads.
 template<int dim>
-RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, Points&);
+RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, const Points& around,
+                       Points&);
 
 }

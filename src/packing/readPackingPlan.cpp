@@ -142,6 +142,7 @@ PackingPlan readPackingPlan(const Case& c)
     if (entry::velocity.given(dict)) plan.velocity = readVelocity(entry::velocity(dict));
     if (entry::pressure.given(dict)) plan.pressure = readPressure(dict);
     if (entry::relax.given(dict)) plan.relaxation = readRelaxation(entry::relax(dict));
+    plan.relaxAt = entry::relax.where(dict);
     dict.ignore("solids"); // see src/solids
     dict.reportUnused();
     geometry.reportUnused();

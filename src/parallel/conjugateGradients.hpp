@@ -1,8 +1,10 @@
 /// Conjugate gradients for A x = b, with A symmetric and positive in the inner product sum_i w_i a_i.b_i, preconditioned by a diagonal. Nothing of A is
 /// stored: who solves says what it makes of a direction.
 #pragma once
+#include "DivergedError.hpp"
 #include "reduce.hpp"
 #include <array>
+#include <fmt/format.h>
 
 namespace sph
 {
@@ -10,6 +12,7 @@ namespace sph
 /// Arrays of n vectors, one array a component.
 template<int components> struct LinearSystem
 {
+    const char* name; ///< who it is solved for, in errors: "the implicit pressure"
     std::size_t n;
     const double* weight; ///< w
     /// r holds b before and what is left of it, b - A x, afterwards; p is the direction that A is applied to.
@@ -31,6 +34,9 @@ template<class Further> struct ResidualSums
 
 /// From x = 0 until `done(sums, iterations)`, which throws where it gives up. `diagonal(i)` of A; `apply()` readies `applied(c, i)`, component c of (A p)_i;
 /// `further(i)` is summed over i for `done`. Returns the number of iterations.
+///
+/// A direction along which A is not positive, as a matrix that is not quite symmetric may have one, is given up for the preconditioned residual; throws
+/// DivergedError where A is not positive along that either.
 template<int components>
 int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, const auto& apply, const auto& applied, const auto& further,
                        const auto& done)
@@ -53,6 +59,7 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                        return sums(i);
                    });
     int iterations = 0;
+    bool fresh = true; // p is the preconditioned residual itself
     for (; !done(now, iterations); ++iterations)
     {
         apply();
@@ -63,6 +70,19 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                                    for (int c = 0; c < components; ++c) product += s.p[c][i] * applied(c, i);
                                    return s.weight[i] * product;
                                });
+        if (!(pAp > 0))
+        {
+            if (fresh)
+                throw DivergedError(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} "
+                                                "with its own residual, and would be positive. Choose a smaller step",
+                                                s.name, iterations, pAp));
+            fresh = true;
+#pragma omp parallel for schedule(static)
+            for (std::size_t i = 0; i < s.n; ++i)
+                for (int c = 0; c < components; ++c) s.p[c][i] = s.r[c][i] / diagonal(i);
+            continue;
+        }
+        fresh = false;
         const double alpha = now.rz / pAp;
         const Sums next = sum(s.n,
                               [&](std::size_t i)

@@ -2,6 +2,7 @@
 #include "Measurement.hpp"
 #include "SampledField.hpp"
 #include "VolumeMean.hpp"
+#include "WettedWalls.hpp"
 #include "forEachFoot.hpp"
 #include "readBox.hpp"
 #include "reduce.hpp"
@@ -20,49 +21,19 @@ const Scalar length{"length", units::m, byScene("the shortest period of the doma
                     "length of Bond and Reynolds number"},
     porosity{"porosity", units::none, byScene("the share of sampled points outside of the walls"),
              positiveUpTo(1).saying("porosity is a fraction of the bed, above 0 and at most 1"), "share of the pores in the bed"};
-const Count samples{"samples", 64, atLeast(2), "points in each direction by which porosity and wall area are found"};
+const Count samples{"samples", 64, atLeast(2), "points in each direction by which the porosity is found"};
 const ListOf<double> sections{"sections", units::m, std::vector<double>{},
                               "coordinates, along `direction`, of planes that flow is measured through"};
-const Direction along{"direction", byScene("that of gravity, else x"), "of the flow through the sections; along a coordinate"};
-const Word drain{"drain", byScene("none"), "outlet by which the residence of marked liquid is measured"};
+const Direction along{"direction", byScene("that of gravity, else x"),
+                      "of the flow, for the sections and the residence time; along a coordinate"};
+const Choices grains{
+    "grains", "walls", {}, byScene("those with fluid around them; all where there are none"), "walls whose wetted area is the bed's"};
+const Word drain{"drain", byScene("none"), "outlet by which the way of marked liquid is measured"};
 const SubDictionary region{"region", byScene("the domain"), "the bed"};
 }
 
 namespace
 {
-
-/// Of the points that the bed is sampled at.
-struct Sample
-{
-    double inPore = 0, wallArea = 0;
-    Sample& operator+=(const Sample& other)
-    {
-        inPore += other.inPore;
-        wallArea += other.wallArea;
-        return *this;
-    }
-};
-
-/// Of a phase in the bed.
-struct Content
-{
-    VolumeMean<Vector<3>> velocity;
-    double wallArea = 0;
-    Content& operator+=(const Content& other)
-    {
-        velocity += other.velocity;
-        wallArea += other.wallArea;
-        return *this;
-    }
-};
-
-/// Area of the wall below a volume V in a layer of that thickness at the foot's distance; 0 outside the layer.
-double wallAreaBelow(const Foot& f, double V, double layer)
-{
-    if (f.distance < 0 || f.distance >= layer) return 0;
-    const double growth = (1 - f.k1 * f.distance) * (1 - f.k2 * f.distance);
-    return growth > 0 ? V / (layer * growth) : 0;
-}
 
 /// Of a hat about a section [spacings].
 constexpr double halfWidth = 2;
@@ -86,6 +57,24 @@ double defaultLength(const Geometry& g)
     return std::isfinite(shortest) ? shortest : size.x;
 }
 
+/// Names of the walls with fluid around them; of all where there are none.
+std::vector<std::string> bodiesOf(const Geometry& g)
+{
+    std::vector<std::string> bodies, all;
+    for (std::size_t w = 0; w < g.walls.size(); ++w)
+    {
+        all.push_back(g.walls[w].name);
+        if (std::any_of(g.patches.begin(), g.patches.end(),
+                        [&](const Patch& p)
+                        {
+                            const bool has = p.walls.empty() ? p.wall == int(w) : std::ranges::find(p.walls, int(w)) != p.walls.end();
+                            return has && !p.shape->enclosesFluid();
+                        }))
+            bodies.push_back(all.back());
+    }
+    return bodies.empty() ? all : bodies;
+}
+
 }
 
 BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& context)
@@ -105,14 +94,17 @@ BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& c
     const auto size = high_ - low_;
     if (!(size.x > 0 && size.y > 0 && (size.z > 0 || context.geometry.dimension == 2)))
         entry::region.error(d, "min must lie below max in each direction");
+    std::vector<std::string> walls;
+    for (const auto& wall : context.geometry.walls) walls.push_back(wall.name);
+    grains_ = entry::grains.among(d, walls, bodiesOf(context.geometry));
     direction_ = entry::along(d, Vector<3>{});
     if (entry::along.given(d) && mag(direction_ - alongCoordinate(direction_)) > 1e-9) entry::along.error(d, "must be along a coordinate");
 }
 
 EntryList BedHydrodynamics::entries()
 {
-    return {entry::liquid,  entry::length,   entry::porosity, {entry::region, {entry::min, entry::max}},
-            entry::samples, entry::sections, entry::along,    entry::drain};
+    return {entry::liquid, entry::length, entry::porosity, {entry::region, {entry::min, entry::max}}, entry::samples, entry::sections,
+            entry::along,  entry::grains, entry::drain};
 }
 
 bool BedHydrodynamics::inBed(const Vector<3>& x) const
@@ -121,29 +113,30 @@ bool BedHydrodynamics::inBed(const Vector<3>& x) const
            (context_.geometry.dimension == 2 || (x.z >= low_.z && x.z <= high_.z));
 }
 
-void BedHydrodynamics::sampleBed(double layer)
+double BedHydrodynamics::sampledPorosity() const
 {
     const auto size = high_ - low_;
     const bool flat = context_.geometry.dimension == 2;
-    const double cellVolume = size.x / samples_ * size.y / samples_ * (flat ? 1 : size.z / samples_);
-    const double thickness = std::max(layer, 1.5 * std::max({size.x, size.y, flat ? 0 : size.z}) / samples_);
     const auto n = std::size_t(samples_), all = n * n * (flat ? 1 : n);
-    const auto pores = sum(all,
-                           [&](std::size_t at)
-                           {
-                               const double i = double(at % n), j = double(at / n % n), k = double(at / (n * n));
-                               const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
-                                                 flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
-                               const auto foot = nearestFoot(context_.geometry, x).foot;
-                               return Sample{foot.distance > 0 ? 1.0 : 0.0, wallAreaBelow(foot, cellVolume, thickness)};
-                           });
-    if (!porosity_) porosity_ = pores.inPore / double(all);
-    wallArea_ = pores.wallArea;
+    const auto inPore = count(all,
+                              [&](std::size_t at)
+                              {
+                                  const double i = double(at % n), j = double(at / n % n), k = double(at / (n * n));
+                                  const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
+                                                    flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
+                                  return nearestFoot(context_.geometry, x).foot.distance > 0;
+                              });
+    return double(inPore) / double(all);
+}
+
+Vector<3> BedHydrodynamics::flowDirection(const ParticleView& view) const
+{
+    return mag(direction_) > 0 ? direction_ : mag(view.g) > 0 ? alongCoordinate(view.g) : Vector<3>{1, 0, 0};
 }
 
 std::vector<double> BedHydrodynamics::superficialAt(double at, const ParticleView& view, const SampledField& U, std::size_t phases) const
 {
-    const auto n = mag(direction_) > 0 ? direction_ : mag(view.g) > 0 ? alongCoordinate(view.g) : Vector<3>{1, 0, 0};
+    const auto n = flowDirection(view);
     const Vector<3> coordinate{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
     const auto size = high_ - low_;
     const double width = halfWidth * view.spacing;
@@ -173,7 +166,7 @@ double BedHydrodynamics::numberOf(const char* what, const ParticleView& view) co
 void BedHydrodynamics::execute(const ParticleView& view)
 {
     const bool flat = view.dimension == 2;
-    if (!porosity_ || (view.phases.size() < 2 && !wallArea_)) sampleBed(view.spacing);
+    if (!porosity_) porosity_ = sampledPorosity();
 
     const SampledField U(view, "U", where_);
     const auto size = high_ - low_;
@@ -181,26 +174,20 @@ void BedHydrodynamics::execute(const ParticleView& view)
     const auto phases = std::max<std::size_t>(1, view.phases.size());
     const auto content = groupSums(
         view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
-        [&](std::size_t i)
-        {
-            const double V = view.volume[i];
-            const auto foot = nearestFoot(*view.geometry, position(view, i)).foot;
-            return Content{VolumeMean<Vector<3>>::of(V, {U(0, i), U(1, i), U(2, i)}), wallAreaBelow(foot, V, view.spacing)};
+        [&](std::size_t i) {
+            return VolumeMean<Vector<3>>::of(view.volume[i], {U(0, i), U(1, i), U(2, i)});
         });
-    double area = 0;
-    for (const auto& of : content) area += of.wallArea;
-    if (phases < 2) area = *wallArea_;
 
     const auto& liquid = content.at(liquid_);
     const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = view.surfaceTension;
-    const auto superficial = liquid.velocity.amount / bed;
+    const auto superficial = liquid.amount / bed;
     std::vector<std::string> columns{"porosity", "saturation", "holdUp"};
-    std::vector<double> scalars{*porosity_, liquid.velocity.volume / (*porosity_ * bed), liquid.velocity.volume / bed};
+    std::vector<double> scalars{*porosity_, liquid.volume / (*porosity_ * bed), liquid.volume / bed};
     std::vector<std::string> cells;
     for (const double s : scalars) cells.push_back(cell(s));
     for (std::size_t k = 0; k < phases; ++k)
     {
-        const auto& u = content[k].velocity;
+        const auto& u = content[k];
         const auto phase = k < phases_.size() ? "_" + phases_[k] : std::string();
         columns.insert(columns.end(), {"superficial" + phase, "interstitial" + phase});
         cells.insert(cells.end(), {cell(u.amount / bed), cell(u.particles > 0 ? u.value() : Vector<3>{})});
@@ -210,7 +197,11 @@ void BedHydrodynamics::execute(const ParticleView& view)
         columns.push_back(name);
         cells.push_back(cell(value));
     };
-    if (!view.geometry->patches.empty()) add("wettedFraction", area == 0 ? 0 : liquid.wallArea / area);
+    const auto walls = wettedWalls(view, liquid_, {low_, high_});
+    WettedWall grains;
+    for (std::size_t w = 0; w < walls.size(); ++w)
+        if (std::ranges::find(grains_, view.geometry->walls[w].name) != grains_.end()) grains += walls[w];
+    if (!walls.empty()) add("wettedFraction", grains.share());
     if (gamma > 0)
     {
         add("Bo", rho * mag(view.g) * length_ * length_ / gamma);
@@ -224,16 +215,24 @@ void BedHydrodynamics::execute(const ParticleView& view)
         for (std::size_t k = 0; k < phases; ++k)
             add(fmt::format("section{}{}", s + 1, k < phases_.size() ? "_" + phases_[k] : ""), through[k]);
     }
+    const auto n = flowDirection(view);
+    const double along = std::abs(dot(size, n)), throughput = dot(superficial, n);
+    add("residenceTime", throughput > 0 ? liquid.volume / bed * along / throughput : std::numeric_limits<double>::quiet_NaN());
     if (!drain_.empty())
     {
         add("markedLeft", numberOf("marked", view));
-        add("residenceTime", numberOf("transitTime", view));
-        add("residenceDeviation", numberOf("transitDeviation", view));
+        add("transitTime", numberOf("transitTime", view));
+        add("transitDeviation", numberOf("transitDeviation", view));
+    }
+    for (std::size_t w = 0; w < walls.size(); ++w)
+    {
+        add("wettedArea_" + view.geometry->walls[w].name, walls[w].wetted);
+        add("wettedFraction_" + view.geometry->walls[w].name, walls[w].share());
     }
 
     if (!table_)
         table_.emplace(context_.file("bedHydrodynamics.dat"),
-                       std::vector<std::string>{fmt::format("velocities [m/s]; liquid {}; length {} m",
+                       std::vector<std::string>{fmt::format("velocities [m/s], areas [m^2], times [s]; liquid {}; length {} m",
                                                             liquid_ < phases_.size() ? phases_[liquid_] : "", cell(length_))},
                        columns);
     table_->row(view.time, cells);

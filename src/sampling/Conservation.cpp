@@ -30,19 +30,21 @@ EntryList Conservation::entries() { return {entry::angularMomentum, entry::origi
 Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>& origin, const Location& where)
 {
     const SampledField U(view, "U", where);
-    auto g = view.g;
-    if (view.geometry)
+    const auto ofHeight = [&](const Vector<3>& a) -> Vector<3>
     {
+        if (!view.geometry) return a;
         const auto& periodic = view.geometry->periodic;
-        g = {periodic[0] ? 0 : g.x, periodic[1] ? 0 : g.y, periodic[2] ? 0 : g.z};
-    }
-    const auto motion = sum(view.n,
-                            [&](std::size_t i)
-                            {
-                                const double m = view.mass[i];
-                                const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
-                                return Motion{m * u, m * cross(x - origin, u), 0.5 * m * dot(u, u), -m * dot(g, x), m * mag(u)};
-                            });
+        return {periodic[0] ? 0 : a.x, periodic[1] ? 0 : a.y, periodic[2] ? 0 : a.z};
+    };
+    const auto g = ofHeight(view.gravity), f = ofHeight(view.bodyForce);
+    const auto motion =
+        sum(view.n,
+            [&](std::size_t i)
+            {
+                const double m = view.mass[i];
+                const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
+                return Motion{m * u, m * cross(x - origin, u), 0.5 * m * dot(u, u), -dot(m * g + view.volume[i] * f, x), m * mag(u)};
+            });
     return {motion, groupSums(
                         view.n, std::max<std::size_t>(1, view.phases.size()), [&](std::size_t i) { return phaseOf(view, i); },
                         [&](std::size_t i) { return view.mass[i]; })};

@@ -7,13 +7,13 @@ namespace sph
 
 /// What the motion should conserve, summed over all particles
 ///
-///   m_k = sum m_i of each phase,  P = sum m_i u_i,  E_kin = 1/2 sum m_i u_i^2,  E_pot = -sum m_i g.x_i,
+///   m_k = sum m_i of each phase,  P = sum m_i u_i,  E_kin = 1/2 sum m_i u_i^2,  E_pot = -sum (m_i g + V_i f).x_i,
 ///   L = sum m_i (x_i - x_0) x u_i
 ///
 ///     type conservation;  angularMomentum no;  origin (0 0 0);
 ///
-/// In a periodic direction height has no meaning: E_pot leaves g's component there out. The log gets three balances since the first sample,
-/// each 0 where all is accounted for:
+/// g [m/s^2] is the gravity of the moment, with `shaking` of constant/g, and f [N/m^3] the body force. In a periodic direction height has no
+/// meaning: E_pot leaves g's component there out. The log gets three balances since the first sample, each 0 where all is accounted for:
 ///
 ///   dm/m,   (dP - I)/max(sum m|u|, |I|),   (dE_kin + dE_stored - W)/max(E_kin, |W|)
 ///

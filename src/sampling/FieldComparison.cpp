@@ -119,7 +119,7 @@ std::vector<FieldComparison::Sample> FieldComparison::atParticles(const Particle
     for (std::size_t i = 0; i < view.n; ++i)
     {
         const auto x = position(view, i);
-        if ((phase_ && phaseOf(view, i) != *phase_) || !within(x, view.dimension)) continue;
+        if (!view.inScene(i) || (phase_ && phaseOf(view, i) != *phase_) || !within(x, view.dimension)) continue;
         const auto exact = referenceAt(x, view);
         if (!exact) continue;
         const auto value = only >= 0 ? Vector<3>{field(only, i), 0, 0} : Vector<3>{field(0, i), field(1, i), field(2, i)};

@@ -46,6 +46,7 @@ double Filling::shareReached(const ParticleView& view) const
     const bool flat = context_.geometry.dimension == 2;
     for (std::size_t p = 0; p < view.n; ++p)
     {
+        if (!view.inScene(p)) continue;
         const auto q = (position(view, p) - box_.low) / view.spacing;
         if (!contains({{-1, -1, -1}, {n_[0] + 1.0, n_[1] + 1.0, n_[2] + 1.0}}, q, context_.geometry.dimension)) continue;
         const int i_p = int(std::floor(q.x)), k_p = int(std::floor(q.y)), l_p = flat ? 0 : int(std::floor(q.z));
@@ -69,7 +70,7 @@ void Filling::execute(const ParticleView& view)
     if (cavity_.empty()) findCavity(view.spacing);
     const FieldView* const phi = view.find("phi");
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto inBox = [&](std::size_t i) { return contains(box_, position(view, i), context_.geometry.dimension); };
+    const auto inBox = [&](std::size_t i) { return view.inScene(i) && contains(box_, position(view, i), context_.geometry.dimension); };
     const double volume = sum(view.n, [&](std::size_t i) { return inBox(i) ? view.mass[i] / view.restDensity[phaseOf(view, i)] : 0; });
     leastPhi_ = least(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : infinity; });
     mostPhi_ = most(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : -infinity; });

@@ -26,11 +26,13 @@ struct ParticleView
     std::vector<FieldView> fields;                         ///< U rho p and what the models show; 2-D vectors have a null third component
     const double *mass = nullptr, *volume = nullptr;       ///< [kg], [m^3]
     const double* phase = nullptr;                         ///< index into `phases` as a number
+    const double* heldBy = nullptr; ///< > 0 of particles that openings hold beyond their planes; null where there are none
     std::vector<std::string> phases;
     std::vector<double> restDensity, soundSpeed, viscosity; ///< of each phase [kg/m^3], [m/s], [Pa s]
     double surfaceTension = 0;                              ///< of the first pair of phases [N/m]; 0 where there is none
     std::vector<double> surfaceTensions;                    ///< of each pair, phases x phases [N/m]
-    Vector<3> g;                                            ///< gravity or driving acceleration [m/s^2]
+    Vector<3> g;                                            ///< gravity or driving acceleration of the first phase [m/s^2]
+    Vector<3> gravity, bodyForce;                           ///< that act at the view's time [m/s^2], [N/m^3]
     double spacing = 0, support = 0;                        ///< [m]
     std::string kernel;
     const Geometry* geometry = nullptr;
@@ -41,6 +43,8 @@ struct ParticleView
     double time = 0, deltaT = 0, executionTime = 0;
     long step = 0;
 
+    /// Not held by an opening: part of what means and extremes are of. Sums over neighbours take all particles.
+    bool inScene(std::size_t i) const { return !heldBy || heldBy[i] == 0; }
     /// Null where there is no such field.
     const FieldView* find(const std::string& name) const
     {

@@ -29,7 +29,7 @@ EntryList VolFieldValue::entries() { return {entry::fields, entry::operation, en
 double VolFieldValue::value(const ParticleView& view, const double* field) const
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto inBox = [&](std::size_t i) { return contains(box_, position(view, i), view.dimension); };
+    const auto inBox = [&](std::size_t i) { return view.inScene(i) && contains(box_, position(view, i), view.dimension); };
     const auto mean = sum(view.n, [&](std::size_t i) { return inBox(i) ? VolumeMean<>::of(view.volume[i], field[i]) : VolumeMean<>{}; });
     if (mean.particles == 0 || operation_ == "volAverage") return mean.value();
     return operation_ == "min" ? least(view.n, [&](std::size_t i) { return inBox(i) ? field[i] : infinity; })

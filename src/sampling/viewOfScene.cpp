@@ -3,7 +3,7 @@
 namespace sph
 {
 
-ParticleView viewOfScene(const Coefficients& c, const std::string& kernel, const Geometry& geometry)
+ParticleView viewOfScene(const Coefficients& c, const Vector<3>& gravity, const std::string& kernel, const Geometry& geometry)
 {
     ParticleView v;
     v.dimension = geometry.dimension;
@@ -13,7 +13,9 @@ ParticleView viewOfScene(const Coefficients& c, const std::string& kernel, const
     v.viscosity = c.viscosity;
     v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
     v.surfaceTensions = c.surfaceTension;
-    v.g = c.g + c.bodyForce / c.restDensity[0];
+    v.gravity = gravity;
+    v.bodyForce = c.bodyForce;
+    v.g = gravity + c.bodyForce / c.restDensity[0];
     v.spacing = c.spacing;
     v.support = c.support;
     v.kernel = kernel;

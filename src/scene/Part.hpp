@@ -13,6 +13,7 @@ namespace sph
 template<int dim> class Particles;
 struct Settings;
 struct Geometry;
+struct FieldInfo;
 
 /// Numbers of a restart beside the fields.
 using Numbers = std::map<std::string, double>;
@@ -56,7 +57,8 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
-    bool ofPart = false; ///< of what acts in each part of a step, with the most parts; else of what acts once
+    bool ofPart = false;              ///< of what acts in each part of a step, with the most parts; else of what acts once
+    const FieldInfo* field = nullptr; ///< whose largest value, of one particle, sets the limit; none where constants of the scene do
 };
 
 template<int dim> class Part

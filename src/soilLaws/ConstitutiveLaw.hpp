@@ -1,8 +1,10 @@
 /// What a constitutive law of soil is: a value with a few constants, and pure functions of the stress.
 ///
 /// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
-/// has two (`in3D` of base/StressTensor.hpp). A law with a yield surface also has `bool yields(stress)`: the stress is on it. A law of one's own is one header that satisfies this concept and one word in soilLaws.hpp.
+/// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own
+/// is one header that satisfies this concept and one word in soilLaws.hpp.
 #pragma once
+#include "EmbeddedPair.hpp"
 #include "EntryList.hpp"
 #include "StressTensor.hpp"
 #include <concepts>
@@ -47,6 +49,27 @@ concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTenso
         L::read(coeffs)
         } -> std::same_as<L>;
 };
+
+/// A law that is linearly elastic within a yield surface. Given the strain rate, a step is then an elastic part that is known in closed
+/// form, and flow on the surface; the strain has a plastic part.
+template<class L>
+concept ElastoPlasticLaw = ConstitutiveLaw<L> &&
+    requires(const L& law, SymmTensor<3> stress, SymmTensor<3> D, const EmbeddedPair& pair, SubSteps& taken)
+{
+    /// The elastic law within.
+    law.elastic;
+    /// True where the stress is on the yield surface.
+    {
+        law.yields(stress)
+        } -> std::same_as<bool>;
+    /// The stress after a strain at a constant rate, from one that is admitted.
+    {
+        law.strained(stress, D, pair, 1.0, taken)
+        } -> std::same_as<SymmTensor<3>>;
+};
+
+/// The stress of such a strain is small, whatever the stiffness, to laws that pass through a stress of 0.
+inline constexpr double smallStrain = 1e-6;
 
 /// |a| = sqrt(a : a)
 inline double norm(SymmTensor<3> a) { return std::sqrt(doubleDot(a, a)); }

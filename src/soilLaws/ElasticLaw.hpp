@@ -24,6 +24,11 @@ struct ElasticLaw
 
     static constexpr ElasticLaw of(double E, double nu) { return {E / (2 * (1 + nu)), E / (3 * (1 - 2 * nu))}; }
     constexpr SymmTensor<3> rate(SymmTensor<3>, SymmTensor<3> D) const { return 2 * G * D + (K - 2 * G / 3) * trace(D) * identity(D); }
+    /// The strain that the stress is of.
+    constexpr SymmTensor<3> strain(SymmTensor<3> sigma) const
+    {
+        return 1 / (2 * G) * deviator(sigma) + trace(sigma) / (9 * K) * identity(sigma);
+    }
     double stiffness(SymmTensor<3> = {}) const { return K + 4 * G / 3; }
     bool admits(SymmTensor<3>) const { return true; }
     SymmTensor<3> returned(SymmTensor<3> sigma) const { return sigma; }

@@ -83,23 +83,22 @@ template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegratio
     }
 }
 
-/// An error over `tolerance` of the larger of two stresses.
-inline double relativeError(SymmTensor<3> error, SymmTensor<3> a, SymmTensor<3> b, double tolerance)
-{
-    const double size = std::fmax(doubleDot(a, a), doubleDot(b, b)), off = doubleDot(error, error);
-    return off == 0 ? 0 : std::sqrt(off / size) / tolerance; // not a number stays so
-}
-
-/// The error of a substep over what is tolerated. Of a law whose stiffness vanishes with the stress relative to the substep's own stresses, of others to that at
-/// the start of the step, too: they pass through 0. A substep that begins within a yield surface counts as an error also how far it has gone beyond: an embedded
-/// pair may be blind to the kink of the rate there, and so finds the place.
+/// The error of a substep over what is tolerated: of a law whose stiffness vanishes with the stress relative to the substep's own stresses,
+/// of others to that at the start of the step, too, and at least to that of smallStrain, for they pass through 0. A substep that begins
+/// within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate there,
+/// and so finds the place.
 template<ConstitutiveLaw Law>
 double substepError(const Law& law, SymmTensor<3> error, SymmTensor<3> start, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
 {
-    const double relative = relativeError(error, Law::tensionless ? from : start, to, tolerance);
-    if constexpr (requires { law.yields(from); })
-        if (!law.yields(from)) return relative + relativeError(law.returned(to) - to, start, to, tolerance);
-    return relative;
+    if constexpr (Law::tensionless)
+    {
+        const double size = std::fmax(doubleDot(from, from), doubleDot(to, to)), off = doubleDot(error, error);
+        return off == 0 ? 0 : std::sqrt(off / size) / tolerance; // not a number stays so
+    }
+    double off = norm(error);
+    if constexpr (ElastoPlasticLaw<Law>)
+        if (!law.yields(from)) off += norm(law.returned(to) - to);
+    return off / (tolerance * std::fmax(smallStrain * law.stiffness(to), std::fmax(norm(start), norm(to))));
 }
 
 /// `deformation` = L dt [1].
@@ -122,19 +121,35 @@ StressStep integrateStress(const Law& law, SymmTensor<3> stress, Tensor<3> defor
     const auto half = rotationOf(0.5 * turn);
     if (turns) step.stress = rotated(step.stress, half);
     const double size = norm(strain);
-    if (size > 0)
+    const bool varies = turns && how.turning == Turning::within;
+    const auto substeps = [&]
     {
-        const bool varies = turns && how.turning == Turning::within;
         const auto rate = [&](double t, SymmTensor<3> s)
         { return law.rate(s, varies ? rotated(strain, rotationOf((0.5 - t) * turn)) : strain); };
         const auto error = [&](SymmTensor<3> e, SymmTensor<3> s) { return substepError(law, e, stress, step.stress, s, how.tolerance); };
         const auto admits = [&](SymmTensor<3> s) { return !Law::tensionless || law.admits(s); };
         const auto settled = [&](SymmTensor<3>& s) { return settle(law, how, s, step.state); };
-        step.subSteps = integrate(*how.pair, step.stress, how.pair->firstStrain / size, rate, error, admits, settled, ends);
+        return integrate(*how.pair, step.stress, how.pair->firstStrain / size, rate, error, admits, settled, ends);
+    };
+    if (size > 0)
+    {
+        if constexpr (ElastoPlasticLaw<Law>)
+        {
+            if (varies) step.subSteps = substeps();
+            else step.stress = law.strained(step.stress, strain, *how.pair, how.tolerance, step.subSteps);
+        }
+        else step.subSteps = substeps();
         if (!step.subSteps.resolved) step.state = StressState::unresolved;
     }
     if (turns) step.stress = rotated(step.stress, half);
     return step;
+}
+
+/// The plastic part of a step's strain [1]: what the change of the stress does not need. In axes half-way through the turn of the step.
+template<ElastoPlasticLaw Law> SymmTensor<3> plasticStrain(const Law& law, SymmTensor<3> start, SymmTensor<3> end, Tensor<3> deformation)
+{
+    const auto half = rotationOf(0.5 * skew(deformation));
+    return symm(deformation) - law.elastic.strain(rotated(end, transpose(half)) - rotated(start, half));
 }
 
 }

@@ -57,6 +57,15 @@ const Choice stressFree{"stressFree",
 const Scalar floorPressure{"floorPressure", units::pressure, 10, Range{1e-100, 1e100}, "below it soil is free of stress"};
 }
 
+std::string strengthInWords(const SoilLaw& law)
+{
+    const auto* const cone = std::get_if<DruckerPrager>(&law);
+    if (!cone) return "";
+    const auto angles = cone->frictionAngles();
+    return fmt::format("friction angle {:.4g} degrees in plane strain, {:.4g} degrees in triaxial compression", angles.planeStrain,
+                       angles.triaxialCompression);
+}
+
 Soil readSoil(const Dictionary& d, const std::string& turning)
 {
     Soil soil;

@@ -31,6 +31,9 @@ inline const std::string soilProperties = "constant/soilProperties";
 /// What models that move soil read from there.
 inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure";
 
+/// The friction angles that act, in words, of laws that have some; else "".
+std::string strengthInWords(const SoilLaw&);
+
 /// Mistakes are recorded with file and line. `turning`: what is taken where the file does not say.
 Soil readSoil(const Dictionary&, const std::string& turning = "halves");
 EntryList soilEntries();

@@ -125,6 +125,7 @@ public:
         return sph::stepLimits(settings_, measured, ofParts);
     }
     Summary summary() const override { return summary_; }
+    Vector<3> gravity() const override { return particles_.coefficients().g; }
     Energy energy() const override { return energy_.at(particles_, summary_); }
 
     std::map<std::string, double> powers() override { return particles_.powers(); }

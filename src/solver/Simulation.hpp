@@ -5,6 +5,7 @@
 #include "RunTime.hpp"
 #include "Settings.hpp"
 #include "readSettings.hpp"
+#include <algorithm>
 #include <iosfwd>
 #include <map>
 #include <memory>
@@ -15,13 +16,25 @@ namespace sph
 /// What the log prints of a state, and what tells whether it is still physical. Sums are over owned particles in a fixed order.
 struct Summary
 {
-    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0, kineticEnergy = 0;
+    double maxSpeed = 0, maxAcceleration = 0,
+           maxSlowAcceleration = 0; ///< of all particles, those that openings hold among them: they limit the step
+    double kineticEnergy = 0;
     double power = 0;                                             ///< of gravity and body force [W]
     Vector<3> momentum, force;                                    ///< [kg m/s]; of gravity and body force [N]
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf; ///< of each phase
     std::vector<std::size_t> count;
+    /// What openings hold beyond their planes; all else is of the scene alone.
+    struct Held
+    {
+        std::vector<double> mass, minDensity, maxDensity; ///< of each phase
+        std::vector<std::size_t> count;
+    } held;
     Numbers columns; ///< of the models, by name
     bool finite = true;
+
+    /// Those that openings hold among them.
+    std::size_t allOf(std::size_t phase) const { return count[phase] + held.count[phase]; }
+    double maxSpeedOfScene() const { return maxSpeedOf.empty() ? 0 : *std::ranges::max_element(maxSpeedOf); }
 };
 
 /// What the fluid holds and what it was given (EnergyBalance.hpp); per metre of depth in 2-D.
@@ -47,6 +60,8 @@ public:
     /// All that apply, of which the least binds.
     virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
+    /// That acts at present [m/s^2]: `shaking` of constant/g included.
+    virtual Vector<3> gravity() const = 0;
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 

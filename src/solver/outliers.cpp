@@ -1,4 +1,6 @@
 #include "outliers.hpp"
+#include "labelEntries.hpp"
+#include "reduce.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -8,17 +10,28 @@ namespace sph
 
 namespace
 {
-Outlier outlier(const AnySimulation& simulation, const std::string& field, double value, std::size_t i)
+NamedParticle named(const AnySimulation& simulation, std::size_t i)
 {
     const auto x = simulation.positions(), phase = simulation.field(Phase::info.name);
+    const double* const label = simulation.field(origId).component[0];
     const auto of = [i](const double* a) { return a ? a[i] : 0.0; };
-    return {field, value, i, std::size_t(of(phase.component[0])), {of(x.component[0]), of(x.component[1]), of(x.component[2])}};
+    return {i,
+            std::size_t(of(phase.component[0])),
+            {of(x.component[0]), of(x.component[1]), of(x.component[2])},
+            label ? std::optional(label[i]) : std::nullopt,
+            ranks() ? ranks()->rank() : 0};
+}
+
+Outlier outlier(const AnySimulation& simulation, const std::string& field, double value, std::size_t i)
+{
+    return {named(simulation, i), field, value};
 }
 }
 
-std::string Outlier::inWords() const
+std::string NamedParticle::inWords() const
 {
-    return fmt::format("particle {} at ({:.6g} {:.6g} {:.6g})", particle, position.x, position.y, position.z);
+    return fmt::format("particle {}{}{} at ({:.6g} {:.6g} {:.6g})", particle, ranks() ? fmt::format(" of rank {}", rank) : "",
+                       label ? fmt::format(" (origId {:.0f})", *label) : "", position.x, position.y, position.z);
 }
 
 std::optional<Outlier> notFinite(const AnySimulation& simulation)
@@ -34,11 +47,13 @@ std::optional<Outlier> notFinite(const AnySimulation& simulation)
 
 std::optional<Outlier> impossibleDensity(const AnySimulation& simulation, const std::vector<double>& restDensity)
 {
-    const double *rho = simulation.field(Density::info.name).component[0], *phase = simulation.field(Phase::info.name).component[0];
+    const double *rho = simulation.field(Density::info.name).component[0], *phase = simulation.field(Phase::info.name).component[0],
+                 *holder = simulation.field(Holder::info.name).component[0];
     std::size_t furthest = 0;
     double most = 0;
     for (std::size_t i = 0; i < simulation.size(); ++i)
     {
+        if (holder && holder[i] > 0) continue;
         const double ratio = rho[i] / restDensity[phase ? std::size_t(phase[i]) : 0];
         if (ratio >= leastCompression && ratio <= mostCompression) continue;
         const double off = ratio > 0 ? std::fabs(std::log(ratio)) : std::numeric_limits<double>::infinity();
@@ -48,6 +63,35 @@ std::optional<Outlier> impossibleDensity(const AnySimulation& simulation, const 
     }
     if (!(most > 0)) return {};
     return outlier(simulation, Density::info.name, rho[furthest], furthest);
+}
+
+std::optional<Outlier> binding(const AnySimulation& simulation, const StepLimit& limit)
+{
+    if (!limit.field) return {};
+    const auto values = simulation.field(limit.field->name);
+    struct Largest
+    {
+        double square = 0;
+        NamedParticle particle;
+    } largest;
+    std::size_t where = 0;
+    for (std::size_t i = 0; values.component[0] && i < simulation.size(); ++i)
+    {
+        double square = 0;
+        for (const double* component : values.component)
+            if (component) square += sqr(component[i]);
+        if (!(square > largest.square)) continue;
+        largest.square = square;
+        where = i;
+    }
+    if (largest.square > 0) largest.particle = named(simulation, where);
+    largest = ofAllRanks(largest, Largest{},
+                         [](Largest& most, const Largest& next)
+                         {
+                             if (next.square > most.square) most = next;
+                         });
+    if (!(largest.square > 0)) return {};
+    return Outlier{largest.particle, limit.field->name, std::sqrt(largest.square)};
 }
 
 }

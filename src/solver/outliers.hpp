@@ -1,4 +1,4 @@
-/// Particles with numbers that no solution has, for whoever stops a run and says where.
+/// Particles that a run has to name: those with numbers that no solution has, and the one that the step waits for.
 #pragma once
 #include "Simulation.hpp"
 #include <optional>
@@ -7,19 +7,28 @@
 namespace sph
 {
 
-struct Outlier
+struct NamedParticle
+{
+    std::size_t particle = 0, phase = 0;
+    Vector<3> position;
+    std::optional<double> label; ///< origId, where particles have it
+    int rank = 0;
+    /// "particle 3 at (0.1 0.2 0)"; "particle 3 of rank 2 (origId 1203) at ..." where there are several ranks, and labels.
+    std::string inWords() const;
+};
+
+struct Outlier : NamedParticle
 {
     std::string field;
     double value = 0;
-    std::size_t particle = 0, phase = 0;
-    Vector<3> position;
-    /// "particle 3 at (0.1 0.2 0)"
-    std::string inWords() const;
 };
 
 /// The first position or value that is not finite, of the fields that are written.
 std::optional<Outlier> notFinite(const AnySimulation&);
-/// Of densities outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
+/// Of densities in the scene outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
 std::optional<Outlier> impossibleDensity(const AnySimulation&, const std::vector<double>& restDensity);
+/// The particle, among those of all ranks, that sets a limit: whose value of the limit's field is the largest at present. None where
+/// constants of the scene set it. All ranks have to ask.
+std::optional<Outlier> binding(const AnySimulation&, const StepLimit&);
 
 }

@@ -199,13 +199,13 @@ Enclosed enclosedVolume(const RegularGrid& grid, const std::vector<double>& colo
     return {std::accumulate(rowSum.begin(), rowSum.end(), 0.0) * grid.cellVolume(), pieces(grid, cells)};
 }
 
-double levelEnclosing(double volume, const RegularGrid& grid, const std::vector<double>& colour, const std::vector<double>& wallDistance)
+double levelEnclosing(double volume, const std::function<double(double level)>& enclosed)
 {
     double low = 0.01, high = 0.99;
     while (high - low > 1e-4)
     {
         const double level = 0.5 * (low + high);
-        (enclosedVolume(grid, colour, level, wallDistance).volume > volume ? low : high) = level;
+        (enclosed(level) > volume ? low : high) = level;
     }
     return 0.5 * (low + high);
 }

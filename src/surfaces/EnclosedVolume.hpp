@@ -1,6 +1,7 @@
 /// The volume that a surface on a regular grid encloses, and in how many pieces.
 #pragma once
 #include "RegularGrid.hpp"
+#include <functional>
 #include <vector>
 
 namespace sph
@@ -19,6 +20,6 @@ Enclosed enclosedVolume(const RegularGrid&, const std::vector<double>& colour, d
 
 /// The level between 0.01 and 0.99 at which the surface encloses `volume`, to 1e-4 of the level: the surface of half colour is rounded, and thin
 /// bodies lose by it. The end of that range which comes nearest where there is none.
-double levelEnclosing(double volume, const RegularGrid&, const std::vector<double>& colour, const std::vector<double>& wallDistance);
+double levelEnclosing(double volume, const std::function<double(double level)>& enclosed);
 
 }

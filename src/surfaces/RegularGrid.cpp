@@ -1,6 +1,7 @@
 #include "RegularGrid.hpp"
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sph
 {
@@ -44,6 +45,100 @@ RegularGrid gridOfDomain(const Geometry& geometry, double spacing)
     if (geometry.dimension == 2) grid.low.z = 0;
     grid.step = {step[0], step[1], step[2]};
     return grid;
+}
+
+namespace
+{
+using Nodes = std::array<int, 3>;
+
+/// Nodes from low to high of the domain's grid, both included.
+struct NodeBox
+{
+    Nodes low, high;
+};
+
+bool overlap(const NodeBox& a, const NodeBox& b)
+{
+    for (std::size_t d = 0; d < 3; ++d)
+        if (a.low[d] > b.high[d] || b.low[d] > a.high[d]) return false;
+    return true;
+}
+
+NodeBox boxAround(const NodeBox& a, const NodeBox& b)
+{
+    NodeBox both = a;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        both.low[d] = std::min(a.low[d], b.low[d]);
+        both.high[d] = std::max(a.high[d], b.high[d]);
+    }
+    return both;
+}
+
+/// Boxes that overlap become one, until none do.
+std::vector<NodeBox> apart(std::vector<NodeBox> boxes)
+{
+    std::vector<NodeBox> result;
+    while (!boxes.empty())
+    {
+        auto box = boxes.back();
+        boxes.pop_back();
+        const auto other = std::ranges::find_if(result, [&](const NodeBox& r) { return overlap(box, r); });
+        if (other == result.end())
+        {
+            result.push_back(box);
+            continue;
+        }
+        boxes.push_back(boxAround(box, *other));
+        result.erase(other);
+    }
+    return result;
+}
+}
+
+std::vector<RegularGrid> gridsAround(const Geometry& geometry, double spacing, std::span<const Vector<3>> points, double margin)
+{
+    const auto domain = gridOfDomain(geometry, spacing);
+    const std::array low{domain.low.x, domain.low.y, domain.low.z}, step{domain.step.x, domain.step.y, domain.step.z};
+    const auto boxOf = [&](const Vector<3>& point)
+    {
+        const std::array x{point.x, point.y, point.z};
+        NodeBox box{{0, 0, 0}, {0, 0, 0}};
+        for (int d = 0; d < domain.dimension; ++d)
+        {
+            const int last = domain.nodes[d] - 1;
+            const double from = std::floor((x[d] - margin - low[d]) / step[d]), to = std::ceil((x[d] + margin - low[d]) / step[d]);
+            const bool whole = domain.periodic[d] && (from <= 0 || to >= last);
+            box.low[d] = whole ? 0 : int(std::clamp(from, 0.0, double(last)));
+            box.high[d] = whole ? last : int(std::clamp(to, 0.0, double(last)));
+        }
+        return box;
+    };
+    // Points in one block of cells as wide as the margin are one box, of which there are then few.
+    std::map<Nodes, NodeBox> ofBlocks;
+    for (const auto& x : points)
+    {
+        const auto box = boxOf(x);
+        Nodes block{};
+        for (int d = 0; d < domain.dimension; ++d) block[d] = box.low[d] / std::max(1, int(margin / step[d]));
+        const auto [at, isNew] = ofBlocks.try_emplace(block, box);
+        if (!isNew) at->second = boxAround(at->second, box);
+    }
+    std::vector<NodeBox> boxes;
+    for (const auto& [block, box] : ofBlocks) boxes.push_back(box);
+    std::vector<RegularGrid> grids;
+    for (const auto& box : apart(std::move(boxes)))
+    {
+        auto grid = domain;
+        grid.low = domain.node(box.low[0], box.low[1], box.low[2]);
+        for (int d = 0; d < domain.dimension; ++d)
+        {
+            grid.nodes[d] = box.high[d] - box.low[d] + 1;
+            grid.periodic[d] = domain.periodic[d] && grid.nodes[d] == domain.nodes[d];
+        }
+        grids.push_back(grid);
+    }
+    return grids;
 }
 
 double nodesOfDomain(const Geometry& geometry, double spacing)

@@ -1,8 +1,9 @@
-/// The regular grid that surfaces are reconstructed on: it fills the domain, with nodes exactly on the domain's faces.
+/// The regular grid that surfaces are reconstructed on: it fills the domain, with nodes exactly on the domain's faces, or parts of a large one.
 #pragma once
 #include "Geometry.hpp"
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace sph
@@ -37,6 +38,10 @@ struct RegularGrid
 
 /// The grid of the domain of `geometry`, whose step in each direction is `spacing` or a little less, so that whole steps fit.
 RegularGrid gridOfDomain(const Geometry& geometry, double spacing);
+
+/// Parts of that grid, no two of which overlap, which reach `margin` [m] beyond each of the points: for a domain that is all but empty. Where a part comes
+/// within `margin` of a periodic face it goes on from that face to the other.
+std::vector<RegularGrid> gridsAround(const Geometry& geometry, double spacing, std::span<const Vector<3>> points, double margin);
 
 /// Number of nodes that `gridOfDomain` would make; a double, since a mistaken spacing gives more than integers hold.
 double nodesOfDomain(const Geometry& geometry, double spacing);

@@ -12,8 +12,8 @@ namespace sph
 namespace
 {
 
-/// A grid of more nodes than this is a mistaken spacing: 8 GiB for each field on it.
-constexpr double mostNodes = 1e9;
+/// A grid of more nodes than this that is finer than particles by so much is a mistaken spacing.
+constexpr double mostNodes = 1e9, finest = 0.05;
 
 bool contains(std::span<const std::string> words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
 
@@ -79,7 +79,9 @@ SurfaceSettings readSurfaceSettings(const Dictionary& dict, const SurfaceCase& s
         settings.phases.push_back(int(std::ranges::find(scene.phases, name) - scene.phases.begin()));
 
     settings.gridSpacing = entry::gridSpacing(dict, 0.5 * scene.spacing);
-    if (const double nodes = nodesOfDomain(geometry, settings.gridSpacing); nodes > mostNodes)
+    settings.whereGridSpacing = entry::gridSpacing.where(dict);
+    const double nodes = nodesOfDomain(geometry, settings.gridSpacing);
+    if (nodes > mostNodes && settings.gridSpacing < finest * scene.spacing)
         entry::gridSpacing.error(dict, fmt::format("gives a grid of {:.1e} nodes; at most {:.0e} are possible", nodes, mostNodes));
     settings.support = entry::support(dict, 3 * scene.spacing);
     if (settings.support < settings.gridSpacing)

@@ -39,6 +39,7 @@ struct SurfaceSettings
     std::string cloud;
     std::vector<int> phases;             ///< numbers in SurfaceCase::phases
     double gridSpacing = 0, support = 0; ///< [m]
+    Location whereGridSpacing;
     std::string kernel;
     std::optional<double> iso;              ///< empty: the level that encloses the particles' volume
     std::optional<Normalisation> normalise; ///< empty: particles where another phase is there, else walls

@@ -1,8 +1,9 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
-///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed; all unless named
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed meshes; all unless named
 #include "CaseError.hpp"
 #include "forcePass.hpp"
+#include "readMeshes.hpp"
 #include "wholeStep.hpp"
 #include <fmt/format.h>
 #include <iostream>
@@ -38,6 +39,7 @@ int main(int argc, char** argv)
         }
         if (wanted("bed")) print(wholeStep(cases / "bed", "bed", limit, 20, 4));
         if (wanted("bedStress")) print(wholeStep(cases / "bedStress", "bedStress", limit, 20, 4));
+        if (wanted("meshes")) print(readMeshes());
         if (wanted("bccBed")) print(wholeStep(cases / "../../../tutorials/heapLeaching/bccBed", "bccBed", limit, 10, 4));
     }
     catch (const CaseError& e)

@@ -321,6 +321,51 @@ double memoryOfClusters(double spacings)
 // walls are found, which is bounded (2^19 cells).
 TEST(ExtremeScenes, AMillionSpacingsApart) { EXPECT_LT(memoryOfClusters(1e6), memoryOfClusters(50) + 1.5e7); }
 
+/// Peak memory [byte] of each program of the chain on two blocks of water of 500 particles in far corners of a domain of that many spacings along each
+/// direction, on a floor, and with a wall of triangles between them.
+std::map<std::string, double> memoryOfTwoBlocks(double spacings, const std::string& packing)
+{
+    auto files = channelCase();
+    files["system/sphSchemes"] = "resolution { spacing 0.1; }\n";
+    const double end = 0.1 * spacings;
+    files["constant/geometry"] = fmt::format("dimension 3; domain {{ min (0 0 0); max ({0} {0} {0}); }}\n"
+                                             "walls {{ floor {{ type plane; point (0 0 0); normal (0 0 1); }} }}\n",
+                                             end);
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
+    files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n";
+    files["system/controlDict"] = "endTime 0.01; writeInterval 0.01;\n";
+    files["system/packParticlesDict"] =
+        fmt::format(
+            "fill ( {{ region box; min (1 1 0); max (2 2 0.5); phase water; }} {{ region box; min ({0} {0} {1}); max ({2} {2} {3}); phase "
+            "water; }} );\n",
+            end - 2, end - 1.5, end - 1, end - 1) +
+        packing;
+    const TestCase c(files);
+    std::map<std::string, double> memory;
+    for (const std::string program : {"packParticles", "meshToGhost", "sphFoamLike", "reconstructSurface"})
+    {
+        const auto outcome = runProcess({{SPH_APPLICATIONS "/" + program}, c.folder(), c.folder() / ("log." + program), {}, 100.0});
+        EXPECT_TRUE(outcome.well()) << program << ": " << outcome.inWords() << c.read("log." + program);
+        memory[program] = outcome.peakMemory;
+    }
+    EXPECT_EQ(lastCloud(c).size(), 1000u);
+    const auto table = c.read("postProcessing/reconstructSurface/0/surfaces.dat");
+    EXPECT_NE(table.find("\t2\n"), std::string::npos) << "two pieces at the start: " << table;
+    return memory;
+}
+
+// Memory goes with the particles and not with the domain: 10^9 places of which 1,000 are filled take what the same blocks take in a domain of 10^5 places, but
+// for grids of bounded size, of walls and of pictures (2^19 cells, 2^21 nodes), relaxed or not; all of the places took 24 GB.
+TEST(ExtremeScenes, LittleWaterInALargeDomain)
+{
+    for (const std::string packing : {"", "relax { steps 5; }"})
+    {
+        const auto small = memoryOfTwoBlocks(60, packing);
+        for (const auto& [program, memory] : memoryOfTwoBlocks(1000, packing))
+            EXPECT_LT(memory, small.at(program) + (program == "reconstructSurface" ? 6e7 : 3e7)) << program << " " << packing;
+    }
+}
+
 // A viscosity that would take an age: told at once, with what limits the step.
 TEST(ExtremeScenes, StepThatCollapses)
 {

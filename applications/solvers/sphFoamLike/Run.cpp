@@ -121,7 +121,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
     omp_set_num_threads(std::clamp(int(cloud.size() / fewForOne), 1, omp_get_max_threads()));
     simulation_ = makeSimulation(settings_, geometry_, std::move(cloud), time_.restored());
     for (std::size_t k = 0; k < settings_.coefficients.phases.size(); ++k)
-        if (simulation_->summary().count[k] == 0)
+        if (simulation_->summary().allOf(k) == 0)
             log_ << fmt::format("--> Warning: phase \"{}\" has no particles\n", settings_.coefficients.phases[k]);
     if (ranks()) warnOfFewParticles();
 }
@@ -171,7 +171,7 @@ void Run::reportPlan() const
                         simulation_->meanNeighbours());
     for (std::size_t k = 0; k < c.phases.size(); ++k)
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s{}\n", c.phases[k],
-                            simulation_->summary().count[k], c.restDensity[k], c.viscosity[k],
+                            simulation_->summary().allOf(k), c.restDensity[k], c.viscosity[k],
                             c.soundSpeed[k] > 0 ? fmt::format(", sound speed {:.4g} m/s", c.soundSpeed[k]) : ", stress by a law");
     log_ << simulation_->introduction();
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
@@ -256,7 +256,7 @@ void Run::notWeaklyCompressible(std::size_t k, double rho, const std::string& wh
     const auto& c = settings_.coefficients;
     throw DivergedError(fmt::format(
         "the density of {} has reached {:.4g} kg/m^3{} at time {}, {:.3g} times that at rest (largest speed {:.3g} m/s{}", c.phases[k], rho,
-        where, time_.name(), rho / c.restDensity[k], simulation_->summary().maxSpeed,
+        where, time_.name(), rho / c.restDensity[k], simulation_->summary().maxSpeedOfScene(),
         c.soundSpeed[k] > 0
             ? fmt::format(", sound speed {:.3g} m/s): the fluid is to be weakly compressible. Choose a larger sound speed, or a "
                           "smaller step",
@@ -271,8 +271,9 @@ double Run::nextDeltaT(const StepLimit& limit)
     if (time_.adjustTimeStep() && limit.deltaT < shortestStep * span)
         throw DivergedError(
             fmt::format("the time step has collapsed to {:.3g} s at time {}, limited by {} (largest speed {:.3g} m/s, largest "
-                        "acceleration {:.3g} m/s^2)",
-                        limit.deltaT, time_.name(), limit.by, simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration));
+                        "acceleration {:.3g} m/s^2). {}",
+                        limit.deltaT, time_.name(), limit.by, simulation_->summary().maxSpeed, simulation_->summary().maxAcceleration,
+                        binding()));
     const double deltaT = time_.nextDeltaT(limit.deltaT);
     if (!warnedOfStep_ && !time_.adjustTimeStep() && deltaT > limit.deltaT)
     {
@@ -343,30 +344,44 @@ std::string Run::sourceOfEnergy() const
     return fmt::format("{} in {} steps since time {}", sourceInWords(work_), tracedSteps_, tracedFrom_);
 }
 
+std::string Run::binding() const
+{
+    const auto limit = simulation_->stepLimit();
+    const auto particle = sph::binding(*simulation_, limit);
+    if (!particle) return "";
+    return fmt::format("Step bound by {}: {} has {} {:.4g} {}\n", limit.by, particle->inWords(), particle->field, particle->value,
+                       limit.field->unit);
+}
+
 void Run::reportStep(const StepLimit& limit, double deltaT) const
 {
     const auto s = simulation_->summary();
-    std::string phases;
+    std::string phases, held;
+    const auto describe = [&](const auto& of, std::size_t k)
+    { return fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", of.minDensity[k], of.maxDensity[k], of.mass[k]); };
     for (std::size_t k = 0; k < s.mass.size(); ++k)
-        phases += (k ? "; " : "") + settings_.coefficients.phases[k] +
-                  (s.count[k] == 0 ? ": no particles"
-                                   : fmt::format(": rho {:.6g} .. {:.6g}, mass {:.10g} kg", s.minDensity[k], s.maxDensity[k], s.mass[k]));
+    {
+        const auto& phase = settings_.coefficients.phases[k];
+        phases += (k ? "; " : "") + phase + (s.count[k] == 0 ? ": no particles" : describe(s, k));
+        if (s.held.count[k] > 0) held += (held.empty() ? "held beyond openings: " : "; ") + phase + describe(s.held, k);
+    }
+    if (!held.empty()) phases += '\n' + held;
     const double done = time_.value() - time_.startTime(), span = time_.endTime() - time_.startTime(), clock = clock_.clockTime();
     const std::string expected =
         done > 0 && span < 1e30 ? fmt::format("  expected finish in {:.0f} s", clock * std::max(0.0, span / done - 1)) : "";
     const std::string energy = energy_.supplied > 0 ? fmt::format("  energy/supply {:.3g}", energy_.held() / energy_.supplied) : "";
     log_ << fmt::format(
-        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}"
+        "Time = {}\nstep {}  deltaT {:.4g} ({})  max|U| {:.4g}  kinetic energy {:.6g}{}  neighbours {:.1f}  lists built {}{}\n{}\n{}{}{}"
         "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s{}\n\n",
-        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeed, s.kineticEnergy, energy, simulation_->meanNeighbours(),
-        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), simulation_->leaks().count() > 0 ? leaked() : "",
-        Clock::executionTime(), clock, expected);
+        time_.name(), time_.index(), deltaT, limit.by, s.maxSpeedOfScene(), s.kineticEnergy, energy, simulation_->meanNeighbours(),
+        simulation_->rebuilds(), simulation_->note(), phases, simulation_->report(), binding(),
+        simulation_->leaks().count() > 0 ? leaked() : "", Clock::executionTime(), clock, expected);
     log_.flush();
 }
 
 ParticleView Run::view(WholeCloud& cloud) const
 {
-    auto v = viewOfScene(settings_.coefficients, settings_.resolution.kernel, geometry_);
+    auto v = viewOfScene(settings_.coefficients, simulation_->gravity(), settings_.resolution.kernel, geometry_);
     v.n = cloud.size();
     const auto x = cloud.whole(simulation_->positions());
     v.x = x.component[0];
@@ -376,6 +391,7 @@ ParticleView Run::view(WholeCloud& cloud) const
     v.mass = cloud.whole(simulation_->field("m")).component[0];
     v.volume = cloud.whole(simulation_->field("V")).component[0];
     v.phase = cloud.whole(simulation_->field("phase")).component[0];
+    v.heldBy = cloud.whole(simulation_->field(Holder::info.name)).component[0];
     v.numbers = simulation_->summary().columns;
     const auto energy = simulation_->energy();
     v.supply = Supply{energy.impulse, energy.work, energy.interfaces + energy.compression};

@@ -54,6 +54,8 @@ private:
     void reportPlan() const;
     /// A step, looked at; returns its length [s].
     double advance(const StepLimit&);
+    /// A line with the particle that the next step waits for, where one sets the limit. All ranks have to ask.
+    std::string binding() const;
     void reportStep(const StepLimit&, double deltaT) const;
     /// Throws DivergedError where the state is none of a weakly compressible fluid.
     void check(const StepLimit&) const;

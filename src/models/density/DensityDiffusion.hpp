@@ -7,16 +7,11 @@
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"
+#include "soundDamping.hpp"
 #include <algorithm>
 
 namespace sph
 {
-
-/// delta of the density diffusion.
-struct DiffusionNumber
-{
-    double delta = 0;
-};
 
 struct DensityDiffusion
 {

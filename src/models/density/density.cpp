@@ -72,7 +72,7 @@ void readDiffusion(const Reading& reading)
     const auto& form = reading.choose(entry::densityDiffusionForm);
     reading.belongs(entry::densityDiffusionForm, entry::densityDiffusion);
     if (!(delta > 0)) return;
-    c.set(DiffusionNumber{delta});
+    c.set(DiffusionNumber{delta, form == "antuono"});
     if (!reading.settings.integratedDensity) entry::densityDiffusion.error(dict, "goes with `density continuity;` alone");
     for (const double rho : c.restDensity)
         if (rho != c.restDensity[0])

@@ -14,36 +14,38 @@
 namespace sph
 {
 
+/// g(t) [m/s^2]; g_0 where `a` is empty. Throws CaseError where the expression has no value at that time.
+inline Vector<3> gravityAt(const Vector<3>& g_0, const std::string& a, double t)
+{
+    if (a.empty()) return g_0;
+    try
+    {
+        if (const auto value = evaluateAt(a, anyPlace, t).vector) return g_0 + *value;
+        throw ExpressionError("the result is a number, not a vector");
+    }
+    catch (const ExpressionError& e)
+    {
+        throw CaseError({"constant/g", 0}, fmt::format("\"shaking\" at {:.6g} s: {}", t, e.what()));
+    }
+}
+
 template<int dim> class Shaking final : public Part<dim>
 {
     Vector<3> g_0_, g_;
     std::string a_;
 
     static std::string nameOf(int k) { return std::string("gravity") + char(std::toupper(coordinateNames[k])); }
-    /// Throws CaseError where the expression has no value at that time.
-    Vector<3> gravityAt(double t) const
-    {
-        try
-        {
-            if (const auto a = evaluateAt(a_, anyPlace, t).vector) return g_0_ + *a;
-            throw ExpressionError("the result is a number, not a vector");
-        }
-        catch (const ExpressionError& e)
-        {
-            throw CaseError({"constant/g", 0}, fmt::format("\"shaking\" at {:.6g} s: {}", t, e.what()));
-        }
-    }
     /// At a share of the step.
     Stage<dim> shake(const char* name, const char* equation, double share)
     {
         return {name, equation,
-                [this, share](Particles<dim>& p, const Substep& s) { p.setGravity(g_ = gravityAt(s.time + share * s.deltaT)); }};
+                [this, share](Particles<dim>& p, const Substep& s) { p.setGravity(g_ = gravityAt(g_0_, a_, s.time + share * s.deltaT)); }};
     }
 
 public:
     Shaking(Particles<dim>& particles, const Numbers& restored, const Vector<3>& g_0, const std::string& a) : g_0_(g_0), a_(a)
     {
-        g_ = gravityAt(0);
+        g_ = gravityAt(g_0_, a_, 0);
         for (int k = 0; k < 3; ++k)
             if (const auto found = restored.find(nameOf(k)); found != restored.end()) g_.*component(k) = found->second;
         particles.setGravity(g_);

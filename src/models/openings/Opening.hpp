@@ -30,6 +30,7 @@ struct Opening
     bool inlet = true;
     Vector<3> point, normal;        ///< of the plane [m]; unit, into the scene
     Box extent;                     ///< the plane is open within it alone
+    double margin = 0;              ///< beside the extent, where what passes the plane leaves all the same [m]
     std::optional<double> radius;   ///< and this near to `point` [m]
     std::vector<Opening> without;   ///< others in the same plane, which have their parts of it
     std::optional<double> velocity; ///< mean over the section, along the normal [m/s]
@@ -44,8 +45,10 @@ struct Opening
 
     /// Distance from the plane [m], > 0 in the scene.
     double distance(const Vector<3>& x) const { return dot(x - point, normal); }
-    /// Whether the plane is open at a point of it.
-    bool opensAt(const Vector<3>& x, int dimension) const;
+    /// Whether the plane is open at a point of it, or at a point so far beside its extent [m].
+    bool opensAt(const Vector<3>& x, int dimension, double beside = 0) const;
+    /// Whether another opening is cut out of the plane.
+    bool leavesOut(const Opening& part) const;
     bool brings(std::size_t phase) const;
     const Stream& streamAt(const Vector<3>& x, int dimension) const;
 };
@@ -71,6 +74,8 @@ struct EntryTime
 /// does not have, and what to say to it.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
                                   const std::map<std::string, std::string>& absent = {});
+/// The same for who asks for the planes alone: what models make of the other entries is left unread.
+std::vector<Opening> readOpeningPlanes(const Case&, const Geometry&, const Coefficients&);
 EntryList openingEntries();
 
 }

@@ -1,5 +1,6 @@
 #include "Openings.hpp"
 #include "CaseError.hpp"
+#include "OpenPlanes.hpp"
 #include "components.hpp"
 #include "contains.hpp"
 #include "forEachFoot.hpp"
@@ -21,8 +22,32 @@ constexpr double leastRatio = 1e-3;
 /// Between what is put behind an outlet and what stands there [spacings].
 constexpr double leastGap = 0.8;
 
+/// A particle that lies so near to a plane is on it, and in the scene [spacings].
+constexpr double onPlane = 1e-6;
+
+/// The plane that an opening is a part of, with all its parts: that from which it is cut out, or its own without the others; of a drip that is cut out of none,
+/// all of the duct. None where the opening stands alone.
+std::optional<Opening> planeOf(const Opening& opening, const std::vector<Opening>& all)
+{
+    const auto host = std::ranges::find_if(all, [&](const Opening& other) { return other.leavesOut(opening); });
+    if (host == all.end() && opening.without.empty() && !opening.radius) return {};
+    auto plane = host == all.end() ? opening : *host;
+    plane.point = opening.point;
+    plane.without.clear();
+    plane.radius.reset();
+    return plane;
+}
+
 /// Of a line of an outlet.
 bool comesBack(double velocity) { return velocity > 0 && std::isfinite(velocity); }
+
+/// The rate that an inlet is to let in [m^3/s]; none where a pressure alone drives it.
+std::optional<double> rateOf(const Opening& opening, const Section& section)
+{
+    if (opening.flowRate) return opening.flowRate;
+    if (opening.velocity) return *opening.velocity * section.area();
+    return {};
+}
 
 template<int dim> void put(const std::array<double*, dim>& a, std::size_t i, Vector<dim> q)
 {
@@ -52,15 +77,16 @@ Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& ge
     intoHeld_.resize(counted_.size());
     for (const auto& opening : openings)
     {
-        const Section section(opening, geometry, coefficients.spacing);
+        const auto plane = planeOf(opening, openings);
+        const Section section(opening, geometry, coefficients.spacing, plane ? &*plane : nullptr);
         check(opening, section);
-        const double most = opening.velocity   ? *opening.velocity
-                            : opening.flowRate ? *opening.flowRate / section.area()
-                                               : std::numeric_limits<double>::infinity();
+        const auto asked = rateOf(opening, section);
+        const double most = asked.value_or(std::numeric_limits<double>::infinity()) / section.carried();
         const double pressure = coefficients.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
         const std::vector<double> none(phases_, 0.0), nothing(counted_.size(), 0.0);
-        gates_.push_back({opening, section, most, opening.inlet && !opening.pressure ? most : 0, std::vector(phases_, pressure), none, none,
-                          nothing, densityOf(opening, section), 0, none, std::vector(section.lines().size(), 0.0)});
+        gates_.push_back({opening, plane.value_or(opening), section, asked, most, opening.inlet && !opening.pressure ? most : 0,
+                          std::vector(phases_, pressure), none, none, nothing, densityOf(opening, section), 0, none,
+                          std::vector(section.lines().size(), 0.0)});
         account_.gates.push_back({none, nothing});
     }
     account_.heldAmounts.resize(counted_.size());
@@ -159,8 +185,9 @@ template<int dim> void Openings<dim>::check(const Opening& opening, const Sectio
     const auto& lines = section.lines();
     if (lines.empty()) fail("has no fluid in its plane: it lies inside a wall, or outside the domain");
     if (section.width() < coefficients_.support)
-        fail(fmt::format("is {:.4g} m wide, less than the support of the kernel, {:.4g} m: choose a finer resolution", section.width(),
-                         coefficients_.support));
+        fail(fmt::format(
+            "is {:.4g} m wide, less than the support of the kernel, {:.4g} m: choose a spacing of at most {:.3g} m, or make it wider",
+            section.width(), coefficients_.support, section.width() / coefficients_.support * coefficients_.spacing));
     for (const auto& line : lines)
         for (double s = 0; s < depth_; s += coefficients_.spacing)
         {
@@ -197,7 +224,10 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
     { throw CaseError(opening.where, fmt::format("opening \"{}\" has {}: its normal must point into the scene", opening.name, what)); };
     for (const auto& other : gates_)
         if (std::ranges::any_of(other.section.lines(),
-                                [&](const auto& line) { return opening.distance(line.foot) <= -2 * depth_ && inSight(gate, line.foot); }))
+                                [&](const auto& line) {
+                                    return opening.distance(line.foot) <= -2 * depth_ &&
+                                           inSight(opening, geometry_, line.foot, coefficients_.spacing);
+                                }))
             fail(fmt::format("\"{}\" beyond its plane, and would take away the fluid between them", other.opening.name));
     double deepest = 0;
     for (const auto& line : gate.section.lines())
@@ -213,7 +243,7 @@ template<int dim> void Openings<dim>::checkNormal(const Gate& gate) const
 
 template<int dim> bool Openings<dim>::belongs(const Gate& gate, const Vector<3>& x) const
 {
-    return gate.opening.opensAt(x - gate.opening.distance(x) * gate.opening.normal, dim);
+    return gate.opening.opensAt(x - gate.opening.distance(x) * gate.opening.normal, dim, gate.opening.margin);
 }
 
 /// Whether b holds what a sees.
@@ -228,32 +258,29 @@ template<int dim> bool Openings<dim>::meet(const Gate& a, const Gate& b) const
     return false;
 }
 
-/// 1 + the opening beyond whose plane a point lies; 0 in the scene.
+/// 1 + the opening beyond whose plane a point lies; 0 in the scene. Beside the extents of two that meet, the one within whose own the point lies.
 template<int dim> int Openings<dim>::holderOf(const Vector<3>& x) const
 {
+    int beside = 0;
     for (std::size_t k = 0; k < gates_.size(); ++k)
     {
-        const double s = gates_[k].opening.distance(x);
-        if (s < 0 && s > -2 * depth_ && belongs(gates_[k], x)) return int(k) + 1;
+        const auto& opening = gates_[k].opening;
+        const double s = opening.distance(x);
+        if (!(s < -onPlane * coefficients_.spacing && s > -2 * depth_ && belongs(gates_[k], x))) continue;
+        if (opening.margin == 0 || opening.opensAt(x - s * opening.normal, dim)) return int(k) + 1;
+        if (beside == 0) beside = int(k) + 1;
     }
-    return 0;
-}
-
-/// Whether a point lies in the duct beyond a plane: the plane is in sight along its normal.
-template<int dim> bool Openings<dim>::inSight(const Gate& gate, const Vector<3>& x) const
-{
-    const double s = gate.opening.distance(x);
-    if (s > 0 || !belongs(gate, x)) return false;
-    for (double by = 0; by < -s; by += coefficients_.spacing)
-        if (!geometry_.inFluid(x + by * gate.opening.normal)) return false;
-    return true;
+    return beside;
 }
 
 /// 1 + the opening in whose duct a point lies, further beyond its plane than is held there; 0 where there is none.
 template<int dim> int Openings<dim>::farBeyond(const Vector<3>& x) const
 {
-    const auto gate =
-        std::ranges::find_if(gates_, [&](const Gate& each) { return each.opening.distance(x) <= -2 * depth_ && inSight(each, x); });
+    const auto gate = std::ranges::find_if(gates_,
+                                           [&](const Gate& each) {
+                                               return each.opening.distance(x) <= -2 * depth_ &&
+                                                      inSight(each.opening, geometry_, x, coefficients_.spacing);
+                                           });
     return gate == gates_.end() ? 0 : 1 + int(gate - gates_.begin());
 }
 
@@ -312,12 +339,6 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         const Opening* const by = now > 0 ? &gates_[std::size_t(now) - 1].opening : nullptr;
         const bool gone = by && (starts || !by->inlet) && by->distance(x_i) < -depth_;
         if (starts) takenBy[i] = gone ? now : now == 0 ? farBeyond(x_i) : 0;
-        if (starts && by && by->inlet)
-        {
-            const auto& stream = by->streamAt(x_i - by->distance(x_i) * by->normal, dim);
-            for (const auto* fraction : counted_) store.component(fraction->value.name, 0)[i] = stream.values.at(fraction->value.name);
-            if (!gone && phasesOf(store)(i) != stream.phase) bring(store, i, stream);
-        }
         if (!gone && !(starts && takenBy[i] > 0)) kept.push_back(int(i));
     }
     if (starts) countStart(store, owned, takenBy);
@@ -327,10 +348,101 @@ template<int dim> std::size_t Openings<dim>::exchange(FieldStore<dim>& store, st
         owned = kept.size();
     }
     store.resize(owned);
-    for (std::size_t k = 0; k < gates_.size(); ++k)
-        if (gates_[k].opening.inlet || gates_[k].opening.backflow) insert(store, owned, int(k));
+    if (starts) fillFirst(store, owned);
+    else
+        for (std::size_t k = 0; k < gates_.size(); ++k)
+            if (gates_[k].opening.inlet || gates_[k].opening.backflow) refill(store, owned, int(k));
     counts_ = true;
     return owned;
+}
+
+/// Distance from the plane of an opening at which the row of the scene next to it stands in the mean [m]; half a row where nothing stands there.
+template<int dim> double Openings<dim>::firstRow(const FieldStore<dim>& store, std::size_t owned, const Gate& gate) const
+{
+    const auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    const double row = gate.section.rowSpacing(), low = -onPlane * coefficients_.spacing;
+    std::vector<double> sums(2, 0.0);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
+        const double s = gate.opening.distance(x_i);
+        if (holder[i] > 0 || s < low || s >= low + row || !gate.plane.opensAt(x_i - s * gate.opening.normal, dim)) continue;
+        sums[0] += 1;
+        sums[1] += s;
+    }
+    sums = ofAllRanks(sums, std::vector<double>(2, 0.0), AddEach{});
+    return sums[0] > 0 ? sums[1] / sums[0] : 0.5 * row;
+}
+
+/// Lines that are filled at the start: all of an inlet; of an outlet with parts cut out those that hold nothing but what may come back by it, for the lattice to be one
+/// with that of the parts.
+template<int dim> std::vector<bool> Openings<dim>::linesToFill(FieldStore<dim>& store, std::size_t owned, int k) const
+{
+    const auto& gate = gates_[std::size_t(k)];
+    const auto lines = gate.section.lines().size();
+    if (gate.opening.inlet) return std::vector<bool>(lines, true);
+    if (!gate.opening.backflow || gate.opening.without.empty()) return std::vector<bool>(lines, false);
+    const auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    std::vector<int> others(lines, 0);
+    for (std::size_t i = 0; i < owned; ++i)
+        if (int(holder[i]) == k + 1 && phasesOf(store)(i) != gate.opening.stream.phase)
+            if (const int line = gate.section.lineAt(in3D(valueAt<Vector<dim>>(x, i))); line >= 0) ++others[std::size_t(line)];
+    others = ofAllRanks(others, std::vector<int>(lines, 0), AddEach{});
+    std::vector<bool> filled(lines);
+    for (std::size_t l = 0; l < lines; ++l) filled[l] = others[l] == 0;
+    return filled;
+}
+
+/// At the first start what is packed beyond an inlet gives way to the inlet's own lattice, which continues the rows of the scene: a packing that is cut by
+/// the plane fits neither its section nor its rate, and two lattices in one another are compressed.
+template<int dim> void Openings<dim>::fillFirst(FieldStore<dim>& store, std::size_t& owned)
+{
+    const auto x = store.pointers(Position{});
+    const double* const holder = store.component(Holder::info.name, 0);
+    std::vector<std::vector<bool>> fills;
+    std::vector<double> first;
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+    {
+        fills.push_back(linesToFill(store, owned, int(k)));
+        first.push_back(firstRow(store, owned, gates_[k]));
+    }
+    const auto standsOnALine = [&](std::size_t k, const Vector<3>& x_i)
+    {
+        const int line = gates_[k].section.lineAt(x_i);
+        return line >= 0 && fills[k][std::size_t(line)];
+    };
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
+        bool stays = holder[i] == 0;
+        if (!stays)
+        {
+            const auto by = std::size_t(holder[i]) - 1;
+            const auto& opening = gates_[by].opening;
+            stays = !opening.inlet && !standsOnALine(by, x_i);
+            for (std::size_t k = 0; k < gates_.size(); ++k)
+                stays = stays && !(opening.leavesOut(gates_[k].opening) && standsOnALine(k, x_i));
+        }
+        if (stays) kept.push_back(int(i));
+    }
+    if (kept.size() < owned)
+    {
+        store.sortState(kept);
+        owned = kept.size();
+    }
+    store.resize(owned);
+    for (std::size_t k = 0; k < gates_.size(); ++k)
+    {
+        const auto& section = gates_[k].section;
+        std::vector<Place> places;
+        for (std::size_t l = 0; l < section.lines().size(); ++l)
+            for (double s = first[k] - section.rowSpacing(); fills[k][l] && s > -depth_; s -= section.rowSpacing())
+                places.push_back({section.lines()[l].foot + s * gates_[k].opening.normal, l});
+        insert(store, owned, int(k), places);
+    }
 }
 
 template<int dim>
@@ -350,7 +462,7 @@ std::vector<typename Openings<dim>::Place> Openings<dim>::clearOf(const std::vec
 
 /// Fills up lines from behind: of an inlet all; of an outlet those that move inwards, out of the scene's sight and at a distance from what has left, which
 /// stands in no lattice.
-template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k)
+template<int dim> void Openings<dim>::refill(FieldStore<dim>& store, std::size_t& owned, int k)
 {
     const auto& gate = gates_[std::size_t(k)];
     const auto& opening = gate.opening;
@@ -358,7 +470,7 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
     const double row = gate.section.rowSpacing();
     std::vector<double> last(lines.size(), 0.5 * row); // the first stands half a row behind the plane
     std::vector<Vector<3>> others;                     // of an outlet, what stands behind the plane, or next to it
-    auto x = store.pointers(Position{});
+    const auto x = store.pointers(Position{});
     const double* const holder = store.component(Holder::info.name, 0);
     for (std::size_t i = 0; i < owned; ++i)
     {
@@ -379,16 +491,22 @@ template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t
         for (double s = (opening.inlet ? last[l] : std::min(last[l], -coefficients_.support)) - row;
              s > -depth_ && (opening.inlet || comesBack(gate.velocity[l])); s -= row)
             places.push_back({lines[l].foot + s * opening.normal, l});
-    if (!opening.inlet) places = clearOf(others, places);
-    if (places.empty() || !isFirstRank()) return;
+    insert(store, owned, k, opening.inlet ? places : clearOf(others, places));
+}
 
+/// Puts in what comes at these places, with the velocities of their lines.
+template<int dim> void Openings<dim>::insert(FieldStore<dim>& store, std::size_t& owned, int k, const std::vector<Place>& places)
+{
+    if (places.empty() || !isFirstRank()) return;
+    const auto& gate = gates_[std::size_t(k)];
+    const auto& opening = gate.opening;
     store.resize(owned + places.size()); // what is new is 0
-    x = store.pointers(Position{});
+    const auto x = store.pointers(Position{});
     const auto v = store.pointers(Velocity{});
     for (std::size_t q = 0; q < places.size(); ++q)
     {
         const std::size_t i = owned + q;
-        const auto& line = lines[places[q].line];
+        const auto& line = gate.section.lines()[places[q].line];
         put<dim>(x, i, in<dim>(places[q].x));
         put<dim>(v, i, in<dim>((opening.inlet ? gate.speed * line.profile : gate.velocity[places[q].line]) * opening.normal));
         bring(store, i, opening.streamAt(line.foot, dim));

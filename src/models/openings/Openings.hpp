@@ -67,6 +67,7 @@ struct Flow
     std::vector<double> amounts;        ///< of what is counted beside it (Evolving::amount) [m^3]
     std::vector<double> taken;          ///< away at the start, from further beyond the plane than is held there [kg]
     double flowRate = 0;                ///< [m^3/s], into the scene > 0
+    std::optional<double> asked = {};   ///< of an inlet that has a rate or a velocity [m^3/s]
     std::vector<double> flowRates;      ///< of each phase
     double pressure = 0;                ///< of the fluid at the plane [Pa], without the background pressure
     std::optional<Transit> marked = {}; ///< of what has passed; none where nothing is marked
@@ -121,7 +122,9 @@ private:
     struct Gate
     {
         Opening opening;
+        Opening plane; ///< which it is a part of; itself where it stands alone
         Section section;
+        std::optional<double> asked;         ///< the rate of an inlet [m^3/s]; none where a pressure alone drives it
         double most, speed;                  ///< U of an inlet: its limit, and now
         std::vector<double> pressure, slope; ///< a and b, of each phase
         std::vector<double> taken;           ///< away at the start, of each phase
@@ -190,7 +193,6 @@ private:
     bool inDomain(const Vector<3>& x, double beyond) const;
     bool belongs(const Gate&, const Vector<3>& x) const;
     bool meet(const Gate& a, const Gate& b) const;
-    bool inSight(const Gate&, const Vector<3>& x) const;
     int holderOf(const Vector<3>& x) const;
     int farBeyond(const Vector<3>& x) const;
     /// Who holds a particle at x_i from now on; counts what passes. Returns 1 + the opening, or 0.
@@ -212,6 +214,9 @@ private:
     };
     Phases phasesOf(const FieldStore<dim>& store) const { return {phases_ > 1 ? store.component(Phase::info.name, 0) : nullptr}; }
     void bring(FieldStore<dim>&, std::size_t i, const Stream&) const;
+    void fillFirst(FieldStore<dim>&, std::size_t& owned);
+    double firstRow(const FieldStore<dim>&, std::size_t owned, const Gate&) const;
+    std::vector<bool> linesToFill(FieldStore<dim>&, std::size_t owned, int gate) const;
     void countStart(const FieldStore<dim>&, std::size_t owned, const std::vector<int>& takenBy);
     /// A place for a particle that comes in.
     struct Place
@@ -219,7 +224,8 @@ private:
         Vector<3> x;
         std::size_t line;
     };
-    void insert(FieldStore<dim>&, std::size_t& owned, int gate);
+    void refill(FieldStore<dim>&, std::size_t& owned, int gate);
+    void insert(FieldStore<dim>&, std::size_t& owned, int gate, const std::vector<Place>&);
     /// Those without any of `others` too near, on any rank.
     std::vector<Place> clearOf(const std::vector<Vector<3>>& others, const std::vector<Place>&) const;
     void replace(FieldStore<dim>&, std::size_t i, const Gate&, const Vector<3>& x_i) const;

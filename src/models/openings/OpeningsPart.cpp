@@ -89,10 +89,11 @@ template<int dim> std::string OpeningsPart<dim>::report(const Particles<dim>& pa
             with += flow.inlet ? fmt::format(", {:.6g} kg of it marked", flow.marked->mass)
                                : fmt::format(", {:.6g} kg of it marked, {:.4g} s after it came in, standard deviation {:.4g} s",
                                              flow.marked->mass, flow.marked->mean(), flow.marked->deviation());
-        lines += fmt::format("{}: {:.6g} m^3/s{} at {:.4g} Pa, passed {}{}{}\n", flow.name, flow.flowRate,
-                             phases_.size() > 1 ? " (" + ofPhases(flow.flowRates, "{:.6g}") + ")" : "", flow.pressure,
-                             ofPhases(flow.mass, "{:.10g} kg"), with,
-                             sumOf(flow.taken) > 0 ? fmt::format(", took away {} at the start", ofPhases(flow.taken, "{:.10g} kg")) : "");
+        lines +=
+            fmt::format("{}: {:.6g} m^3/s{}{} at {:.4g} Pa, passed {}{}{}\n", flow.name, flow.flowRate,
+                        phases_.size() > 1 ? " (" + ofPhases(flow.flowRates, "{:.6g}") + ")" : "",
+                        flow.asked ? fmt::format(" for {:.6g} asked", *flow.asked) : "", flow.pressure, ofPhases(flow.mass, "{:.10g} kg"),
+                        with, sumOf(flow.taken) > 0 ? fmt::format(", took away {} at the start", ofPhases(flow.taken, "{:.10g} kg")) : "");
     }
     const auto off = openings_.imbalance(particles.store());
     lines += "balance: mass off by " + ofPhases(off.mass, "{:.2g}");

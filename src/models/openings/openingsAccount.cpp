@@ -66,7 +66,7 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
     for (const auto& gate : gates_)
     {
         const auto& passed = all.gates[flows.size()];
-        const double let = gate.speed * gate.section.area();
+        const double let = gate.speed * gate.section.carried();
         auto ofPhases = gate.inflows;
         if (gate.opening.inlet)
         {
@@ -76,7 +76,7 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
             for (const auto& line : gate.section.lines()) ofPhases[gate.opening.streamAt(line.foot, dim).phase] += let * line.profile / sum;
         }
         flows.push_back({gate.opening.name, gate.opening.inlet, gate.section.area(), std::size_t(passed.held), passed.mass, passed.amounts,
-                         gate.taken, gate.opening.inlet ? let : gate.inflow, ofPhases,
+                         gate.taken, gate.opening.inlet ? let : gate.inflow, gate.asked, ofPhases,
                          gate.pressure[gate.opening.stream.phase] - coefficients_.backgroundPressure,
                          marks_ ? std::optional(passed.marked) : std::nullopt});
     }
@@ -153,7 +153,7 @@ template<int dim> double Openings<dim>::power() const
     for (const auto& gate : gates_)
     {
         const std::size_t phase = gate.opening.stream.phase;
-        const double Q = gate.opening.inlet      ? gate.speed * gate.section.area()
+        const double Q = gate.opening.inlet      ? gate.speed * gate.section.carried()
                          : gate.opening.backflow ? std::max(0.0, gate.inflows[phase])
                                                  : 0;
         const double u = gate.opening.inlet ? gate.speed : Q / gate.section.area();

@@ -23,7 +23,7 @@ const Choice type{"type",
             "developed",
             "of the velocity"};
 const VectorParameter point{"point", units::m, required, "a point of the plane"},
-    min{"min", units::m, byScene("endless"), "the plane is open within this box alone: to a spacing, of a flux exactly"},
+    min{"min", units::m, byScene("endless"), "the plane is open within this box alone; what leaves up to a spacing beside it leaves by it"},
     max{"max", units::m, byScene("endless"), "highest corner of that box"};
 const ListOf<Vector<3>> points{"points", units::m, required, "of the plane, each an opening: <opening>1, <opening>2 ..."};
 const Direction normal{"normal", required, "into the scene"};
@@ -42,10 +42,16 @@ const VectorParameter low{"min", units::m, byScene("endless"), "lowest corner of
     high{"max", units::m, byScene("endless"), "highest corner of the part"};
 }
 
-bool Opening::opensAt(const Vector<3>& x, int dimension) const
+bool Opening::opensAt(const Vector<3>& x, int dimension, double beside) const
 {
-    return contains(extent, x, dimension) && (!radius || mag(x - point) <= *radius) &&
+    const Vector<3> by = beside * Vector<3>{1, 1, 1};
+    return contains({extent.low - by, extent.high + by}, x, dimension) && (!radius || mag(x - point) <= *radius) &&
            std::ranges::none_of(without, [&](const Opening& other) { return other.opensAt(x, dimension); });
+}
+
+bool Opening::leavesOut(const Opening& part) const
+{
+    return std::ranges::any_of(without, [&](const Opening& other) { return other.name == part.name; });
 }
 
 bool Opening::brings(std::size_t phase) const
@@ -74,7 +80,7 @@ struct Reader
     const State& state;
 
     Opening readPlane(const Dictionary&) const;
-    void readExtent(const Dictionary&, Opening&, double margin) const;
+    void readExtent(const Dictionary&, Opening&) const;
     void readDrive(const Dictionary&, Opening&) const;
     void readStream(const Dictionary&, Opening&) const;
     Stream streamOf(const Dictionary&, std::size_t phase) const;
@@ -137,7 +143,7 @@ Opening Reader::readPlane(const Dictionary& d) const
     return opening;
 }
 
-void Reader::readExtent(const Dictionary& d, Opening& opening, double margin) const
+void Reader::readExtent(const Dictionary& d, Opening& opening) const
 {
     opening.point = entry::point(d);
     opening.extent.low = entry::min(d, opening.extent.low);
@@ -146,8 +152,10 @@ void Reader::readExtent(const Dictionary& d, Opening& opening, double margin) co
         if (const auto a = component(k); opening.extent.high.*a < opening.extent.low.*a)
             entry::max.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k],
                                             opening.extent.high.*a, opening.extent.low.*a));
-    opening.extent.low -= margin * Vector<3>{1, 1, 1};
-    opening.extent.high += margin * Vector<3>{1, 1, 1};
+    const auto roundOff = 1e-6 * coefficients.spacing * Vector<3>{1, 1, 1};
+    opening.extent.low -= roundOff;
+    opening.extent.high += roundOff;
+    if (!opening.inlet) opening.margin = coefficients.spacing;
 }
 
 std::vector<Opening> Reader::operator()(const Dictionary& d) const
@@ -157,7 +165,7 @@ std::vector<Opening> Reader::operator()(const Dictionary& d) const
     const auto& type = *known;
     auto opening = readPlane(d);
     opening.inlet = type != "outlet";
-    if (type != "drip") readExtent(d, opening, type == "flux" ? 1e-6 * coefficients.spacing : coefficients.spacing);
+    if (type != "drip") readExtent(d, opening);
     if (type == "outlet")
     {
         opening.pressure = entry::pressureOutside(d);
@@ -207,13 +215,11 @@ EntryList openingEntries()
     return {{opening, {{type, byType}, normal}}};
 }
 
-std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
-                                  const std::map<std::string, std::string>& absent)
+namespace
+{
+std::vector<Opening> readAll(const Dictionary& dict, const Reader& read, const std::map<std::string, std::string>& absent)
 {
     std::vector<Opening> openings;
-    if (!theCase.has("constant/openings")) return openings;
-    const auto dict = theCase.dictionary("constant/openings");
-    const Reader read{geometry, coefficients, state};
     std::vector<std::string> others; // names of those that are not cut out of an open plane
     for (const auto& name : dict.keys())
     {
@@ -229,13 +235,29 @@ std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry,
             if ((all.empty() || all[0].inlet) && d.found(field)) d.error(field, why);
         if (entry::type.is(d, "inlet") || entry::type.is(d, "outlet")) others.push_back(name);
     }
-    dict.reportUnused();
     const auto isOther = [&](const Opening& o) { return std::ranges::find(others, o.name) != others.end(); };
     const auto before = openings;
     for (auto& opening : openings)
         for (const auto& part : before)
-            if (isOther(opening) && !isOther(part) && inOnePlane(opening, part, coefficients.spacing)) opening.without.push_back(part);
+            if (isOther(opening) && !isOther(part) && inOnePlane(opening, part, read.coefficients.spacing)) opening.without.push_back(part);
     return openings;
+}
+}
+
+std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
+                                  const std::map<std::string, std::string>& absent)
+{
+    if (!theCase.has("constant/openings")) return {};
+    const auto dict = theCase.dictionary("constant/openings");
+    auto openings = readAll(dict, {geometry, coefficients, state}, absent);
+    dict.reportUnused();
+    return openings;
+}
+
+std::vector<Opening> readOpeningPlanes(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients)
+{
+    if (!theCase.has("constant/openings")) return {};
+    return readAll(theCase.dictionary("constant/openings"), {geometry, coefficients, State{}}, {});
 }
 
 }

@@ -8,6 +8,10 @@
 /// both signs; g bounds it from above. Without it a background pressure p_b above rho c^2 of the gas makes steps unstable that are longer
 /// than its own waves of speed sqrt(p_b/rho) allow.
 ///
+/// For one particle that moves alone on a square or cubic lattice, wendlandC2 with a support of 3 spacings, the remainder is 8.7 or 11.7 p/(rho c^2) times what
+/// is kept, and g is 27 or 85 p/(rho c^2) times it: little in a liquid, but 24 times in the gas of a drop whose p_b is 2.8 rho c^2
+/// (tutorials/stiff/dropOffLattice). It makes the matrix stiffer than the fluid and not the step less exact: an inexact matrix leaves the order.
+///
 /// u [m/s] with the mirror images of a displacement, whatever the wall does to velocities. V [m^3], p [Pa], m [kg].
 #pragma once
 #include "Coefficients.hpp"

@@ -1,10 +1,14 @@
 #include "pressure.hpp"
+#include "TwoLevels.hpp"
 #include "phaseEntries.hpp"
 #include "pressureTerms.hpp"
+#include "soundDamping.hpp"
+#include "stableSound.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace sph
 {
@@ -94,24 +98,48 @@ void read(const Reading& reading)
 
 namespace
 {
-/// s h/|v|, s = 0.2, where pressure is solved for. Else s h/(c + |v|), s = 0.4; or s nu/c^2, at most 0.2 h/|v|, s = 0.25, where that is longer: an Euler step of implicit viscosity damps the waves
-/// that it does not resolve; stable to 2, within 1 % to 0.5; nu the least.
+/// c dt/h up to which what damps sound beside viscosity holds it, where the density is integrated by rates of half a step on; 0.85 of what holds on a lattice at
+/// rest: at 0.9 and 0.95 of it water that sloshes, 8 spacings deep, is shaken to pieces with the kernels that are narrow beside their support (src/kernels/README.md).
+double heldSound(const Settings& settings)
+{
+    const auto& c = settings.coefficients;
+    const bool damped = c.has<DiffusionNumber>() || c.has<ArtificialNumber>();
+    if (!settings.integratedDensity || !settings.integration.predicts || c.has<TwoLevels>() || !damped)
+        return std::numeric_limits<double>::infinity();
+    const double sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
+    DampedSound wave{settings.resolution.kernel, settings.resolution.support, c.dimension};
+    if (c.has<DiffusionNumber>())
+    {
+        wave.delta = c.of<DiffusionNumber>().delta;
+        wave.renormalised = c.of<DiffusionNumber>().renormalised;
+    }
+    if (c.has<ArtificialNumber>()) wave.alpha = c.of<ArtificialNumber>().mu / (0.5 * c.support * sound * c.restDensity[0]);
+    wave.extrapolates = settings.integration.keepsRates;
+    // asked for at each step
+    static thread_local std::pair<DampedSound, double> last;
+    if (last.first != wave) last = {wave, 0.85 * stableSoundStep(wave)};
+    return last.second;
+}
+
+/// s h/|v|, s = 0.2, where pressure is solved for. Else s h/(c + |v|), s = 0.4 and at most what is held (above); or s nu/c^2, at most 0.2 h/|v|, s = 0.25, where that is longer: an Euler step
+/// of implicit viscosity damps the waves that it does not resolve; stable to 2, within 1 % to 0.5; nu the least.
 std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& measured)
 {
     const auto& c = settings.coefficients;
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
     if (settings.has(entry::stress.keyword(), byLaw)) return {};
-    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow"};
+    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow", false, &Velocity::info};
     const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
-    const double soundStep = s.sound * h / (sound + measured.maxSpeed);
+    const double soundStep = s.sound * std::min(1.0, heldSound(settings) / StepFactors{}.sound) * h / (sound + measured.maxSpeed);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < c.phases.size(); ++k) least = std::min(least, c.viscosity[k] / c.restDensity[k]);
     if (measured.leastViscosity) least = *measured.leastViscosity / c.restDensity[0];
-    const double damped = std::min(s.dampedSound * least / sqr(sound), 0.5 * s.sound * h / measured.maxSpeed);
+    const double byViscosity = s.dampedSound * least / sqr(sound), ofWay = 0.5 * s.sound * h / measured.maxSpeed;
+    const double damped = std::min(byViscosity, ofWay);
     if (integration.solves && integration.theta == 1 && damped > soundStep)
-        return StepLimit{integration.maxSubSteps * damped, "damped sound", true};
-    return StepLimit{integration.maxSubSteps * soundStep, "sound", true};
+        return StepLimit{integration.maxSubSteps * damped, "damped sound", true, ofWay < byViscosity ? &Velocity::info : nullptr};
+    return StepLimit{integration.maxSubSteps * soundStep, "sound", true, measured.maxSpeed > sound ? &Velocity::info : nullptr};
 }
 
 /// s h/c_eff, c_eff = sqrt(max(rho c^2)/min(rho)), s = 1.2, for the Hu-Adams pressure between phases: it pushes the light particle with the heavy

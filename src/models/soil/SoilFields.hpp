@@ -7,7 +7,9 @@ namespace sph
 {
 
 /// sigma_0 is the stress of the step before, where steps start from two levels (TwoLevels.hpp); S is what acts on neighbours, in the plane of the flow; c the speed of sound of the law's
-/// present stiffness, sqrt(M/rho). T is the shear stress of joints with walls (WallFriction.hpp). On request: gamma = integral of sqrt(2 e:e) dt, e = dev D, and w = integral of sigma:D dt, what the stress has done to a volume.
+/// present stiffness, sqrt(M/rho). T is the shear stress of joints with walls (WallFriction.hpp). On request: gamma = integral of sqrt(2
+/// e:e) dt, e = dev D, of all strain to and fro; gamma_p the same of the plastic part of D, of laws that have one; and w = integral of
+/// sigma:D dt, what the stress has done to a volume.
 // clang-format off
 struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
 struct OlderStress  { static constexpr FieldInfo info{"sigma_0", "Pa", Image::mirrored};                            template<int dim> struct At { StressTensor<dim> sigma_0; }; };
@@ -17,6 +19,7 @@ struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image
 struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
 struct StrainRate   { static constexpr FieldInfo info{"strainRate", "1/s"};  template<int dim> struct At { SymmTensor<dim> D; }; };
 struct ShearStrain  { static constexpr FieldInfo info{"shearStrain", "1"};   template<int dim> struct At { double gamma; }; };
+struct PlasticShearStrain { static constexpr FieldInfo info{"plasticShearStrain", "1"}; template<int dim> struct At { double gamma_p; }; };
 struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; template<int dim> struct At { double w; }; };
 // clang-format on
 

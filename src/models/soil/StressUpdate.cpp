@@ -12,11 +12,17 @@ namespace sph
 
 namespace
 {
-/// c = sqrt(M/rho) [m/s], and with it the speed of what pushes compacted soil apart.
-double soundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
+/// sqrt(M/rho) [m/s], and with it the speed of what pushes compacted soil apart.
+struct SoundSpeed
 {
-    return std::sqrt(law.stiffness(stress) / rho + (rho > numbers.compactFrom ? sqr(numbers.compactionSpeed) : 0));
-}
+    double ofLaw, all;
+    SoundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
+    {
+        const double square = law.stiffness(stress) / rho;
+        ofLaw = std::sqrt(square);
+        all = rho > numbers.compactFrom ? std::sqrt(square + sqr(numbers.compactionSpeed)) : ofLaw;
+    }
+};
 }
 
 template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
@@ -40,6 +46,7 @@ template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts:
     inadmissible += more.inadmissible;
     unresolved += more.unresolved;
     Larger{}(fastest, more.fastest);
+    Larger{}(ofLaw, more.ofLaw);
     power += more.power;
     return *this;
 }
@@ -70,10 +77,17 @@ template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
     std::visit(
         [&](const auto& law)
         {
-            summary_.fastest = reduce(
-                particles.size(), 0.0,
-                [&](std::size_t i) { return c[i] = soundSpeed(law, in3D(valueAt<StressTensor<dim>>(sigma, i)), rho[i], numbers); },
-                Larger{});
+            const auto sound = reduce(
+                particles.size(), Counts{},
+                [&](std::size_t i)
+                {
+                    const SoundSpeed of(law, in3D(valueAt<StressTensor<dim>>(sigma, i)), rho[i], numbers);
+                    c[i] = of.all;
+                    return Counts{.fastest = of.all, .ofLaw = of.ofLaw};
+                },
+                Add{});
+            summary_.fastest = sound.fastest;
+            summary_.ofLaw = sound.ofLaw;
         },
         particles.coefficients().template of<Soil>().law);
 }
@@ -94,6 +108,7 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
                                              : std::array<const double*, fieldComponents<StressNoise, dim>>{};
     const double h = 0.5 * particles.coefficients().support;
     double* const strain = store.has(ShearStrain{}) ? store.component(ShearStrain::info.name, 0) : nullptr;
+    double* const plastic = store.has(PlasticShearStrain{}) ? store.component(PlasticShearStrain::info.name, 0) : nullptr;
     double* const work = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
@@ -113,13 +128,21 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
             }
             const auto step = integrateStress(law, start, span * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
-            c[i] = soundSpeed(law, step.stress, rho[i], numbers);
+            const SoundSpeed sound(law, step.stress, rho[i], numbers);
+            c[i] = sound.all;
             const auto mean = levels_ ? before : 0.5 * (start + step.stress);
             if (strain) strain[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
+            if constexpr (ElastoPlasticLaw<Law>)
+                if (plastic)
+                    plastic[i] += deltaT / span * std::sqrt(2.0) * norm(deviator(plasticStrain(law, start, step.stress, span * gradient)));
             if (work) work[i] += deltaT * doubleDot(mean, D);
             const auto onNeighbours = mean + (numbers.surfacePressure - numbers.compactionPressure(rho[i])) * identity(mean);
-            return Counts{step.state == StressState::stressFree, step.state == StressState::inadmissible,
-                          step.state == StressState::unresolved, c[i], -V[i] * doubleDot(onNeighbours, D)};
+            return Counts{step.state == StressState::stressFree,
+                          step.state == StressState::inadmissible,
+                          step.state == StressState::unresolved,
+                          sound.all,
+                          sound.ofLaw,
+                          -V[i] * doubleDot(onNeighbours, D)};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
@@ -155,8 +178,11 @@ template<int dim> std::vector<StepLimit> StressUpdate<dim>::limits() const
 {
     const auto& coefficients = particles_.coefficients();
     const double h = 0.5 * coefficients.support, alpha = coefficients.template of<SoilNumbers>().alpha;
-    return {{particles_.settings().integration.factors.sound * h / (summary_.fastest + particles_.maxSpeed()), "sound in soil"},
-            {(levels_ ? levels_->stableDecay() : 1) * 0.5 * h / (alpha * summary_.fastest), "artificial viscosity"}};
+    const double c = summary_.fastest, speed = particles_.maxSpeed();
+    return {{particles_.settings().integration.factors.sound * h / (c + speed),
+             c > summary_.ofLaw ? "sound in soil with compactionSpeed" : "sound in soil", false,
+             speed > c ? &Velocity::info : &SoilSound::info},
+            {(levels_ ? levels_->stableDecay() : 1) * 0.5 * h / (alpha * c), "artificial viscosity", false, &SoilSound::info}};
 }
 
 template<int dim> Numbers StressUpdate<dim>::columns(const Particles<dim>&) const
@@ -165,6 +191,12 @@ template<int dim> Numbers StressUpdate<dim>::columns(const Particles<dim>&) cons
             {"stressFree", double(summary_.stressFree)},
             {"inadmissible", double(summary_.inadmissible)},
             {"unresolved", double(summary_.unresolved)}};
+}
+
+template<int dim> std::string StressUpdate<dim>::introduction() const
+{
+    const auto strength = strengthInWords(particles_.coefficients().template of<Soil>().law);
+    return strength.empty() ? "" : fmt::format("Strength  : {}\n", strength);
 }
 
 template<int dim> std::string StressUpdate<dim>::report(const Particles<dim>&) const

@@ -36,6 +36,7 @@ public:
     void sorted(Particles<dim>&) override;
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
+    std::string introduction() const override;
     std::string report(const Particles<dim>&) const override;
     std::string note() const override;
     void save(Numbers&) const override;
@@ -47,6 +48,7 @@ private:
     {
         std::size_t stressFree = 0, inadmissible = 0, unresolved = 0;
         double fastest = 0; ///< largest c [m/s]
+        double ofLaw = 0;   ///< the same by the law alone, without compactionSpeed [m/s]
         double power = 0;   ///< -sum V S:D [W]
         Counts& operator+=(const Counts&);
     };

@@ -47,11 +47,13 @@ const Choice smoothingActs{"smoothingActs",
                            {{"onStrain", "by 1/(500 delta) of strain"}, {"always", "at the rate delta c/h: creeps at rest"}},
                            "onStrain",
                            "when the stress is smoothed"};
-const Choices shown{"shown",
-                    "fields",
-                    {"strainRate", "shearStrain", "stressWork"},
-                    std::vector<std::string>{},
-                    "further fields of time folders: D, the integrals of sqrt(2 dev D:dev D) and of sigma:D"};
+const Choices shown{
+    "shown",
+    "fields",
+    {"strainRate", "shearStrain", "plasticShearStrain", "stressWork"},
+    std::vector<std::string>{},
+    "further fields of time folders: D; the integral of sqrt(2 dev D:dev D), to which elastic oscillation adds, and that of the plastic part of D "
+    "alone, with law druckerPrager; the integral of sigma:D"};
 const Scalar compactionSpeed{
     "compactionSpeed", units::mPerS, 0, nonNegative,
     "speed of sound of what pushes soil apart where it is denser than 1.05 rho; about 10 times the largest velocity, in flows"};
@@ -200,6 +202,28 @@ void refuse(const Reading& reading)
             reading.schemes.diagnostics().error({file, 0}, "does not go with soil: `stress constitutiveLaw` in constant/phaseProperties");
 }
 
+/// The field of `shown` that grows from step to step.
+StateField integralOf(const std::string& name)
+{
+    for (const auto& field : {stateField(ShearStrain{}), stateField(PlasticShearStrain{})})
+        if (field.name == name) return field;
+    return stateField(StressWork{});
+}
+
+/// Hypoplastic laws have no elastic part: all of their strain is of one kind, and stays in part when the stress goes back.
+void refusePlasticStrain(const Reading& reading, const Soil& soil)
+{
+    const auto d = entry::soil(reading.schemes);
+    const auto shown = entry::shown(d);
+    if (std::ranges::find(shown, PlasticShearStrain::info.name) == shown.end()) return;
+    const auto [name, plastic] = std::visit([]<class Law>(const Law&) { return std::pair(Law::name, ElastoPlasticLaw<Law>); }, soil.law);
+    if (!plastic)
+        entry::shown.error(
+            d, fmt::format("plasticShearStrain is of laws that are elastic within a yield surface, as druckerPrager is; law {} has no "
+                           "plastic part of its strain: shearStrain has all of it",
+                           name));
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -221,9 +245,8 @@ void prepare(const Reading& reading)
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
     for (const auto& field : entry::shown(entry::soil(reading.schemes)))
         if (field == StrainRate::info.name) settings.shown.emplace_back(field, field);
-        else
-            settings.state.push_back(
-                {.value = field == ShearStrain::info.name ? stateField(ShearStrain{}) : stateField(StressWork{}), .advancedByModel = true});
+        else settings.state.push_back({.value = integralOf(field), .advancedByModel = true});
+    refusePlasticStrain(reading, soil);
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     if (reading.geometry.withFriction())
     {

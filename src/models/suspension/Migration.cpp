@@ -135,7 +135,8 @@ template<int dim> void Migration<dim>::solve(Particles<dim>& particles, double d
         return now.rz <= sqr(tolerance) * start;
     };
     conjugateGradients(
-        LinearSystem<1>{n, store.component(Mass::info.name, 0), {change_.data()}, {residual_.data()}, {p}},
+        LinearSystem<1>{
+            "the implicit migration of the powder", n, store.component(Mass::info.name, 0), {change_.data()}, {residual_.data()}, {p}},
         [&](std::size_t i) { return 1 + deltaT * lambda[i]; }, apply, [&](int, std::size_t i) { return p[i] - deltaT * response[i]; },
         [](std::size_t) { return 0.0; }, done);
     // By fluxes between pairs, so that powder is kept whatever the tolerance.

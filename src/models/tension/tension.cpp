@@ -208,7 +208,7 @@ std::optional<StepLimit> slowForceLimit(const Settings& settings, const Measured
 {
     if (!(measured.maxSlowAcceleration > 0)) return {};
     return StepLimit{settings.integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxSlowAcceleration),
-                     "slow force"};
+                     "slow force", false, &SlowAcceleration::info};
 }
 
 template<int dim> Catalogue<dim> allTerms()

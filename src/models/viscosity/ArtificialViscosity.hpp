@@ -9,16 +9,11 @@
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"
+#include "soundDamping.hpp"
 #include <algorithm>
 
 namespace sph
 {
-
-/// alpha h c rho_0 [Pa s]
-struct ArtificialNumber
-{
-    double mu = 0;
-};
 
 struct ArtificialViscosity
 {

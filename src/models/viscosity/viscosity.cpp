@@ -75,7 +75,8 @@ std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& 
                 nu = std::max(nu, 2 * c.viscosity[k] * c.viscosity[l] / sum / std::min(c.restDensity[k], c.restDensity[l]));
     if (measured.largestViscosity) nu = *measured.largestViscosity / c.restDensity[0];
     if (!(nu > 0) || settings.integration.solves) return {};
-    return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true};
+    return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true,
+                     measured.largestViscosity ? &DynamicViscosity::info : nullptr};
 }
 
 /// s h/(2 alpha c) from two levels, s their stable decay; from one, sound binds first.

@@ -24,7 +24,7 @@ const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"}
     count{"count", required, between(1, 1e6).saying("count {}: 1 to a million solids can be packed"), "number of solids"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
 const FileName meshFile{"file", "constant/triSurface", byScene("a sphere"),
-                        "closed surface in constant/triSurface: .obj or .stl, normals outwards"};
+                        "closed surface in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb, normals outwards"};
 const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};
 const Choice collision{"collision",
                        {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},

@@ -33,7 +33,7 @@ std::string objText(const std::vector<NamedSurface>&);
 /// Binary STL: single precision, no names.
 std::string stlBytes(const TriangleSurface&);
 
-/// OBJ and STL (ascii and binary). Throws CaseError, which names the file.
+/// Any mesh that `importMesh` reads. Throws CaseError, which names the file.
 TriangleSurface readSurface(const std::filesystem::path& caseFolder, const std::string& file);
 
 }

@@ -40,7 +40,7 @@ TEST(ImportMesh, readsEveryFormat)
     }
 }
 
-// Decimal numbers stay what they are, though assimp keeps them in single precision.
+// Decimal numbers stay what they are, also where a file keeps them in single precision.
 TEST(ImportMesh, keepsDecimals)
 {
     for (const auto& [file, text] : {std::pair<std::string, std::string>{"a.stl", solid(box({0.1, -0.2, 1e-7}, {0.7, 0.123456, 1.7}))},
@@ -103,8 +103,8 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
           {"a.stl", "solid a\nendsolid a\n", "it has no facets"},
           {"a.stl", std::string(84, '\0'), "it has no facets"},
           {"a.off", "OFF\n0 0 0\n", "it has no facets"},
-          {"a.off", off(m) + '\f', "it has characters that no text has"},
-          {"a.stl", cut(solid(m)), "8 of 9 facets and 0 of 1 solids are ended: it is truncated"},
+          {"a.off", off(m) + '\1', "line 23: its header tells of 8 vertices and 12 facets, and more follows: \"?\""},
+          {"a.stl", cut(solid(m)), "a.stl: line 60: expected three coordinates, and the line ends"},
           {"a.stl", cut(binaryStl(m)), "its header tells of 12 facets, 7 are there: it is truncated"},
           {"a.ply", cut(ply(m)), "face 0 of 12 is not whole: it is truncated"},
           {"a.ply", cut(binaryPly(m), 0.9), "face 7 of 12 is not whole: it is truncated"},
@@ -112,12 +112,12 @@ TEST(ImportMesh, refusesWhatIsNoWholeFile)
           {"a.ply", replaced(ply(m), "\n3 0 2 3", "\n2 0 2"), "face 0 of 12 has 2 corners"},
           {"a.ply", replaced(ply(m), "float y", "floaty"), "its header has the line \"property floaty\""},
           {"a.ply", replaced(ply(m), "float y", "float yy"), "its vertices have no x, y and z"},
-          {"a.off", cut(off(m)), "its header tells of 8 vertices and 12 facets, but 15 lines follow: it is truncated"},
-          {"a.gltf", cut(gltf(m, 2, {0, 0, 0})), "a.gltf: it "},
+          {"a.off", cut(off(m)), "line 17: facet 6 of 12 has the vertex "},
+          {"a.gltf", cut(gltf(m, 2, {0, 0, 0})), "a.gltf: it is no JSON: it is truncated or damaged at line 1, column "},
           {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "facet 0 of 1 has the vertex \"7\", and there are 3"},
           {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "facet 0 of 1 has 2 corners"},
-          {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj: it cannot be read"},
-          {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj: it "}})
+          {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj: line 4: the face has the vertex 9, and there are 3"},
+          {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj: it has no facets"}})
     {
         const Prepared p(file, text);
         EXPECT_TRUE(has(p.errors, "constant/geometry:4: constant/triSurface/a.")) << p.errors;

@@ -117,3 +117,30 @@ TEST(MeshReport, writesTheWall)
          {"NumberOfPoints=\"8\"", "NumberOfLines=\"18\"", "NumberOfPolys=\"12\"", "Name=\"angle\"", "Name=\"kind\"", "Name=\"region\""})
         EXPECT_TRUE(has(vtp, part)) << part;
 }
+
+// A block with a groove of that angle along its top, 0.3 m deep: warned of below 20 degrees, by wall, angle and the middle of the groove's edge; the
+// places are those of the file to its digits.
+TEST(MeshReport, warnsOfGroovesThatDoNotFill)
+{
+    const auto grooved = [](double angle)
+    {
+        const double depth = 0.3, half = depth * std::tan(0.5 * angle * std::numbers::pi / 180);
+        return prepared(
+            prism({{0.5, 0.2, 0}, {0.5 - half, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}, {0.5 + half, 0.5, 0}}, 0, 1));
+    };
+    for (const double angle : {25., 20.5})
+    {
+        const auto p = grooved(angle);
+        EXPECT_EQ(p.errors, "");
+        EXPECT_FALSE(has(p.warnings, "groove")) << p.warnings;
+    }
+    for (const double angle : {19., 15., 5.})
+    {
+        const auto p = grooved(angle);
+        EXPECT_EQ(p.errors, "");
+        EXPECT_TRUE(has(p.warnings, "wall \"rock\" has 1 groove of less than 20 degrees")) << p.warnings;
+        EXPECT_TRUE(has(p.warnings, fmt::format("The narrowest leaves {:.3g} degrees to the fluid, at (0.5 0.2 0.5)", angle)))
+            << p.warnings;
+        EXPECT_TRUE(has(meshReport(p.mesh, 0.026, true), "Grooves of less than 20 degrees: 1"));
+    }
+}

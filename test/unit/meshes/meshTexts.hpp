@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <string>
 
 namespace sph::test
@@ -18,6 +19,19 @@ inline Mesh box(const Vector<3>& low = {0, 0, 0}, const Vector<3>& high = {1, 1,
     for (int i = 0; i < 8; ++i) m.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
     m.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return m;
+}
+
+/// The box with the other diagonal in each face.
+inline Mesh otherDiagonals(Mesh m)
+{
+    for (std::size_t f = 0; f + 1 < m.triangles.size(); f += 2)
+    {
+        const auto [a, b, c] = m.triangles[f];
+        const int d = m.triangles[f + 1][1] == c ? m.triangles[f + 1][2] : m.triangles[f + 1][1];
+        m.triangles[f] = {a, b, d};
+        m.triangles[f + 1] = {b, c, d};
+    }
     return m;
 }
 
@@ -149,6 +163,93 @@ inline std::string gltf(const Mesh& m, std::size_t steelFacets, const Vector<3>&
         shift.x, shift.y, shift.z, accessor(0, 0, 5126, m.points.size(), "VEC3"), accessor(1, 0, 5125, 3 * steelFacets, "SCALAR"),
         accessor(1, 12 * steelFacets, 5125, 3 * rest, "SCALAR"), view(0, points), view(points, bytes.size() - points), bytes.size(),
         base64(bytes));
+}
+
+/// Faces of any number of corners.
+struct PolygonMesh
+{
+    std::vector<Vector<3>> points;
+    std::vector<std::vector<int>> faces;
+};
+
+/// Over an outline, counter-clockwise as seen from above, normals outwards; its floor and its lid are one polygon each.
+inline PolygonMesh prism(const std::vector<std::array<double, 2>>& outline, double height)
+{
+    PolygonMesh m;
+    for (const double z : {0.0, height})
+        for (const auto& [x, y] : outline) m.points.push_back({x, y, z});
+    const int n = int(outline.size());
+    m.faces.resize(2);
+    for (int k = 0; k < n; ++k)
+    {
+        m.faces[0].push_back(n - 1 - k);
+        m.faces[1].push_back(n + k);
+        const int next = (k + 1) % n;
+        m.faces.push_back({k, next, n + next, n + k});
+    }
+    return m;
+}
+
+inline std::string pointRows(const PolygonMesh& m, const std::string& before = "")
+{
+    std::string text;
+    for (const auto& p : m.points) text += fmt::format("{}{} {} {}\n", before, p.x, p.y, p.z);
+    return text;
+}
+
+inline std::string faceRows(const PolygonMesh& m)
+{
+    std::string text;
+    for (const auto& f : m.faces) text += fmt::format("{} {}\n", f.size(), fmt::join(f, " "));
+    return text;
+}
+
+inline std::string obj(const PolygonMesh& m)
+{
+    auto text = pointRows(m, "v ");
+    for (const auto& f : m.faces)
+    {
+        text += "f";
+        for (const int p : f) text += fmt::format(" {}", p + 1);
+        text += "\n";
+    }
+    return text;
+}
+
+inline std::string off(const PolygonMesh& m)
+{
+    return fmt::format("OFF\n{} {} 0\n", m.points.size(), m.faces.size()) + pointRows(m) + faceRows(m);
+}
+
+inline std::string plyHeader(const PolygonMesh& m, const std::string& format, const std::string& number = "double",
+                             const std::string& index = "int")
+{
+    return fmt::format("ply\nformat {0} 1.0\nelement vertex {1}\nproperty {2} x\nproperty {2} y\nproperty {2} z\nelement face {3}\n"
+                       "property list uint {4} vertex_indices\nend_header\n",
+                       format, m.points.size(), number, m.faces.size(), index);
+}
+
+inline std::string ply(const PolygonMesh& m) { return plyHeader(m, "ascii") + pointRows(m) + faceRows(m); }
+
+/// `Number` and `Index` as the header names them.
+template<class Number, class Index>
+std::string binaryPly(const PolygonMesh& m, const std::string& number, const std::string& index, bool bigEndian = false)
+{
+    auto bytes = plyHeader(m, bigEndian ? "binary_big_endian" : "binary_little_endian", number, index);
+    const auto add = [&](auto value)
+    {
+        std::string one;
+        put(one, value);
+        bytes += bigEndian ? std::string(one.rbegin(), one.rend()) : one;
+    };
+    for (const auto& p : m.points)
+        for (const double x : {p.x, p.y, p.z}) add(Number(x));
+    for (const auto& f : m.faces)
+    {
+        add(std::uint32_t(f.size()));
+        for (const int p : f) add(Index(p));
+    }
+    return bytes;
 }
 
 }

@@ -75,3 +75,15 @@ TEST(SolidOfFile, ofAnOpenMeshIsRefused)
     scan.wall.wrap = {0.1, 0.5};
     EXPECT_THROW(scan.solid(), UnusableMesh);
 }
+
+// Blocks that share a face with other diagonals, which the entry unites: solid on both sides of it and on it, fluid beside them.
+TEST(SolidOfFile, knowsBodiesThatShareAFace)
+{
+    OfFile stack(off(together(box(), otherDiagonals(box({0, 0, 1}, {1, 1, 2})))), FluidSide::outside);
+    EXPECT_THROW(stack.solid(), UnusableMesh);
+    stack.wall.removeSelfIntersections = true;
+    const auto solid = stack.solid();
+    for (const double z : {0.5, 0.999, 1., 1.001, 1.5}) EXPECT_TRUE(solid.contains({0.4, 0.3, z})) << z;
+    EXPECT_FALSE(solid.contains({0.4, 0.3, 2.001}));
+    EXPECT_FALSE(solid.contains({1.001, 0.3, 1}));
+}

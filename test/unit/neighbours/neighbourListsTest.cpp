@@ -156,8 +156,7 @@ TEST(NeighbourLists, EqualBruteForceOfALattice)
     for (double radius : {0.25, 0.3, 0.375}) listsEqualBruteForce<3>(points, points.size(), radius);
 }
 
-// A scene 10^6 spacings long with particles at both ends alone: cells grow instead of filling the memory (10^18 cells of side 1
-// in 3-D).
+// A scene 10^6 spacings long with particles at both ends alone: only the cells that hold some are kept (10^18 cells of side 1 in 3-D).
 TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
 {
     auto points = randomPoints<3>(600, {8, 8, 8});
@@ -171,6 +170,31 @@ TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
     setPositions(store, plane);
     cells.build(positions(store), 600, 1.3);
     EXPECT_EQ(cells.order().size(), 600u);
+}
+
+// What a search looks at hangs on how densely particles lie around it, not on how far off others are: cells do not grow. Candidates of two clusters 10^5
+// spacings apart are those of the same two side by side but for how the cells lie over the points, a tenth at the most.
+TEST(NeighbourLists, LookAtNoMoreWhereClustersAreFarApart)
+{
+    const auto candidates = [](double distance)
+    {
+        auto points = randomPoints<3>(4000, {12, 12, 12});
+        for (std::size_t i = 0; i < points.size(); i += 2) points[i] += Vector<3>{distance, distance, distance};
+        FieldStore<3> store;
+        setPositions(store, points);
+        CellList<3> cells;
+        cells.build(positions(store), points.size(), 1.3);
+        std::vector<CellList<3>::Run> runs;
+        double sum = 0;
+        for (const auto& x : points)
+        {
+            cells.runsAround(cells.cellOf(x), 2.6, runs);
+            for (const auto& r : runs) sum += r.end - r.begin;
+        }
+        return sum;
+    };
+    const double near = candidates(16);
+    EXPECT_NEAR(candidates(1e5), near, 0.1 * near);
 }
 
 // A cluster in a wide scene, as a drop in an empty box: half of all points within one radius of one another.

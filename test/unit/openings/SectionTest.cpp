@@ -2,6 +2,8 @@
 #include "Section.hpp"
 #include "Duct.hpp"
 #include "Largest.hpp"
+#include "Relaxation.hpp"
+#include "openFaces.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -69,6 +71,72 @@ TEST(Section, DevelopsTheFlowOfASquareDuctAndOfAPipe)
     EXPECT_NEAR(pipe.area(), std::numbers::pi / 4, 0.003);
     EXPECT_NEAR(pipe.rowSpacing() * pipe.area() / double(pipe.lines().size()), std::pow(15.0, -3), 1e-12);
     EXPECT_NEAR(largest(pipe), 2, 0.06);
+}
+
+// A part of a duct in two and three dimensions, wherever its edges lie between the samples: its area to round-off, and particles for just that area.
+TEST(Section, MeasuresAPartToItsEdges)
+{
+    for (const double at : {0.1, 0.137, 0.15, 0.1711})
+        for (const double width : {0.2, 0.25, 0.333})
+        {
+            auto part = inlet();
+            part.extent.low.y = at;
+            part.extent.high.y = at + width;
+            const Section strip(part, channel(1), 0.1);
+            EXPECT_NEAR(strip.area(), width, 1e-9);
+            EXPECT_NEAR(strip.carried(), width, 1e-9);
+            part.extent.low.z = 0.3 - at;
+            part.extent.high.z = 0.7;
+            const Section window(part, squareDuct(), 0.1);
+            EXPECT_NEAR(window.area(), width * (0.4 + at), 1e-9);
+            EXPECT_NEAR(window.carried(), window.area(), 1e-9);
+            for (const auto& line : window.lines())
+                EXPECT_TRUE(line.foot.y > at && line.foot.y < at + width && line.foot.z > 0.3 - at && line.foot.z < 0.7);
+        }
+}
+
+// Each line of a plane belongs to the part that it lies in, and each place of the plane has one nearest line, of the part or of the rest.
+TEST(Section, SharesTheLinesOfItsPlane)
+{
+    auto plane = inlet(), part = inlet(), rest = inlet();
+    part.name = "part";
+    part.point = {0, 0.53, 0.41};
+    part.radius = 0.27;
+    rest.without = {part};
+    const Section all(plane, squareDuct(), 0.1), inPart(part, squareDuct(), 0.1, &plane), inRest(rest, squareDuct(), 0.1, &plane);
+    EXPECT_EQ(all.lines().size(), inPart.lines().size() + inRest.lines().size());
+    EXPECT_NEAR(inPart.area(), std::numbers::pi * sqr(0.27), 0.003 * inPart.area());
+    EXPECT_NEAR(inPart.area() + inRest.area(), 1, 2e-3);
+    EXPECT_NEAR(inPart.carried(), 0.01 * double(inPart.lines().size()), 1e-12);
+    EXPECT_EQ(inPart.rowSpacing(), inRest.rowSpacing());
+    for (const auto& line : all.lines())
+        EXPECT_EQ((inPart.lineAt(line.foot) >= 0) + (inRest.lineAt(line.foot) >= 0), 1) << line.foot.y << ' ' << line.foot.z;
+}
+
+// Rows of particles on the lines of round pipes, 2.6 to 10 spacings wide, by the sums of a packing: even to half a per cent, and within 2 % of the density at rest,
+// rows a spacing apart. A cubic lattice there is uneven by 8 % in the mean and 20 at worst, and up to 4 spacings 6 % thin or 4 % too dense.
+TEST(Section, StandsEvenlyInRoundPipes)
+{
+    const double dx = 0.1;
+    for (const double width : {2.6, 3.0, 3.3, 3.7, 4.0, 4.5, 5.0, 6.0, 8.0, 10.0})
+    {
+        SCOPED_TRACE(width);
+        const auto geometry = roundPipe(0.5 * width * dx);
+        const Section pipe(inlet(), geometry, dx);
+        EXPECT_NEAR(pipe.rowSpacing() / dx, 1, 0.07);
+        EXPECT_NEAR(pipe.area(), std::numbers::pi * sqr(0.5 * width * dx), 0.005 * pipe.area());
+        EXPECT_NEAR(pipe.carried(), pipe.area(), 1e-12);
+        Points points;
+        const int rows = 6;
+        for (int r = 0; r < rows; ++r)
+            for (const auto& line : pipe.lines()) points.add(line.foot + Vector<3>{(r + 0.5) * pipe.rowSpacing(), 0, 0});
+        RelaxationSettings atRest;
+        atRest.steps = 0;
+        const auto closed = closedBy({{{0, 0, 0}, {1, 0, 0}}, {{rows * pipe.rowSpacing(), 0, 0}, {-1, 0, 0}}}, geometry);
+        const auto sums = relax<3>(closed, Kernel<3>("wendlandC2", 2.6 * dx), std::pow(dx, 3), dx, atRest, points).after.overall;
+        EXPECT_LT(sums.scatter, 0.006);
+        EXPECT_LT(std::abs(sums.mean), 0.02);
+    }
 }
 
 TEST(Section, RepeatsAcrossPeriodicFaces)

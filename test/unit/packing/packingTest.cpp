@@ -1,5 +1,8 @@
 #include "Packing.hpp"
+#include "FluidSpace.hpp"
+#include "Lattice.hpp"
 #include "reduce.hpp"
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -303,6 +306,55 @@ TEST(Packing, reportsTheBed)
     EXPECT_NE(text.find("Relaxation: 5 steps"), std::string::npos) << text;
 }
 
+// Ends of the domain that no wall closes, as openings need them: a pipe, a pipe askew and a column between the faces. The relaxation mirrors there: the density, which was uneven by
+// 2 to 10 %, ends within 1 % of a lattice's (1.01 at this support, and up to another per cent where the pipe cuts the lattice's share), and as even as in
+// closed scenes. Over a free surface the mean fell to 0.94 in the pipe and 0.93 in the column.
+TEST(Packing, relaxesUpToOpenFacesOfTheDomain)
+{
+    for (
+        const std::string geometry :
+        {"dimension 3; domain { min (-0.5 -0.25 -0.25); max (0.5 0.25 0.25); } walls { pipe { type cylinder; point (0 0 0); axis (1 0 0); radius "
+         "0.25; fluid inside; } }",
+         "dimension 3; domain { min (-0.5 -0.3 -0.3); max (0.5 0.3 0.3); } walls { pipe { type cylinder; point (0 0 0); axis (1 0.2 0.1); radius "
+         "0.2; fluid inside; } }",
+         "dimension 2; domain { min (0 -0.4 0); max (1 1.4 0); periodic (x); } walls { a { type cylinder; point (0.25 0.3 0); radius 0.2; fluid "
+         "outside; } b { type cylinder; point (0.75 0.7 0); radius 0.2; fluid outside; } }"})
+    {
+        SCOPED_TRACE(geometry);
+        CaseFolder c;
+        c.write("constant/geometry", geometry);
+        c.write("system/sphSchemes", "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n");
+        c.write("system/packParticlesDict", "fill ( { region all; phase water; } ); allowEmpty yes; relax { steps 200; }\n");
+        const auto plan = c.plan();
+        const auto packing = pack(plan);
+        const auto &before = packing.relaxation.before.overall, &after = packing.relaxation.after.overall;
+        EXPECT_GT(before.scatter, 0.015);
+        EXPECT_LT(after.scatter, 0.005);
+        EXPECT_NEAR(after.mean, 0.01, 0.012);
+        for (std::size_t i = 0; i < packing.points.size(); ++i)
+        {
+            const auto x = packing.points[i];
+            EXPECT_TRUE(x.x >= plan.geometry.low.x && x.x <= plan.geometry.high.x && x.y >= plan.geometry.low.y &&
+                        x.y <= plan.geometry.high.y);
+        }
+    }
+}
+
+// Steps that are limited to a tenth of a spacing, for ever in the wrong direction: refused, with line and numbers.
+TEST(PackingErrors, aRelaxationThatMakesItWorse)
+{
+    CaseFolder c;
+    c.write("system/sphSchemes", "resolution { spacing 0.005; support 2.6; }\n");
+    c.write("system/packParticlesDict", "jitter 0.1;\nallowEmpty yes;\nrelax { steps 20; bias (1000 1000); coefficient 1; }\n");
+    const auto message = c.error();
+    EXPECT_EQ(
+        message.find(
+            "system/packParticlesDict:3: the relaxation makes the packing worse: in 20 steps the scatter of the kernel sums went from 0.0"),
+        0u)
+        << message;
+    EXPECT_NE(message.find("choose a finer spacing, the default bias and coefficient, or leave `relax` out"), std::string::npos) << message;
+}
+
 TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
 {
     // Each message says where, what was meant and what is possible.
@@ -366,4 +418,68 @@ TEST(PackingErrors, overlappingParticles)
     c.write("system/packParticlesDict", "allowEmpty yes;\njitter 0.5;\n");
     const auto message = c.error();
     EXPECT_EQ(message.substr(0, 49), "system/packParticlesDict:2: particles overlap: 0.") << message;
+}
+
+// Where little is filled, places elsewhere are counted and not made: particles lie where those of the whole lattice lie, jitter included, and have the volume between the
+// walls over all places, with a ball in the fluid. Exact, but for the sum of the volume (1e-12).
+TEST(Packing, ofLittleInALargeDomainIsThatOfTheWholeLattice)
+{
+    const CaseFolder c;
+    c.write("constant/geometry", "dimension 3;\ndomain { min (0 0 0); max (3 3 3); periodic (x); }\n"
+                                 "walls { ball { type sphere; centre (1.5 1.5 1.5); radius 0.6; fluid outside; }\n"
+                                 "floor { type plane; point (0 0 0); normal (0 0 1); } }\n");
+    c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
+    c.write("system/sphSchemes", "resolution { spacing 0.1; }\n");
+    c.write("system/packParticlesDict", "lattice fcc; jitter 0.1;\n"
+                                        "fill ( { region box; min (-1 0 0); max (0.4 0.5 0.4); phase water; }\n"
+                                        "       { region box; min (2.5 2.5 2.5); max (3 3 3); phase water; }\n"
+                                        "       { region sphere; centre (1.5 1.5 0.9); radius 0.2; phase water; }\n"
+                                        "       { region all; phase none; } { region box; min (2.5 2.5 2.5); max (3 3 3); phase water; }\n"
+                                        "       { region box; min (-1 0 0); max (0.4 0.5 0.4); phase water; } );\n");
+    const auto plan = c.plan();
+    const auto packing = pack(plan);
+    const auto whole = Lattice(plan.lattice, 3, fluidBox(plan.geometry), plan.geometry.periodic).points();
+    std::size_t places = 0, filled = 0;
+    std::set<std::array<double, 3>> found;
+    for (std::size_t i = 0; i < packing.points.size(); ++i) found.insert({packing.points.x[i], packing.points.y[i], packing.points.z[i]});
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+        const auto x = whole[i];
+        if (!(plan.geometry.distance(x) > 0)) continue;
+        ++places;
+        const bool inside = (x.x < 0.4 && x.y >= 0 && x.y < 0.5 && x.z >= 0 && x.z < 0.4 && x.x >= -1) ||
+                            (x.x >= 2.5 && x.y >= 2.5 && x.z >= 2.5 && x.x < 3 && x.y < 3 && x.z < 3);
+        if (!inside) continue;
+        ++filled;
+        // jitter may take a particle across the periodic face, and the packing brings it back
+        const auto there = [&](double shift) { return found.contains({x.x + shift, x.y, x.z}); };
+        EXPECT_TRUE(there(0) || there(3) || there(-3)) << x.x << " " << x.y << " " << x.z;
+    }
+    EXPECT_GT(filled, 100u);
+    EXPECT_EQ(packing.points.size(), filled);
+    EXPECT_EQ(packing.leftEmpty, places - filled);
+    EXPECT_NEAR(packing.mass[0], 1000 * (27 - 4 * std::numbers::pi / 3 * 0.216) / double(places), 1e-12 * packing.mass[0]);
+}
+
+// Relaxed, what is filled is seen by what lies around it: next to a wall, in a domain of eleven times the space, its density is as even as in one that is relaxed as a whole. The
+// scatters are 0.2 % of the density and differ by less than a third.
+TEST(Packing, relaxesLittleInALargeDomainAsTheWhole)
+{
+    const auto scatterIn = [](double end)
+    {
+        const CaseFolder c;
+        c.write("constant/geometry",
+                "dimension 2;\ndomain { min (0 0 0); max (" + std::to_string(end) +
+                    " 2 0); periodic (x); }\n"
+                    "walls { pipe { type cylinder; point (1 0 0); axis (0 0 1); radius 0.5; fluid outside; }\n"
+                    "floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 2 0); normal (0 -1 0); } }\n");
+        c.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n");
+        c.write("system/sphSchemes", "resolution { spacing 0.08; }\n");
+        c.write("system/packParticlesDict",
+                "fill ( { region box; min (0 0 0); max (2 1 0); phase water; } );\nrelax { steps 200; tolerance 0; }\n");
+        return c.pack().relaxation.after.nearWalls.scatter;
+    };
+    const double whole = scatterIn(2), part = scatterIn(22);
+    EXPECT_LT(whole, 0.004);
+    EXPECT_NEAR(part, whole, whole / 3);
 }

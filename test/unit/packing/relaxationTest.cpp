@@ -17,10 +17,10 @@ constexpr double supportInSpacings = 2.6;
 
 Points fluidPlaces(const Geometry& g, const LatticeSpec& spec)
 {
-    const auto lattice = makeLattice(spec, g.dimension, fluidBox(g), g.periodic);
+    const auto lattice = Lattice(spec, g.dimension, fluidBox(g), g.periodic).points();
     Points points;
-    for (std::size_t i = 0; i < lattice.points.size(); ++i)
-        if (g.distance(lattice.points[i]) > 0) points.add(lattice.points[i]);
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+        if (g.distance(lattice[i]) > 0) points.add(lattice[i]);
     return points;
 }
 
@@ -30,7 +30,7 @@ template<int dim> RelaxationResult relaxed(const Geometry& g, double spacing, in
     settings.steps = steps;
     settings.tolerance = 0;
     const double V0 = fluidVolume(g, spacing / 4).value / double(points.size());
-    return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings * spacing), V0, spacing, settings, points);
+    return relax<dim>(g, Kernel<dim>(kernel, supportInSpacings * spacing), V0, spacing, settings, {}, points);
 }
 
 /// Of one particle, as the relaxation makes them.

@@ -18,6 +18,7 @@ struct Chain
     std::array<std::vector<double>, 2> x, r, p, Ap, b;
     std::vector<double> weight = std::vector<double>(n);
     int applied = 0;
+    double lowest = 0; ///< taken off the diagonal of the last unknown: 5 and more make the matrix indefinite
 
     Chain()
     {
@@ -33,7 +34,7 @@ struct Chain
     double product(const std::array<std::vector<double>, 2>& q, int c, std::size_t i) const
     {
         const auto& of = q[std::size_t(c)];
-        double sum = (4 + 0.2 * double(i)) * of[i] + 0.5 * q[std::size_t(1 - c)][i];
+        double sum = (4 + 0.2 * double(i) - (i + 1 == n ? lowest : 0)) * of[i] + 0.5 * q[std::size_t(1 - c)][i];
         if (i > 0) sum -= of[i - 1];
         if (i + 1 < n) sum -= of[i + 1];
         return sum / weight[i];
@@ -42,7 +43,8 @@ struct Chain
     {
         double start = 0;
         return conjugateGradients(
-            LinearSystem<2>{n, weight.data(), {x[0].data(), x[1].data()}, {r[0].data(), r[1].data()}, {p[0].data(), p[1].data()}},
+            LinearSystem<2>{
+                "a chain", n, weight.data(), {x[0].data(), x[1].data()}, {r[0].data(), r[1].data()}, {p[0].data(), p[1].data()}},
             [&](std::size_t i) { return diagonal(i); },
             [&]
             {
@@ -94,6 +96,26 @@ TEST(ConjugateGradients, LeaveTheirResidualAndMayBeGivenUp)
     EXPECT_GT(left.value(), 1e-3);
     EXPECT_LT(ofResidual.value(), 1e-14);
     EXPECT_THROW(Chain().solve(0, 3), std::runtime_error);
+}
+
+// Along the last unknown p.Ap is negative: the solve says so by the name it was given, in place of going uphill to what is no solution.
+TEST(ConjugateGradients, RefuseAMatrixThatIsNotPositive)
+{
+    Chain chain;
+    chain.lowest = 40;
+    for (int c = 0; c < 2; ++c)
+        for (std::size_t i = 0; i < n; ++i) chain.r[std::size_t(c)][i] = i + 1 == n;
+    try
+    {
+        chain.solve(1e-13, 100);
+        FAIL() << "solved for";
+    }
+    catch (const DivergedError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find("a chain cannot be solved for: after 0 iterations its matrix has the product p.Ap = -"),
+                  std::string::npos)
+            << e.what();
+    }
 }
 
 }

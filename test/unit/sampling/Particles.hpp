@@ -85,7 +85,7 @@ struct Particles
         v.soundSpeed = {10, 10};
         v.surfaceTension = surfaceTension;
         v.surfaceTensions = surfaceTensions;
-        v.g = g;
+        v.g = v.gravity = g;
         v.spacing = spacing;
         v.support = supportInSpacings * spacing;
         v.kernel = kernel;

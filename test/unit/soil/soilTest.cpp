@@ -377,6 +377,60 @@ TEST(SoilBlock, KeepsItsMomentum)
     }
 }
 
+/// A lone block of Drucker and Prager's soil with random velocities, free of stress at the start, after 50 steps: the largest shear strain,
+/// and the largest and the least plastic one; and how much the latter is beyond the former.
+struct ShakenBlock
+{
+    Largest shear, plastic, beyond;
+    double leastPlastic = 1;
+
+    explicit ShakenBlock(double cohesion)
+    {
+        auto files = blockCase("type isotropic; pressure 1e4;", "shown ( shearStrain plasticShearStrain );");
+        files["constant/soilProperties"] =
+            fmt::format("rho 1850; law druckerPrager; druckerPragerCoeffs {{ E 2e6; nu 0.3; frictionAngle 30; cohesion {}; }}\n"
+                        "initialStress {{ type isotropic; pressure 0; }}\n",
+                        cohesion);
+        auto cloud = block<2>(16, 0.1);
+        std::mt19937_64 random(8);
+        std::uniform_real_distribution<double> any(-1, 1);
+        give(cloud, "U", FieldClass::vector, [&](std::size_t) { return std::vector<double>{any(random), any(random), 0}; });
+        const auto geometry = emptySpace(2);
+        const auto settings = settingsIn(files, geometry);
+        const auto simulation = makeSimulation(settings, geometry, cloud, {});
+        for (int step = 0; step < 50; ++step) simulation->step(0, simulation->stepLimit().deltaT);
+        const double *gamma = simulation->field("shearStrain").component[0],
+                     *gamma_p = simulation->field("plasticShearStrain").component[0];
+        for (std::size_t i = 0; i < simulation->size(); ++i)
+        {
+            shear(gamma[i]);
+            plastic(gamma_p[i]);
+            beyond(std::max(0.0, gamma_p[i] - gamma[i]));
+            leastPlastic = std::min(leastPlastic, gamma_p[i]);
+        }
+    }
+};
+// Strong soil that swings has shear strain, and of it no plastic part but for rounding; weak soil yields everywhere, and what is plastic of
+// its strain is positive. A path that turns back can have more plastic than total strain by what the elastic part gives back, which here is
+// at most the strength over G, 3e-4, a turn.
+TEST(SoilBlock, ElasticOscillationIsNoPlasticStrain)
+{
+    const ShakenBlock strong(1e7), weak(100);
+    EXPECT_GT(strong.shear.value(), 0.01);
+    EXPECT_LT(strong.plastic.value(), 1e-14);
+    EXPECT_GT(weak.plastic.value(), 0.01);
+    EXPECT_GT(weak.leastPlastic, 0);
+    EXPECT_LT(weak.beyond.value(), 50 * 3e-4);
+}
+// A scene that does not ask for it has no such field.
+TEST(SoilBlock, PlasticStrainIsOnRequest)
+{
+    const auto geometry = emptySpace(2);
+    const auto settings = settingsIn(blockCase(), geometry);
+    const auto simulation = makeSimulation(settings, geometry, block<2>(4, 0), {});
+    EXPECT_EQ(simulation->field("plasticShearStrain").component[0], nullptr);
+}
+
 /// A block of soil whose stress is sigma(x, y, number of the particle), after `steps` of the model's own stage at rest, or sheared at 1/s; f(particles, i, sigma at the start).
 void smoothed(const std::string& ofSoil, int steps, double deltaT, double shear,
               const std::function<SymmTensor<3>(double, double, std::size_t)>& sigma,
@@ -849,6 +903,7 @@ void expectEarthPressureOfItsHistory(const std::string& integration, const std::
     EXPECT_NEAR(K.mean / 0.5135, 1, 0.01);
     EXPECT_LT(K.worst, 0.03);
     EXPECT_EQ(K.tensile, 0);
+    EXPECT_NE(log.find("\nStep bound by sound in soil: particle "), std::string::npos);
     EXPECT_NE(log.find(" 0 particles stress-free, 0 with a stress that the law does not admit, 0 not resolved"), std::string::npos);
 }
 TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory) { expectEarthPressureOfItsHistory(""); }
@@ -953,6 +1008,9 @@ TEST(SoilMistakes, SayWhereAndWhat)
     says(schemes("density numberDensity;"), "system/sphSchemes:3: soil has an integrated density");
     says(schemes("pressureGradient huAdams;"), "system/sphSchemes:3: pressureGradient goes with a state equation");
     says(schemes("shifting 2;"), "system/sphSchemes:3: shifting goes with a state equation");
+    says(
+        mistake(blockCase("type isotropic; pressure 1e4;", "shown ( shearStrain plasticShearStrain );")),
+        "system/sphSchemes:2: plasticShearStrain is of laws that are elastic within a yield surface, as druckerPrager is; law wuBauer has no plastic part");
     says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 0")), "constant/soilProperties:1: ");
     says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 1600")),
          "constant/soilProperties:1: 1600 kg/m^3 is not the density of sand");

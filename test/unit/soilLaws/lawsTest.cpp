@@ -1,4 +1,5 @@
 /// The laws by hand: rates, stiffness, strength, and their constants in constant/soilProperties.
+#include "Largest.hpp"
 #include "soilTesting.hpp"
 
 using namespace sph;
@@ -122,6 +123,116 @@ TEST(DruckerPrager, apart)
     step = integrateStress(law, {}, diagonal(-1e-3, -1e-3, -1e-3), {});
     EXPECT_EQ(step.state, StressState::regular);
     EXPECT_LT(relative(trace(step.stress), -3 * 3e-3 * law.elastic.K), 1e-9);
+}
+
+/// A strain by substeps of the law's own rate, to `tolerance`.
+SymmTensor<3> bySubsteps(const DruckerPrager& law, SymmTensor<3> stress, SymmTensor<3> strain, double tolerance)
+{
+    const auto start = stress;
+    const auto taken = integrate(
+        dormandPrince, stress, 1, [&](double, SymmTensor<3> s) { return law.rate(s, strain); },
+        [&](SymmTensor<3> e, SymmTensor<3> s) { return substepError(law, e, start, stress, s, tolerance); },
+        [](SymmTensor<3>) { return true; },
+        [&](SymmTensor<3>& s)
+        {
+            const auto back = law.returned(s);
+            const bool changed = norm(back - s) > 0;
+            s = back;
+            return changed;
+        },
+        [](SymmTensor<3>) { return false; });
+    EXPECT_TRUE(taken.resolved);
+    return stress;
+}
+
+SymmTensor<3> anyTensor(std::mt19937& generator)
+{
+    std::normal_distribution<double> any;
+    return {any(generator), any(generator), any(generator), any(generator), any(generator), any(generator)};
+}
+
+// The elastic path to the cone and the flow along it, in closed form or in its own two variables, against substeps of the law that look for
+// the cone and follow it: random states and directions, with strains that move the stress by a hundredth to ten times of itself. The bound
+// is ten times the tolerance of a substep of either.
+TEST(DruckerPrager, stepIsTheIntegralOfTheRate)
+{
+    std::mt19937 generator(6);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (const double psi : {0., 10., 30.})
+    {
+        const auto law = DruckerPrager::of(ElasticLaw::of(1e7, 0.3), 30, psi, 2e3);
+        for (const double size : {1e-5, 1e-4, 1e-3})
+        {
+            Largest error;
+            for (int k = 0; k < 100; ++k)
+            {
+                const auto start = law.returned(-1e4 * share(generator) * identity(SymmTensor<3>{}) + 2e3 * anyTensor(generator));
+                const auto D = anyTensor(generator), strain = size / norm(D) * D;
+                const auto step = integrateStress(law, start,
+                                                  Tensor<3>{strain.xx, strain.xy, strain.xz, strain.xy, strain.yy, strain.yz, strain.xz,
+                                                            strain.yz, strain.zz},
+                                                  tight(psi > 0 ? 1e-9 : 1e-6));
+                EXPECT_EQ(step.state, StressState::regular);
+                EXPECT_LE(law.yield(step.stress), law.width(step.stress));
+                error(norm(step.stress - bySubsteps(law, start, strain, 1e-9)) / std::max(norm(start), norm(step.stress)));
+            }
+            EXPECT_LT(error.value(), 1e-8) << psi << " " << size;
+        }
+    }
+}
+
+// From no stress soil without cohesion that is sheared while it is pressed together leaves the vertex along the strain's deviator, and
+// stays on the cone: I1 and sqrt(J2) by hand, r = (a + b) t of ConeFlow.hpp.
+TEST(DruckerPrager, leavesTheVertexAlongTheStrain)
+{
+    for (const double psi : {0., 20.})
+    {
+        const auto law = DruckerPrager::of(ElasticLaw::of(1e7, 0.3), 30, psi, 0);
+        const double G = law.elastic.G, K = law.elastic.K, d = 9 * K * law.alpha_phi * law.alpha_psi + G, v = -1e-4, gamma = 1e-2;
+        const auto step = integrateStress(law, {}, diagonal(v / 3 + gamma / 2, v / 3 - gamma / 2, v / 3), {});
+        const double lambda = (3 * K * law.alpha_phi * v + G * gamma) / d; // n:D = gamma of pure shear
+        EXPECT_EQ(step.state, StressState::regular);
+        EXPECT_LT(relative(trace(step.stress), 3 * K * (v - 3 * law.alpha_psi * lambda)), 1e-9);
+        EXPECT_LT(relative(0.5 * (step.stress.xx - step.stress.yy), G * (gamma - lambda)), 1e-9);
+        EXPECT_NEAR(step.stress.zz, trace(step.stress) / 3, 1e-9 * norm(step.stress));
+    }
+}
+
+// Soil that is shaken about its vertex, with and without cohesion, in steps that would take its stress to ten times of what it is: each
+// resolved, in less than 60 substeps of two numbers; none without dilatancy.
+TEST(DruckerPrager, isCheapAtItsVertex)
+{
+    std::mt19937 generator(7);
+    for (const double psi : {0., 10.})
+        for (const double c : {0., 500.})
+        {
+            const auto law = DruckerPrager::of(ElasticLaw::of(1e7, 0.3), 30, psi, c);
+            SymmTensor<3> stress = principal(-1e3, -1e3, -1e3);
+            auto D = anyTensor(generator);
+            for (int k = 0; k < 5000; ++k)
+            {
+                D = 0.98 * D + 0.2 * anyTensor(generator);
+                const auto step = integrateStress(law, stress, 1e-3 * Tensor<3>{D.xx, D.xy, 0, D.xy, D.yy, 0, 0, 0, D.zz}, {});
+                ASSERT_EQ(step.state, StressState::regular) << k;
+                ASSERT_LE(step.subSteps.accepted + step.subSteps.rejected, psi > 0 ? 60 : 0) << k;
+                stress = step.stress;
+            }
+        }
+}
+
+// Within the cone no strain is plastic, whatever the turn; beyond it all of a pure shear but what the stress needs: gamma - tau/G.
+TEST(DruckerPrager, plasticStrain)
+{
+    const auto law = DruckerPrager::of(ElasticLaw::of(1e7, 0.3), 30, 0, 2e3);
+    const SymmTensor<3> start{-1e4, 200, 0, -1.1e4, 100, -1e4};
+    const Tensor<3> L{1e-5, 3e-4, 0, -3e-4, 2e-5, 0, 1e-5, 0, -1e-5};
+    EXPECT_LT(norm(plasticStrain(law, start, integrateStress(law, start, L, {}).stress, L)), 1e-16);
+    const double gamma = 0.01, p = 1e4, strength = law.k_c + 3 * p * law.alpha_phi;
+    const auto shear = diagonal(gamma / 2, -gamma / 2, 0);
+    const auto end = integrateStress(law, principal(-p, -p, -p), shear, {}).stress;
+    const auto plastic = plasticStrain(law, principal(-p, -p, -p), end, shear);
+    EXPECT_NEAR(std::sqrt(2.0) * norm(deviator(plastic)), gamma - strength / law.elastic.G, 1e-14);
+    EXPECT_NEAR(trace(plastic), 0, 1e-16);
 }
 
 std::string errorsOf(const std::string& text, Soil* soil = nullptr)

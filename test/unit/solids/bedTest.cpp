@@ -359,7 +359,7 @@ TEST(Bed, Mistakes)
          "its normals must point outwards");
     says(errorOf("count 5;\n" + box + "shapes ( { file \"bad.obj\"; } );\n" + size,
                  {{"constant/triSurface/bad.obj", "v 0 0 0\nf 1 2 3\n"}}),
-         "constant/triSurface/bad.obj:2: \"2\" is no point of the file");
+         "constant/triSurface/bad.obj: line 2: the face has the vertex 2, and there are 1");
     says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.1 0.1 0.1); periodic (x); }\nshapes ( { file \"flat.obj\"; } );\n" +
                  size),
          file + "4: sides are periodic for spheres alone");

@@ -3,6 +3,7 @@
 #include "closedSurface.hpp"
 #include "makeRock.hpp"
 #include "meshDistance.hpp"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <set>
@@ -108,14 +109,19 @@ TEST(Rocks, TheScanHasItsFaults)
     EXPECT_NEAR(std::sqrt(sum / double(scan.points.size())), 0.005, 0.0005);
 }
 
-// Files read back: OBJ to the last bit, binary STL to single precision with its points welded.
+// Files read back: OBJ, and OFF as another of the formats that walls are read in, to the last bit; binary STL to single precision with
+// its points welded.
 TEST(Rocks, FilesReadBack)
 {
     const auto rock = makeRock(kind("angular"), 80, 1, 1);
-    const TestCase folder({{"a.obj", objText({{"a", rock}})}, {"a.stl", stlBytes(rock)}});
+    auto off = fmt::format("OFF\n{} {} 0\n", rock.points.size(), rock.triangles.size());
+    for (const auto& p : rock.points) off += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+    for (const auto& [a, b, c] : rock.triangles) off += fmt::format("3 {} {} {}\n", a, b, c);
+    const TestCase folder({{"a.obj", objText({{"a", rock}})}, {"a.stl", stlBytes(rock)}, {"a.off", off}});
     const auto obj = readSurface(folder.folder(), "a.obj");
     EXPECT_EQ(obj.points, rock.points);
     EXPECT_EQ(obj.triangles, rock.triangles);
+    EXPECT_EQ(readSurface(folder.folder(), "a.off").points, rock.points);
     const auto stl = readSurface(folder.folder(), "a.stl");
     EXPECT_EQ(looseEdges(stl), 0u);
     EXPECT_EQ(stl.points.size(), rock.points.size());

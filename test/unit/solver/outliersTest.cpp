@@ -45,6 +45,27 @@ TEST(Outliers, AreNoneInASoundState)
     EXPECT_FALSE(impossibleDensity(*s.simulation, {1000}));
 }
 
+// The one of the largest acceleration, where that sets the limit; nobody, where constants of the scene do.
+TEST(Outliers, NameTheParticleThatTheStepWaitsFor)
+{
+    const Scene s;
+    const auto a = s.simulation->field("dUdt").component;
+    std::size_t most = 0;
+    const auto size = [&](std::size_t i) { return std::hypot(a[0][i], a[1][i]); };
+    for (std::size_t i = 0; i < 400; ++i)
+        if (size(i) > size(most)) most = i;
+    const auto found = binding(*s.simulation, {1, "force", true, &Acceleration::info});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->particle, most);
+    EXPECT_DOUBLE_EQ(found->value, size(most));
+    EXPECT_EQ(found->inWords().find(fmt::format("particle {} at (", most)), 0u) << found->inWords();
+    EXPECT_FALSE(binding(*s.simulation, {1, "capillary"}));
+    const auto limits = s.simulation->stepLimits();
+    EXPECT_TRUE(
+        std::ranges::any_of(limits, [](const StepLimit& limit) { return limit.by == "force" && limit.field == &Acceleration::info; }));
+    EXPECT_TRUE(std::ranges::any_of(limits, [](const StepLimit& limit) { return limit.by == "sound" && !limit.field; }));
+}
+
 // Against another density at rest all are impossible: the furthest is the densest, or the least dense.
 TEST(Outliers, AreTheFurthestDensities)
 {

@@ -220,7 +220,7 @@ TEST(PrintedPlan, IsWhatRunsWithAnImplicitPressure)
     const auto& response = ran.groups.at("response");
     for (const auto& [term, count] : response) EXPECT_EQ(count, response.at("pressureResponse")) << term;
     EXPECT_TRUE(response.contains("harmonicViscousResponse"));
-    for (const char* stage : {"drift", "evaluate", "solve", "kick", "drift by kick"}) EXPECT_EQ(ran.stages.at(stage), steps) << stage;
+    for (const char* stage : {"drift", "evaluate", "solve", "kick", "drift on"}) EXPECT_EQ(ran.stages.at(stage), steps) << stage;
 }
 
 // What is evaluated twice a step is printed twice.

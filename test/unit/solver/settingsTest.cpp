@@ -421,7 +421,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     const auto settings = reading(with("; tolerance 0.02; flowFactor 0.1")).settings;
     EXPECT_TRUE(settings.integration.solves && settings.integration.solvesPressure);
     EXPECT_EQ(settings.integration.tolerance, 0.02);
-    EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.1);
+    EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.05);
     EXPECT_EQ(settings.integration.factors.flow, 0.1);
     EXPECT_EQ(settings.integration.responses, (std::vector<std::string>{"pressureResponse", "singlePhaseViscousResponse"}));
     EXPECT_TRUE(selects(settings, "uniformVolumeStiffness") && selects(settings, "pressureRate"));
@@ -431,7 +431,9 @@ TEST(Settings, ImplicitTakesItsEntries)
     inviscid["system/sphSchemes"].replace(inviscid["system/sphSchemes"].find("wallVelocity secondOrder;"), 25, "");
     EXPECT_EQ(reading(inviscid).errors, "");
     EXPECT_EQ(reading(inviscid).settings.integration.responses, (std::vector<std::string>{"pressureResponse"}));
-    expectError(with("; theta 0.5"), "\"theta\" is not used here");
+    EXPECT_EQ(reading(with("; theta 0.5")).settings.integration.theta, 0.5);
+    EXPECT_EQ(reading(with("")).settings.integration.theta, 0.6);
+    expectError(with("; theta 0.4"), "theta is 1/2 (Crank-Nicolson) to 1 (Euler), not 0.4");
     expectError(with("; maxSubSteps 3"), "goes with explicit integration");
     expectError(with("; } pressureGradient monaghan; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
     expectError(with("; } density continuity; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
@@ -814,6 +816,18 @@ TEST(Settings, SetsOfWordsGoTogether)
     EXPECT_TRUE(mixed.settings.has("pressureGradient", "monaghan"));
     EXPECT_EQ(mixed.settings.integration.scheme, "predictorCorrector");
     EXPECT_TRUE(mixed.settings.integratedDensity);
+    // A support goes with its kernel, a set's too.
+    const auto supportOf = [&](Files f, const std::string& words)
+    {
+        f[schemes] += words;
+        return reading(f).settings.resolution.support;
+    };
+    EXPECT_EQ(supportOf(by(channelCase(), "suite"), ""), 3.05);
+    EXPECT_EQ(supportOf(by(channelCase(), "suite"), "resolution { kernel wendlandC4; }\n"), 3.4);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), ""), 2.6);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), "resolution { kernel wendlandC2; }\n"), 3.05);
+    EXPECT_EQ(supportOf(by(suspensionCase(), "suspension"), "resolution { kernel wendlandC2; support 4; }\n"), 4);
+
     expectError(by(channelCase(), "freesurface"), "Did you mean \"freeSurface\"?");
     expectError(by(dropCase(), "freeSurface"), "scheme freeSurface:1: ");
 }

@@ -93,6 +93,63 @@ TEST(Shaking, ThatIsConstantIsGravity)
     EXPECT_EQ(difference(constant.files("0.08/lagrangian"), sameShaken.files("0.08/lagrangian")), "");
 }
 
+// Height has the gravity of the moment, while a case runs and afterwards: -sum m g(t) y of the particles that the time folder has, and of
+// no component along which the domain is periodic.
+TEST(Shaking, IsInThePotentialEnergy)
+{
+    auto files = shaken(channelCase(), "(0 -1 0)", "vector(0.5, -20*$t, 0)");
+    files["system/controlDict"] += "functions { sums { type conservation; } }\n";
+    const TestCase c(files);
+    for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) c.runWell(program);
+    const auto written = [&] { return c.read("postProcessing/sums/0/conservation.dat"); };
+    const auto energyAt = [](const std::string& table, const std::string& time)
+    {
+        std::istringstream lines(table);
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with(time + "\t")) return std::stod(line.substr(line.rfind('\t') + 1));
+        ADD_FAILURE() << "no row of time " << time << " in\n" << table;
+        return 0.0;
+    };
+    const auto table = written();
+    for (const auto& [time, g] : {std::pair{"0.04", 1.8}, {"0.08", 2.6}})
+    {
+        const Case theCase(c.folder());
+        const auto cloud = readCloud(c.folder(), time, "sph", theCase.diagnostics());
+        double expected = 0;
+        for (std::size_t i = 0; i < cloud.size(); ++i) expected += cloud.fields.at("m").component[0][i] * g * cloud.y[i];
+        EXPECT_NEAR(energyAt(table, time) / expected, 1, 1e-12) << time;
+    }
+    std::filesystem::remove_all(c.folder() / "postProcessing");
+    c.runWell("sphPostProcess");
+    for (const std::string time : {"0.04", "0.08"}) EXPECT_NEAR(energyAt(written(), time) / energyAt(table, time), 1, 1e-12) << time;
+}
+
+// Liquid that falls as a whole under a gravity that grows: the energy that it holds is the work that the account of energy was given. By
+// the trapezoidal rule a step has it to (dt/t)^2/2 of the whole, 2e-4 in 50 steps.
+TEST(Shaking, DoesTheWorkThatTheEnergyBalanceHas)
+{
+    auto files = shaken(channelCase(), "(0 -1 0)", "vector(0, -40*$t, 0)");
+    files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 0; soundSpeed 8; exponent 1; }\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\nintegration { scheme leapfrog; }\n";
+    const auto settings = settingsOf(files);
+    const auto square = periodicSquare();
+    Cloud cloud;
+    for (int a = 0; a < 400; ++a)
+    {
+        cloud.x.push_back(0.05 * (a % 20) + 0.025);
+        cloud.y.push_back(0.05 * (a / 20) + 0.025);
+        cloud.z.push_back(0);
+    }
+    const auto simulation = makeSimulation(settings, square, cloud, {});
+    const auto before = simulation->energy();
+    const int steps = 50;
+    for (int k = 0; k < steps; ++k) simulation->step(0.1 * k / steps, 0.1 / steps);
+    const auto after = simulation->energy();
+    EXPECT_NEAR(simulation->gravity().y, -5, 1e-12);
+    EXPECT_NEAR(after.held, 0.5 * 1000 * sqr(0.1 + 0.2), 1e-3);
+    EXPECT_NEAR((after.supplied - before.supplied) / after.held, 1, 1e-3);
+}
+
 TEST(Shaking, ThatCannotBeIsRefused)
 {
     const auto refused = [](const Files& files, const std::vector<std::string>& words)

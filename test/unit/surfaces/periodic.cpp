@@ -59,4 +59,40 @@ TEST(Periodic, DomainsSmallerThanTheKernelAreImagedSeveralTimes)
     for (const double c : colour) EXPECT_NEAR(c, 1, 2e-3);
 }
 
+// In a large domain grids lie around what is there alone: two balls far apart, one of them across a corner of the periodic domain, have the volume and the level of
+// the grid that fills the domain, node by node, and a node for each of a few hundred of its.
+TEST(Periodic, GridsAroundWhatIsThereGiveWhatTheWholeGridGives)
+{
+    auto geometry = space(3, {0, 0, 0}, {80, 80, 80});
+    geometry.periodic = {true, false, false};
+    const auto inEither = [](Vector<3> x)
+    {
+        const double across = x.x > 40 ? x.x - 80 : x.x;
+        return mag(Vector<3>{across, x.y - 10, x.z - 10}) < 4 || mag(x - Vector<3>{50, 70, 60}) < 4;
+    };
+    const auto particles = lattice(geometry, inEither);
+    std::vector<Vector<3>> ofPhase;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        if (particles.inPhase[p]) ofPhase.push_back(particles.position[p]);
+    const auto enclosedOn = [&](const RegularGrid& grid)
+    { return enclosedVolume(grid, colourFunction(grid, {}, particles, "wendlandC2", support, Normalisation::none), 0.5, {}); };
+    const auto whole = gridOfDomain(geometry, 1);
+    const auto grids = gridsAround(geometry, 1, ofPhase, support + 2);
+    ASSERT_EQ(grids.size(), 2u);
+    std::size_t nodes = 0;
+    Enclosed parts;
+    for (const auto& grid : grids)
+    {
+        nodes += grid.size();
+        const auto part = enclosedOn(grid);
+        parts.volume += part.volume;
+        parts.pieces += part.pieces;
+    }
+    const auto all = enclosedOn(whole);
+    EXPECT_NEAR(parts.volume / all.volume, 1, 1e-12);
+    EXPECT_EQ(parts.pieces, 2);
+    EXPECT_EQ(all.pieces, 2);
+    EXPECT_LT(nodes, whole.size() / 8);
+}
+
 }

@@ -80,12 +80,13 @@ TEST(EnclosedVolume, FollowsTheLevelAskedFor)
 {
     const Ball b(4);
     const double volume = b.particles.phaseVolume();
-    EXPECT_LT(enclosedVolume(b.grid, b.colour, 0.5, {}).volume, 0.95 * volume);
-    const double level = levelEnclosing(volume, b.grid, b.colour, {});
+    const auto enclosed = [&](double level) { return enclosedVolume(b.grid, b.colour, level, {}).volume; };
+    EXPECT_LT(enclosed(0.5), 0.95 * volume);
+    const double level = levelEnclosing(volume, enclosed);
     EXPECT_LT(level, 0.5);
-    EXPECT_NEAR(enclosedVolume(b.grid, b.colour, level, {}).volume, volume, 1e-3 * volume);
-    EXPECT_NEAR(levelEnclosing(1e9, b.grid, b.colour, {}), 0.01, 1e-4);
-    EXPECT_NEAR(levelEnclosing(0, b.grid, b.colour, {}), 0.99, 1e-4);
+    EXPECT_NEAR(enclosed(level), volume, 1e-3 * volume);
+    EXPECT_NEAR(levelEnclosing(1e9, enclosed), 0.01, 1e-4);
+    EXPECT_NEAR(levelEnclosing(0, enclosed), 0.99, 1e-4);
 }
 
 TEST(Sphere, ColourFunctionIsOneInsideAndZeroOutside)

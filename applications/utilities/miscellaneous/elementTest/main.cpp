@@ -60,6 +60,7 @@ int runTests(const sph::Case& c)
     for (const auto& warning : c.diagnostics().warnings()) fmt::print("Warning: {}\n", warning);
     if (const auto* law = std::get_if<sph::WuBauer>(&soil.law))
         fmt::print("Earth pressure at rest, K_0 by eq. (21): {:.6f}\n", law->K0().value());
+    if (const auto strength = sph::strengthInWords(soil.law); !strength.empty()) fmt::print("Strength: {}\n", strength);
     sph::createFolders(c.folder() / output);
     for (const auto& test : plan.tests)
     {

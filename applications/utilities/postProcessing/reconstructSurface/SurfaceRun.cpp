@@ -23,6 +23,23 @@ std::vector<std::string> phaseNames(const Case& folder)
     return phases.empty() ? std::vector<std::string>{"fluid"} : phases;
 }
 
+/// Nodes of a grid of the whole domain, beyond which grids are made around what is there, and pictures show the walls on one of so many nodes.
+constexpr double mostOfDomain = 1 << 24, ofWalls = 1 << 21;
+/// Nodes in all: 8 GiB for each field on them.
+constexpr double mostNodes = 1e9;
+
+/// The meshes `of` all parts in one.
+template<class Parts, class Of> Mesh inOne(const Parts& parts, const Of& of)
+{
+    Mesh all;
+    for (const auto& part : parts)
+    {
+        const auto mesh = of(part);
+        all = all ? joined(all, mesh) : mesh;
+    }
+    return all ? all : Mesh::New();
+}
+
 SurfaceCase describe(const Case& folder, double spacing, int dimension)
 {
     SurfaceCase scene;
@@ -53,17 +70,27 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
             throw CaseError(fmt::format("-phase: \"{}\" is unknown. {}", phase, suggestion(phase, "phases", scene_.phases)));
         settings_.phases = {int(found - scene_.phases.begin())};
     }
-    grid_ = gridOfDomain(geometry_, settings_.gridSpacing);
-    wallDistance_ = wallDistances(grid_, geometry_);
+    const double nodes = nodesOfDomain(geometry_, settings_.gridSpacing);
+    sparse_ = nodes > mostOfDomain;
+    const double coarser = sparse_ ? std::pow(nodes / ofWalls, 1.0 / geometry_.dimension) : 1;
+    space_.grid = gridOfDomain(geometry_, coarser * settings_.gridSpacing);
+    space_.wallDistance = wallDistances(space_.grid, geometry_);
     if (const auto& names = settings_.picture.shownWalls; !names.empty())
     {
         auto shown = geometry_;
         std::erase_if(shown.originals,
                       [&](const Patch& p) { return std::ranges::find(names, geometry_.walls[std::size_t(p.wall)].name) == names.end(); });
         repeatPeriodically(shown, shown.reach);
-        auto distance = wallDistances(grid_, shown);
+        auto distance = wallDistances(space_.grid, shown);
         shown_ = Shown{std::move(shown), std::move(distance)};
     }
+}
+
+std::string SurfaceRun::gridInWords() const
+{
+    if (sparse_) return fmt::format("Grids around the particles, nodes {:.4g} m apart", settings_.gridSpacing);
+    const auto& n = space_.grid.nodes;
+    return fmt::format("Grid of {} x {} x {} nodes, {:.4g} m apart", n[0], n[1], n[2], space_.grid.largestStep());
 }
 
 std::vector<std::string> SurfaceRun::phaseNames() const
@@ -78,16 +105,50 @@ std::string SurfaceRun::output(const std::string& time, const std::string& file)
     return fmt::format("postProcessing/reconstructSurface/{}/{}", time, file);
 }
 
-SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase, const std::string& time, bool write,
-                                      std::vector<double>& colour, std::vector<std::string>& written) const
+std::vector<SurfaceRun::Part> SurfaceRun::partsAround(const PhaseParticles& particles) const
 {
+    std::vector<Part> parts;
+    if (!sparse_) parts.push_back({space_, {}});
+    else
+    {
+        std::vector<Vector<3>> ofPhase;
+        for (std::size_t p = 0; p < particles.size(); ++p)
+            if (particles.inPhase[p]) ofPhase.push_back(particles.position[p]);
+        const auto grids = gridsAround(geometry_, settings_.gridSpacing, ofPhase, settings_.support + 2 * settings_.gridSpacing);
+        double nodes = 0;
+        for (const auto& grid : grids) nodes += double(grid.size());
+        if (nodes > mostNodes)
+            throw CaseError(settings_.whereGridSpacing,
+                            fmt::format("the surface asks for grids of {:.1e} nodes; at most {:.0e} are possible", nodes, mostNodes));
+        for (const auto& grid : grids) parts.push_back({{grid, wallDistances(grid, geometry_)}, {}});
+    }
     const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
-    colour = colourFunction(grid_, wallDistance_, particles, settings_.kernel, settings_.support, normalise);
+    for (auto& part : parts)
+        part.colour = colourFunction(part.space.grid, part.space.wallDistance, particles, settings_.kernel, settings_.support, normalise);
+    return parts;
+}
+
+SurfaceReport SurfaceRun::reconstruct(const std::vector<Part>& parts, const PhaseParticles& particles, int phase, const std::string& time,
+                                      bool write, std::vector<std::string>& written) const
+{
     SurfaceReport report;
     report.particleVolume = particles.phaseVolume();
-    report.level = settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, grid_, colour, wallDistance_);
-    const auto free = freeSurface(grid_, colour, report.level, geometry_, settings_.smoothing);
-    const auto enclosed = enclosedVolume(grid_, colour, report.level, wallDistance_);
+    const auto enclosedAt = [&](double level)
+    {
+        Enclosed all;
+        for (const auto& [space, colour] : parts)
+        {
+            const auto enclosed = enclosedVolume(space.grid, colour, level, space.wallDistance);
+            all.volume += enclosed.volume;
+            all.pieces += enclosed.pieces;
+        }
+        return all;
+    };
+    report.level =
+        settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, [&](double level) { return enclosedAt(level).volume; });
+    const auto free = inOne(parts, [&](const Part& part)
+                            { return freeSurface(part.space.grid, part.colour, report.level, geometry_, settings_.smoothing); });
+    const auto enclosed = enclosedAt(report.level);
     report.phase = scene_.phases[phase];
     report.particles = std::ranges::count(particles.inPhase, 1);
     report.area = measure(free);
@@ -95,7 +156,9 @@ SurfaceReport SurfaceRun::reconstruct(const PhaseParticles& particles, int phase
     report.pieces = enclosed.pieces;
     if (!write) return report;
 
-    const auto mesh = settings_.closed ? closedSurface(grid_, colour, report.level, wallDistance_, settings_.support) : free;
+    const auto closed = [&](const Part& part)
+    { return closedSurface(part.space.grid, part.colour, report.level, part.space.wallDistance, settings_.support); };
+    const auto mesh = settings_.closed ? inOne(parts, closed) : free;
     for (const auto& format : settings_.formats)
     {
         written.push_back(output(time, fmt::format("{}.{}", report.phase, format)));
@@ -121,33 +184,38 @@ Scene SurfaceRun::emptyScene(const std::string& time) const
 
 void SurfaceRun::showWalls(Scene& scene) const
 {
-    const auto& distance = shown_ ? shown_->wallDistance : wallDistance_;
+    const auto& distance = shown_ ? shown_->wallDistance : space_.wallDistance;
     const auto& geometry = shown_ ? shown_->geometry : geometry_;
     if (distance.empty()) return;
     auto solid = distance;
     for (auto& d : solid) d = -d;
-    scene.wallCuts = cutFaces(grid_, solid, {});
+    scene.wallCuts = cutFaces(space_.grid, solid, {});
     if (geometry_.dimension == 2) return;
-    scene.walls = wallSurface(grid_, distance, geometry);
+    scene.walls = wallSurface(space_.grid, distance, geometry);
     if (!settings_.picture.particles) return;
     // What stands before the plane of the particles would hide them.
     const auto& plane = settings_.picture.plane;
     scene.walls = behind(plane, scene.walls);
-    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, grid_, geometry));
+    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, space_.grid, geometry));
 }
 
-void SurfaceRun::showSurface(Scene& scene, const std::vector<double>& colour, double level) const
+void SurfaceRun::showSurface(Scene& scene, const std::vector<Part>& parts, double level) const
 {
-    const auto surface = freeSurface(grid_, colour, level, geometry_, settings_.picture.smoothing);
+    const auto surface = inOne(parts, [&](const Part& part)
+                               { return freeSurface(part.space.grid, part.colour, level, geometry_, settings_.picture.smoothing); });
     if (geometry_.dimension == 2)
     {
         scene.contour = surface;
         return;
     }
-    auto excess = colour;
-    for (auto& c : excess) c -= level;
     scene.liquid = surface;
-    scene.liquidCuts = cutFaces(grid_, excess, wallDistance_);
+    scene.liquidCuts = inOne(parts,
+                             [&](const Part& part)
+                             {
+                                 auto excess = part.colour;
+                                 for (auto& c : excess) c -= level;
+                                 return cutFaces(part.space.grid, excess, part.space.wallDistance);
+                             });
 }
 
 void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
@@ -188,16 +256,17 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
     TimeResult result;
     for (const int phase : settings_.phases)
     {
-        std::vector<double> colour;
+        std::vector<Part> parts;
         if (surfaces || (pictures && picture.surface))
         {
             const auto particles = phaseParticles(cloud, phase, scene_.phases.size(), uniformVolume);
-            result.surfaces.push_back(reconstruct(particles, phase, time, surfaces, colour, result.written));
+            parts = partsAround(particles);
+            result.surfaces.push_back(reconstruct(parts, particles, phase, time, surfaces, result.written));
         }
         if (!pictures) continue;
         auto scene = emptyScene(time);
         if (picture.walls) showWalls(scene);
-        if (picture.surface) showSurface(scene, colour, result.surfaces.back().level);
+        if (picture.surface) showSurface(scene, parts, result.surfaces.back().level);
         if (picture.particles) showParticles(scene, cloud);
         result.written.push_back(output(time, scene_.phases[phase] + ".png"));
         drawPicture(scene, case_.folder() / result.written.back());

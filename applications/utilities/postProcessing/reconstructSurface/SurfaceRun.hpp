@@ -35,8 +35,14 @@ class SurfaceRun
     SurfaceCase scene_;
     Geometry geometry_;
     SurfaceSettings settings_;
-    RegularGrid grid_;
-    std::vector<double> wallDistance_; ///< once for all times; of the grid
+    /// A grid and the distances of its nodes from the walls.
+    struct Space
+    {
+        RegularGrid grid;
+        std::vector<double> wallDistance;
+    };
+    Space space_; ///< of the domain, once for all times; where that has too many nodes for its surfaces, a coarser one that shows the walls
+    bool sparse_; ///< the latter
     struct Shown
     {
         Geometry geometry;
@@ -45,11 +51,18 @@ class SurfaceRun
     std::optional<Shown> shown_; ///< with the walls alone that pictures show; none where these are all
 
     std::string output(const std::string& time, const std::string& file) const;
-    SurfaceReport reconstruct(const PhaseParticles&, int phase, const std::string& time, bool write, std::vector<double>& colour,
+    /// A part of the domain and the colour function in it.
+    struct Part
+    {
+        Space space;
+        std::vector<double> colour;
+    };
+    std::vector<Part> partsAround(const PhaseParticles&) const;
+    SurfaceReport reconstruct(const std::vector<Part>&, const PhaseParticles&, int phase, const std::string& time, bool write,
                               std::vector<std::string>& written) const;
     Scene emptyScene(const std::string& time) const;
     void showWalls(Scene&) const;
-    void showSurface(Scene&, const std::vector<double>& colour, double level) const;
+    void showSurface(Scene&, const std::vector<Part>&, double level) const;
     void showParticles(Scene&, const Cloud&) const;
 
 public:
@@ -58,7 +71,8 @@ public:
     SurfaceRun(const Case&, const std::string& phase);
 
     const Geometry& geometry() const { return geometry_; }
-    const RegularGrid& grid() const { return grid_; }
+    /// What surfaces are found on, in words.
+    std::string gridInWords() const;
     const SurfaceSettings& settings() const { return settings_; }
     std::vector<std::string> phaseNames() const;
 

@@ -60,9 +60,8 @@ int run(const std::filesystem::path& path, const Options& options)
     const sph::SurfaceRun surfaceRun(folder, options.phase);
     for (const auto& warning : folder.diagnostics().warnings()) fmt::print(stderr, "--> Warning: {}\n", warning);
     const auto times = chosenTimes(folder, surfaceRun.settings(), options);
-    const auto& n = surfaceRun.grid().nodes;
-    fmt::print("Grid of {} x {} x {} nodes, {:.4g} m apart; kernel {} of radius {:.4g} m\n\n", n[0], n[1], n[2],
-               surfaceRun.grid().largestStep(), surfaceRun.settings().kernel, surfaceRun.settings().support);
+    fmt::print("{}; kernel {} of radius {:.4g} m\n\n", surfaceRun.gridInWords(), surfaceRun.settings().kernel,
+               surfaceRun.settings().support);
 
     std::optional<sph::VirtualDisplay> display;
     if (options.pictures) display.emplace();
@@ -81,9 +80,10 @@ int run(const std::filesystem::path& path, const Options& options)
         fmt::print("Time = {}\n", time);
         const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
         for (const auto& s : result.surfaces)
-            fmt::print("    {}: {} particles, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}{}\n", s.phase,
-                       s.particles, words.area, s.area, words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces,
-                       s.pieces == 1 ? "" : "s", surfaceRun.settings().iso ? "" : fmt::format(", level {:.3f}", s.level));
+            fmt::print("    {}: {} particles{}, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}{}\n", s.phase,
+                       s.particles, s.held > 0 ? fmt::format(" ({} more held beyond openings)", s.held) : "", words.area, s.area,
+                       words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces, s.pieces == 1 ? "" : "s",
+                       surfaceRun.settings().iso ? "" : fmt::format(", level {:.3f}", s.level));
         for (const auto& file : result.written) fmt::print("    {}\n", file);
         if (table) table->row(std::stod(time), row(result.surfaces));
         std::fflush(stdout);

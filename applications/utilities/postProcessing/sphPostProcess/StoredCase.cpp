@@ -1,4 +1,5 @@
 #include "StoredCase.hpp"
+#include "Shaking.hpp"
 #include "Walls.hpp"
 #include "viewOfScene.hpp"
 #include <algorithm>
@@ -21,7 +22,12 @@ Geometry loadGeometry(const Case& c)
 
 }
 
-StoredCase::StoredCase(const Case& c) : case_(c), geometry_(loadGeometry(c)), settings_(readSettings(c, geometry_)) {}
+StoredCase::StoredCase(const Case& c)
+    : case_(c),
+      geometry_(loadGeometry(c)),
+      settings_(readSettings(c, geometry_)),
+      openings_(c, geometry_, settings_.resolution, settings_.coefficients.phases)
+{}
 
 std::vector<std::string> StoredCase::times() const
 {
@@ -36,7 +42,8 @@ ParticleView StoredCase::load(const std::string& time)
     cloud_ = readCloud(case_.folder(), time, cloudName, case_.diagnostics(), settings_.writtenClasses());
     case_.diagnostics().throwIfAny();
     const auto& c = settings_.coefficients;
-    auto v = viewOfScene(c, settings_.resolution.kernel, geometry_);
+    const double at = std::stod(time);
+    auto v = viewOfScene(c, gravityAt(c.g, settings_.shaking, at), settings_.resolution.kernel, geometry_);
     v.n = cloud_.size();
     v.x = cloud_.x.data();
     v.y = cloud_.y.data();
@@ -56,7 +63,13 @@ ParticleView StoredCase::load(const std::string& time)
         phasesOf(cloud_, c.phases.size());
         v.phase = cloud_.fields.at("phase").component[0].data();
     }
-    v.time = std::stod(time);
+    if (!openings_.none())
+    {
+        heldBy_.clear();
+        for (std::size_t i = 0; i < cloud_.size(); ++i) heldBy_.push_back(openings_.beyond({cloud_.x[i], cloud_.y[i], cloud_.z[i]}));
+        v.heldBy = heldBy_.data();
+    }
+    v.time = at;
     v.executionTime = std::numeric_limits<double>::quiet_NaN();
     return v;
 }

@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "Geometry.hpp"
+#include "OpenPlanes.hpp"
 #include "ParticleView.hpp"
 #include "readSettings.hpp"
 #include <string>
@@ -16,8 +17,9 @@ class StoredCase
     const Case& case_;
     Geometry geometry_;
     Settings settings_;
+    OpenPlanes openings_;
     Cloud cloud_;
-    std::vector<double> volume_;
+    std::vector<double> volume_, heldBy_;
 
 public:
     static constexpr const char* cloudName = "sph";

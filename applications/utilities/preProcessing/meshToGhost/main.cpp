@@ -1,6 +1,6 @@
 /// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
-/// becomes constant/walls, each of its meshes constant/wallMeshes/<wall>, and constant/triSurface/walls.{stl,vtp} to look at; with `walls layers;` also
-/// constant/lagrangian/wallLayers.
+/// becomes constant/walls, each of its meshes constant/wallMeshes/<wall>, and constant/triSurface/walls.{stl,vtp} to look at; with `walls
+/// layers;` also constant/lagrangian/wallLayers.
 #include "Case.hpp"
 #include "CommandLine.hpp"
 #include "GeometryCheck.hpp"
@@ -113,14 +113,18 @@ int countInSolids(const std::filesystem::path& folder)
     theCase.diagnostics().throwIfAny();
 
     std::vector<Solid> solids;
-    for (const auto& wall : meshWalls(source)) try
+    for (const auto& wall : meshWalls(source))
+    {
+        const auto mesh = sph::readTriSurface(wall);
+        try
         {
-            solids.push_back(solidOfFile(wall.keyword(), sph::SolidOfFile(folder, sph::readTriSurface(wall)), geometry));
+            solids.push_back(solidOfFile(wall.keyword(), sph::SolidOfFile(folder, mesh), geometry));
         }
         catch (const sph::UnusableMesh& e)
         {
-            wall.error("file", e.what());
+            wall.error("file", fmt::format("constant/triSurface/{}: {}", mesh.file, e.what()));
         }
+    }
     theCase.diagnostics().throwIfAny();
     for (auto& solid : solidsOfShapes(geometry)) solids.push_back(std::move(solid));
     std::vector<sph::Cloud> clouds;

@@ -10,7 +10,8 @@ namespace sph
 /// Nothing is promised of it: points may be several times there, edges open.
 struct NumberedMesh : FacetSurface
 {
-    std::vector<int> number; ///< of each triangle in the file, from 0; -1: made by a repair
+    std::vector<int> number; ///< of the facet in the file that a triangle is, or is part of, from 0; -1: made by a repair
+    double rounding = 0;     ///< by which single precision in the file may have moved a coordinate, in its lengths; 0: double precision
 };
 
 /// The mesh cannot be used. Facets and edges that are to blame are there to be looked at.

@@ -1,0 +1,155 @@
+#include "WettedWalls.hpp"
+#include "Interpolator.hpp"
+#include "SampledField.hpp"
+#include "components.hpp"
+#include "forEachFoot.hpp"
+#include "reduce.hpp"
+#include "wallSurfaces.hpp"
+#include <algorithm>
+#include <map>
+
+namespace sph
+{
+
+namespace
+{
+
+/// Above this sum_j V_j W_j a point of a wall lies in the fluid, whatever the shape of the wall: of a plane it is 1/2, of a convex edge more.
+constexpr double surelyFilled = 0.3;
+
+/// Between two solids, in spacings: what is narrower counts as contact. Triangles of a curved wall lie less than that below it.
+constexpr double narrowestGap = 0.1;
+
+/// Bisects longest edges until none is longer than `size` [m].
+void refine(TriangleSurface& s, double size)
+{
+    std::map<std::array<int, 2>, int> middles;
+    for (std::size_t f = 0; f < s.triangles.size();)
+    {
+        const auto t = s.triangles[f];
+        const auto length = [&](std::size_t k) { return mag(s.points[std::size_t(t[(k + 1) % 3])] - s.points[std::size_t(t[k])]); };
+        std::size_t longest = 0;
+        for (const std::size_t k : {1u, 2u})
+            if (length(k) > length(longest)) longest = k;
+        if (length(longest) <= size)
+        {
+            ++f;
+            continue;
+        }
+        const int a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3];
+        const auto [middle, isNew] = middles.try_emplace({std::min(a, b), std::max(a, b)}, int(s.points.size()));
+        if (isNew) s.points.push_back(0.5 * (s.points[std::size_t(a)] + s.points[std::size_t(b)]));
+        s.triangles[f] = {a, middle->second, c};
+        s.triangles.push_back({middle->second, b, c});
+    }
+}
+
+/// Share of a triangle's area on which a function that is linear over it, with these values in the corners, is positive.
+double positiveShare(std::array<double, 3> values)
+{
+    std::sort(values.begin(), values.end());
+    const auto [low, mid, high] = values;
+    if (low > 0) return 1;
+    if (!(high > 0)) return 0;
+    return mid > 0 ? 1 - low * low / ((mid - low) * (high - low)) : high * high / ((high - low) * (high - mid));
+}
+
+/// The part of the kernel's sphere about x that lies in the domain and outside of solids, by points within it that carry equal weights.
+class FluidPart
+{
+    const Geometry& geometry_;
+    std::vector<Vector<3>> offsets_;
+    std::vector<double> weights_;
+
+public:
+    explicit FluidPart(const ParticleView& view) : geometry_(*view.geometry)
+    {
+        constexpr int steps = 4; // to the radius of the sphere
+        const bool flat = view.dimension == 2;
+        const auto W = [&](double r)
+        { return flat ? Kernel<2>(view.kernel, view.support).W(r) : Kernel<3>(view.kernel, view.support).W(r); };
+        double whole = 0;
+        for (int k = flat ? 0 : -steps; k < (flat ? 1 : steps); ++k)
+            for (int j = -steps; j < steps; ++j)
+                for (int i = -steps; i < steps; ++i)
+                {
+                    const Vector<3> r = view.support / steps * Vector<3>{i + 0.5, j + 0.5, flat ? 0 : k + 0.5};
+                    if (mag(r) >= view.support) continue;
+                    offsets_.push_back(r);
+                    weights_.push_back(W(mag(r)));
+                    whole += weights_.back();
+                }
+        for (auto& w : weights_) w /= whole;
+    }
+
+    double operator()(const Vector<3>& x) const
+    {
+        const auto inDomain = [&](const Vector<3>& y)
+        {
+            for (int k = 0; k < geometry_.dimension; ++k)
+                if (const auto c = component(k);
+                    !geometry_.periodic[std::size_t(k)] && (y.*c < geometry_.low.*c || y.*c > geometry_.high.*c))
+                    return false;
+            return true;
+        };
+        double part = 0;
+        for (std::size_t k = 0; k < offsets_.size(); ++k)
+            if (const auto y = x + offsets_[k]; inDomain(y) && nearestFoot(geometry_, y).foot.distance > 0) part += weights_[k];
+        return part;
+    }
+};
+
+}
+
+std::vector<WettedWall> wettedWalls(const ParticleView& view, std::size_t liquid, const Box& region)
+{
+    const auto& geometry = *view.geometry;
+    const bool flat = view.dimension == 2;
+    const double size = 0.5 * view.spacing;
+    auto within = region;
+    if (flat)
+    {
+        within.low.z = -0.5 * size;
+        within.high.z = 0.5 * size;
+    }
+    std::vector<double> isLiquid(view.n);
+    for (std::size_t i = 0; i < view.n; ++i) isLiquid[i] = phaseOf(view, i) == liquid;
+
+    const Interpolator interpolator(view);
+    const FluidPart fluidPart(view);
+    std::vector<WettedWall> walls;
+    for (const auto& surface : wallSurfaces(geometry, 0, size))
+    {
+        auto s = cropped(surface, within);
+        refine(s, size);
+        std::vector<double> above(s.points.size()); // C - 1/2
+#pragma omp parallel for schedule(dynamic, 64)
+        for (std::size_t p = 0; p < s.points.size(); ++p)
+        {
+            auto x = s.points[p];
+            if (flat) x.z = 0;
+            const auto weights = interpolator.weights(x);
+            double C = weights.empty() ? 0 : weights(isLiquid.data());
+            if (C > 0 && weights.coverage < surelyFilled) C *= weights.coverage / std::max(fluidPart(x), weights.coverage);
+            above[p] = C - 0.5;
+        }
+        walls.push_back(
+            sum(s.triangles.size(),
+                [&](std::size_t f)
+                {
+                    const auto& [a, b, c] = s.triangles[f];
+                    const auto &p = s.points[std::size_t(a)], &q = s.points[std::size_t(b)], &r = s.points[std::size_t(c)];
+                    const auto n = cross(q - p, r - p);
+                    const double area = 0.5 * mag(n) / (flat ? size : 1);
+                    if (!(area > 0)) return WettedWall{};
+                    // Before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
+                    auto x = (p + q + r) / 3 + narrowestGap * view.spacing * unitVector(n);
+                    if (flat) x.z = 0;
+                    if (!(nearestFoot(geometry, x).foot.distance > 0)) return WettedWall{};
+                    return WettedWall{area, area * positiveShare({above[std::size_t(a)], above[std::size_t(b)], above[std::size_t(c)]})};
+                }));
+    }
+    return walls;
+}
+
+}

@@ -1,0 +1,20 @@
+/// What damps sound where the density is integrated: numbers of the rooms density and viscosity, which the step's limit by sound (room pressure) asks for.
+#pragma once
+
+namespace sph
+{
+
+/// Of the density diffusion: delta, and whether it takes off what a linear density would diffuse.
+struct DiffusionNumber
+{
+    double delta = 0;
+    bool renormalised = false;
+};
+
+/// Of the artificial viscosity: alpha h c rho_0 [Pa s]
+struct ArtificialNumber
+{
+    double mu = 0;
+};
+
+}
