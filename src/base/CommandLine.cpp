@@ -93,8 +93,8 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
                    stderr); // fmt::print would throw where a full disk holds stderr
         return 1;
     };
-    // A log that gets both streams has them in the order in which they were written, whoever writes (libraries too): in a file the C library would
-    // keep back some pages of standard output, and nothing of standard error.
+    // A log that gets both streams has them in the order in which they were written, whoever writes (libraries too): in a file the C
+    // library would keep back some pages of standard output, and nothing of standard error.
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     std::filesystem::path caseFolder = ".";
     CLI::App app(description, name);

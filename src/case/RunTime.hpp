@@ -35,8 +35,8 @@ public:
     static EntryList entries();
 
     double value() const { return value_; }
-    /// The name of the present time, by timeFormat and timePrecision and with as many digits more as it needs: that of a time folder reads back as
-    /// the time within 1e-10 of the step, or its round-off; the others, which a log has, differ from the step before.
+    /// The name of the present time, by timeFormat and timePrecision and with as many digits more as it needs: that of a time folder reads
+    /// back as the time within 1e-10 of the step, or its round-off; the others, which a log has, differ from the step before.
     std::string name() const;
     /// Name of the folder that the run starts from; "0.orig" is copied to "0" first where there is no "0".
     const std::string& startName() const { return startName_; }

@@ -1,5 +1,5 @@
-/// Variables and names of folders in a path that a dictionary gives in quotes, by the rules of OpenFOAM 11 (stringOps::inplaceExpandEntry) and of
-/// OpenFOAM 1912 for the names in angle brackets.
+/// Variables and names of folders in a path that a dictionary gives in quotes, by the rules of OpenFOAM 11 (stringOps::inplaceExpandEntry)
+/// and of OpenFOAM 1912 for the names in angle brackets.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -20,8 +20,8 @@ public:
 /// FOAM_CASE and FOAM_CASENAME are this case's, whatever the shell says of another one.
 std::optional<std::string> environmentVariable(const std::string& name, const std::filesystem::path& caseFolder);
 
-/// The file of that name in an etc folder: that of the suite, $SPH_PROJECT_DIR/etc, then OpenFOAM's, $WM_PROJECT_DIR/etc. Throws PathError where
-/// neither variable is set; a file that is in neither folder is named in the last one.
+/// The file of that name in an etc folder: that of the suite, $SPH_PROJECT_DIR/etc, then OpenFOAM's, $WM_PROJECT_DIR/etc. Throws PathError
+/// where neither variable is set; a file that is in neither folder is named in the last one.
 std::filesystem::path etcFile(const std::filesystem::path& name);
 
 /// The text of an entry of the dictionary by its name as a macro has it; nothing where there is none.

@@ -1,8 +1,10 @@
 #include "EnergyBalance.hpp"
 #include "reduce.hpp"
+#include "words.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <numeric>
 
@@ -35,6 +37,18 @@ double compressionEnergy(double rho, double restDensity, double B, double n)
     const double power = std::fabs(n - 1) < 1e-9 ? std::log(q) : (std::pow(q, n - 1) - 1) / (n - 1);
     return B / restDensity * (power + 1 / q - 1);
 }
+}
+
+std::string sourceInWords(const std::map<std::string, double>& workOfEach)
+{
+    std::vector<std::pair<double, std::string>> all;
+    for (const auto& [operation, work] : workOfEach) all.emplace_back(work, operation);
+    std::sort(all.rbegin(), all.rend());
+    std::vector<std::string> each;
+    for (const auto& [work, operation] : all) each.push_back(fmt::format("{} {:.3g} J", operation, work));
+    const bool isFed = !all.empty() && all.front().first > 0;
+    return fmt::format("{}: work of {}",
+                       isFed ? "what feeds it is " + all.front().second : "no operation feeds it any more, each takes energy", list(each));
 }
 
 template<int dim>

@@ -13,15 +13,21 @@
 ///
 ///   A_kl = sum_(i of k, j of l) V_i V_j/(2 H^3/3) in 2-D, /(pi H^4/4) in 3-D
 ///
-/// exact for plane interfaces, and rising with every particle that strays into the other phase. The impulse of gravity and body force is kept beside
-/// their work, for whoever balances momentum (function object conservation). A restarted run goes on with the account of
+/// exact for plane interfaces, and rising with every particle that strays into the other phase. The impulse of gravity and body force is
+/// kept beside their work, for whoever balances momentum (function object conservation). A restarted run goes on with the account of
 /// the time folder, where the forces are those that it was written with; else it begins a new one.
 #pragma once
 #include "Particles.hpp"
 #include "Simulation.hpp"
+#include <map>
+#include <string>
 
 namespace sph
 {
+
+/// Which operation feeds the motion: the one with the most work, if any has done some upon the fluid. "what feeds it is a: work of a 2 J, b
+/// -1 J"
+std::string sourceInWords(const std::map<std::string, double>& workOfEach);
 
 template<int dim> class EnergyBalance
 {

@@ -125,8 +125,8 @@ EntryList phaseEntries()
 }
 EntryList gravityEntries() { return {entry::dimensions, entry::gravity, entry::shaking}; }
 
-/// A phase whose rho c^2 a pressure exceeds changes its density by a third and more (Tait's law, n = 7). What `expected` implies are pressures of the flow; those of a
-/// band of interface are there besides, however slow the flow.
+/// A phase whose rho c^2 a pressure exceeds changes its density by a third and more (Tait's law, n = 7). What `expected` implies are
+/// pressures of the flow; those of a band of interface are there besides, however slow the flow.
 void warnOfSoftPhases(const Case& theCase, const Settings& settings)
 {
     const auto& c = settings.coefficients;

@@ -133,8 +133,8 @@ TEST(Runs, DryOnesEstimateTheirSteps)
     EXPECT_NE(c.runWell("sphFoamLike", "-dry-run").find("by 50 steps in memory; 2e+07 steps to endTime 10000 s: "), std::string::npos);
 }
 
-// A time from 10^5 s on whose 6 digits would be those of another one has a folder of its own name, from which the run goes on as if it had not been
-// stopped: the last folders of both are the same to the last byte.
+// A time from 10^5 s on whose 6 digits would be those of another one has a folder of its own name, from which the run goes on as if it had
+// not been stopped: the last folders of both are the same to the last byte.
 TEST(Runs, RestartAtLateTimes)
 {
     const auto late = [](const std::string& end)

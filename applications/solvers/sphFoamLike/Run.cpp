@@ -1,5 +1,6 @@
 #include "Run.hpp"
 #include "DivergedError.hpp"
+#include "EnergyBalance.hpp"
 #include "Walls.hpp"
 #include "WholeCloud.hpp"
 #include "outliers.hpp"
@@ -340,16 +341,7 @@ void Run::traceEnergy(double deltaT)
 
 std::string Run::sourceOfEnergy() const
 {
-    std::vector<std::pair<double, std::string>> all;
-    for (const auto& [operation, work] : work_) all.emplace_back(work, operation);
-    std::sort(all.rbegin(), all.rend());
-    std::vector<std::string> each;
-    for (const auto& [work, operation] : all) each.push_back(fmt::format("{} {:.3g} J", operation, work));
-    const bool fed = !all.empty() && all.front().first > 0;
-    return fmt::format("{}, by their work in {} steps since time {}: {}",
-                       fed ? fmt::format("what feeds it is {}", all.front().second)
-                           : "nothing feeds it any more, all operations take energy",
-                       tracedSteps_, tracedFrom_, list(each));
+    return fmt::format("{} in {} steps since time {}", sourceInWords(work_), tracedSteps_, tracedFrom_);
 }
 
 std::string Run::binding() const

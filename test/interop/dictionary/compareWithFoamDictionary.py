@@ -23,7 +23,7 @@ comment = re.compile(r'"(?:\\.|[^"\\])*"|/\*.*?\*/|//[^\n]*', re.DOTALL)
 
 
 def tokens(text):
-    """Without comments. Blanks between units mean nothing, nor does a ';' behind another, which foamDictionary writes where a macro stood."""
+    """Without comments. Blanks between units mean nothing, nor a ';' behind another, which foamDictionary writes where a macro stood."""
     text = comment.sub(lambda found: found[0] if found[0].startswith('"') else " ", text)
     words = [word if word[0] != "[" else "".join(word.split()) for word in token.findall(text)]
     return [word for at, word in enumerate(words) if not (word == ";" and at > 0 and words[at - 1] == ";")]
@@ -39,7 +39,8 @@ def same(ours, theirs):
 
 
 def run(command, folder):
-    done = subprocess.run([str(part) for part in command], cwd=folder, env=environment | {"PWD": str(folder)}, capture_output=True, timeout=60)
+    place = environment | {"PWD": str(folder)}
+    done = subprocess.run([str(part) for part in command], cwd=folder, env=place, capture_output=True, timeout=60)
     return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
 
 

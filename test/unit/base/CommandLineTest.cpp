@@ -111,8 +111,8 @@ TEST(CommandLine, catchesExceptionsOfTheWork)
     EXPECT_EQ(program.err, "--> FATAL ERROR\ndemo stopped unexpectedly: oops\n");
 }
 
-// In a log that gets both streams each line stands where it was written: what is printed, what a library says on standard error, the error that ends
-// the application. A process of its own, whose standard output is a file from the start.
+// In a log that gets both streams each line stands where it was written: what is printed, what a library says on standard error, the error
+// that ends the application. A process of its own, whose standard output is a file from the start.
 TEST(CommandLine, keepsTheOrderOfALogOfBothStreams)
 {
     const auto log = std::filesystem::temp_directory_path() / fmt::format("sphCommandLine.{}.log", ::getpid());

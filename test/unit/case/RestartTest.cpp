@@ -68,9 +68,9 @@ void expectSameSteps(const std::string& middle, int stopStep, const std::string&
 
 }
 
-// Equal to the last bit, hence no tolerance. The folder's name has fewer digits than the time: going on from it would show at once. The limits
-// are those of a flow (pseudo-random over two decades), about 1000 steps a run. A write interval of 0.1 has no exact double: 3*0.1 is
-// not 0.3, where the first part ends.
+// Equal to the last bit, hence no tolerance. The folder's name has fewer digits than the time: going on from it would show at once. The
+// limits are those of a flow (pseudo-random over two decades), about 1000 steps a run. A write interval of 0.1 has no exact double: 3*0.1
+// is not 0.3, where the first part ends.
 TEST(Restart, takesTheStepsOfARunThatWasNotStopped)
 {
     const std::string adjustable = "writeControl adjustable; writeInterval 0.1;";
@@ -84,8 +84,8 @@ TEST(Restart, takesTheStepsOfARunThatWasNotStopped)
     expectSameSteps("", 137, "2", adjustable + " maxDeltaT 3e-3; timePrecision 3;");
 }
 
-// From 10^5 s on 6 digits do not tell the times of two writes apart: each has a folder of its own, called by the time exactly, from which a run
-// that names it, or takes the latest, goes on as the one that was not stopped, to the last bit.
+// From 10^5 s on 6 digits do not tell the times of two writes apart: each has a folder of its own, called by the time exactly, from which a
+// run that names it, or takes the latest, goes on as the one that was not stopped, to the last bit.
 TEST(Restart, findsLateTimesByTheirNames)
 {
     const auto written = [](const TemporaryCase& c, const std::string& end, const std::string& from)

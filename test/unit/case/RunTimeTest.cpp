@@ -252,8 +252,8 @@ TEST(RunTime, addsDigitsWhereTwoTimesWouldHaveOneName)
     EXPECT_EQ(Case(c.folder()).times(), (Names{"0", "1.5", "1.50001"}));
 }
 
-// The name of a folder reads back as the time within 1e-10 of the step, however long ago the run began and in each format; a name that its round-off
-// alone would make longer stays short.
+// The name of a folder reads back as the time within 1e-10 of the step, however long ago the run began and in each format; a name that its
+// round-off alone would make longer stays short.
 TEST(RunTime, namesFoldersExactly)
 {
     for (const std::string format : {"general", "fixed", "scientific"})

@@ -78,8 +78,9 @@ struct Environment
     ~Environment() { unsetenv(name.c_str()); }
 };
 
-// Variables and names of folders in an included path are expanded as foamDictionary 1912 and OpenFOAM 11 expand them: entries of the dictionary in
-// braces, then the environment's, FOAM_CASE whatever the shell says; `./` is the case and not the folder of the including file.
+// Variables and names of folders in an included path are expanded as foamDictionary 1912 and OpenFOAM 11 expand them: entries of the
+// dictionary in braces, then the environment's, FOAM_CASE whatever the shell says; `./` is the case and not the folder of the including
+// file.
 TEST(DictionaryDirectives, pathsOfIncludes)
 {
     const CaseFolder folder;
@@ -150,8 +151,8 @@ TEST(DictionaryDirectives, pathsThatCannotBeExpanded)
               "SPH_PROJECT_DIR and WM_PROJECT_DIR, below which they are, is set");
 }
 
-// The header of an included file is not the including one's, in a dictionary within it neither: of the tutorials of OpenFOAM 11 and 1912 43 files
-// differed from foamDictionary in this.
+// The header of an included file is not the including one's, in a dictionary within it neither: of the tutorials of OpenFOAM 11 and 1912 43
+// files differed from foamDictionary in this.
 TEST(DictionaryDirectives, headersOfIncludedFiles)
 {
     const CaseFolder folder;

@@ -251,8 +251,8 @@ TEST(Conservation, writesAllDigitsAndReportsTheChange)
     EXPECT_EQ(std::stod(f.folder.rows("postProcessing/sums/0/conservation.dat").at(0).at(1)), mass);
 }
 
-// Balances are 0 where the forces' impulse and work account for all, in a fall that starts from rest too, where the momentum and the energy of the first
-// sample are 0; what is missing is a share of what was given, whatever the sign. Hand values, exact in binary.
+// Balances are 0 where the forces' impulse and work account for all, in a fall that starts from rest too, where the momentum and the energy
+// of the first sample are 0; what is missing is a share of what was given, whatever the sign. Hand values, exact in binary.
 TEST(Conservation, balancesWithImpulseAndWork)
 {
     Functions f;

@@ -1,4 +1,5 @@
 /// What a run holds in energy and what its scene can have supplied.
+#include "EnergyBalance.hpp"
 #include "Simulation.hpp"
 #include "periodicSquare.hpp"
 #include <cmath>
@@ -80,9 +81,19 @@ TEST(EnergyBalance, IsSuppliedByTheWorkOfABodyForce)
     EXPECT_NEAR(after.impulse.y, -2000 * 0.02, 1e-9);
 }
 
+// A sink is never named as the source.
+TEST(EnergyBalance, NamesTheLargestPositiveWorkAsTheSource)
+{
+    EXPECT_EQ(sourceInWords({{"gravity", 0.5}, {"pressure", 2}, {"viscosity", -3}}),
+              "what feeds it is pressure: work of pressure 2 J, gravity 0.5 J, viscosity -3 J");
+    EXPECT_EQ(sourceInWords({{"pressure", -0.0216}, {"viscosity", -0.5}}),
+              "no operation feeds it any more, each takes energy: work of pressure -0.0216 J, viscosity -0.5 J");
+}
+
 TEST(EnergyBalance, KnowsWhatIsStoredByCompression)
 {
-    // At rest density nothing; where the density is higher by a share d of itself, rho c^2 d^2/2 a volume within some d of itself (Tait's law, n = 7).
+    // At rest density nothing; where the density is higher by a share d of itself, rho c^2 d^2/2 a volume within some d of itself (Tait's
+    // law, n = 7).
     auto files = channelCase();
     files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; }\ndensity continuity;\nintegration { scheme leapfrog; }\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 0; soundSpeed 10; }\n";

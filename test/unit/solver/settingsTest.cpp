@@ -596,8 +596,8 @@ TEST(Settings, AContactAngleNeedsTensionAndAWallThatHasIt)
                     "does nothing without a wall that has a contactAngle in constant/geometry");
 }
 
-// Nothing that a dictionary says is ignored: where an entry has no effect in its scene it is an error with file and line that says what it would need.
-// The same words do no harm where a set of defaults brings them.
+// Nothing that a dictionary says is ignored: where an entry has no effect in its scene it is an error with file and line that says what it
+// would need. The same words do no harm where a set of defaults brings them.
 TEST(Settings, EntriesWithoutAnEffectAreErrors)
 {
     const std::string schemes = "system/sphSchemes", phases = "constant/phaseProperties";
@@ -698,8 +698,8 @@ TEST(Settings, RulesOfWallsNeedAWall)
     EXPECT_EQ(errors("scheme freeSurface;"), "");
 }
 
-// The automatic sound speed of a gas that moves as slowly as the liquid, 1.5 m/s: rho c^2 is 1.125 Pa, and the interface presses by 16 and 20 Pa. A sound
-// speed of 10 sqrt(p/rho) keeps the density within 1 %; with one of that size nothing is said.
+// The automatic sound speed of a gas that moves as slowly as the liquid, 1.5 m/s: rho c^2 is 1.125 Pa, and the interface presses by 16 and
+// 20 Pa. A sound speed of 10 sqrt(p/rho) keeps the density within 1 %; with one of that size nothing is said.
 TEST(Settings, WarnsOfAnAutomaticSoundSpeedThatInterfacesOutdo)
 {
     const auto warnings = [](const std::string& sound)
