@@ -9,6 +9,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
 
 namespace sph
 {
@@ -73,8 +75,10 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     const double nodes = nodesOfDomain(geometry_, settings_.gridSpacing);
     sparse_ = nodes > mostOfDomain;
     const double coarser = sparse_ ? std::pow(nodes / ofWalls, 1.0 / geometry_.dimension) : 1;
-    space_.grid = gridOfDomain(geometry_, coarser * settings_.gridSpacing);
-    space_.wallDistance = wallDistances(space_.grid, geometry_);
+    openings_.emplace(folder, geometry_, resolution, scene_.phases);
+    folder.diagnostics().throwIfAny();
+    if (openings_->none()) openings_.reset();
+    space_ = spaceOf(gridOfDomain(geometry_, coarser * settings_.gridSpacing));
     if (const auto& names = settings_.picture.shownWalls; !names.empty())
     {
         auto shown = geometry_;
@@ -105,6 +109,39 @@ std::string SurfaceRun::output(const std::string& time, const std::string& file)
     return fmt::format("postProcessing/reconstructSurface/{}/{}", time, file);
 }
 
+SurfaceRun::Space SurfaceRun::spaceOf(const RegularGrid& grid) const
+{
+    Space space{grid, wallDistances(grid, geometry_), {}};
+    if (!openings_) return space;
+    const double far = mag(geometry_.high - geometry_.low);
+    space.toOpenings = space.wallDistance;
+    space.toOpenings.resize(grid.size(), far);
+    for (int k = 0; k < grid.nodes[2]; ++k)
+        for (int j = 0; j < grid.nodes[1]; ++j)
+            for (int i = 0; i < grid.nodes[0]; ++i)
+            {
+                double& distance = space.toOpenings[grid.index(i, j, k)];
+                distance = std::min({distance, openings_->distance(grid.node(i, j, k)), far});
+            }
+    return space;
+}
+
+Mesh SurfaceRun::freeSurfaceIn(const Part& part, double level, int smoothing) const
+{
+    const auto& grid = part.space.grid;
+    const Mesh mesh = freeSurface(grid, part.colour, level, geometry_, smoothing);
+    if (!openings_ || mesh->GetNumberOfPoints() == 0) return mesh;
+    vtkNew<vtkDoubleArray> distance;
+    distance->SetNumberOfValues(mesh->GetNumberOfPoints());
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+        double x[3];
+        mesh->GetPoint(p, x);
+        distance->SetValue(p, std::min(openings_->distance({x[0], x[1], x[2]}), grid.largestStep()));
+    }
+    return clipped(mesh, distance);
+}
+
 std::vector<SurfaceRun::Part> SurfaceRun::partsAround(const PhaseParticles& particles) const
 {
     std::vector<Part> parts;
@@ -120,7 +157,7 @@ std::vector<SurfaceRun::Part> SurfaceRun::partsAround(const PhaseParticles& part
         if (nodes > mostNodes)
             throw CaseError(settings_.whereGridSpacing,
                             fmt::format("the surface asks for grids of {:.1e} nodes; at most {:.0e} are possible", nodes, mostNodes));
-        for (const auto& grid : grids) parts.push_back({{grid, wallDistances(grid, geometry_)}, {}});
+        for (const auto& grid : grids) parts.push_back({spaceOf(grid), {}});
     }
     const auto normalise = settings_.normalise.value_or(particles.hasOtherPhase() ? Normalisation::particles : Normalisation::walls);
     for (auto& part : parts)
@@ -132,13 +169,22 @@ SurfaceReport SurfaceRun::reconstruct(const std::vector<Part>& parts, const Phas
                                       bool write, std::vector<std::string>& written) const
 {
     SurfaceReport report;
-    report.particleVolume = particles.phaseVolume();
+    for (std::size_t p = 0; p < particles.size(); ++p)
+    {
+        if (!particles.inPhase[p]) continue;
+        if (beyond(particles.position[p])) ++report.held;
+        else
+        {
+            ++report.particles;
+            report.particleVolume += particles.volume[p];
+        }
+    }
     const auto enclosedAt = [&](double level)
     {
         Enclosed all;
         for (const auto& [space, colour] : parts)
         {
-            const auto enclosed = enclosedVolume(space.grid, colour, level, space.wallDistance);
+            const auto enclosed = enclosedVolume(space.grid, colour, level, space.sceneDistance());
             all.volume += enclosed.volume;
             all.pieces += enclosed.pieces;
         }
@@ -146,18 +192,16 @@ SurfaceReport SurfaceRun::reconstruct(const std::vector<Part>& parts, const Phas
     };
     report.level =
         settings_.iso ? *settings_.iso : levelEnclosing(report.particleVolume, [&](double level) { return enclosedAt(level).volume; });
-    const auto free = inOne(parts, [&](const Part& part)
-                            { return freeSurface(part.space.grid, part.colour, report.level, geometry_, settings_.smoothing); });
+    const auto free = inOne(parts, [&](const Part& part) { return freeSurfaceIn(part, report.level, settings_.smoothing); });
     const auto enclosed = enclosedAt(report.level);
     report.phase = scene_.phases[phase];
-    report.particles = std::ranges::count(particles.inPhase, 1);
     report.area = measure(free);
     report.volume = enclosed.volume;
     report.pieces = enclosed.pieces;
     if (!write) return report;
 
     const auto closed = [&](const Part& part)
-    { return closedSurface(part.space.grid, part.colour, report.level, part.space.wallDistance, settings_.support); };
+    { return closedSurface(part.space.grid, part.colour, report.level, part.space.sceneDistance(), settings_.support); };
     const auto mesh = settings_.closed ? inOne(parts, closed) : free;
     for (const auto& format : settings_.formats)
     {
@@ -201,8 +245,7 @@ void SurfaceRun::showWalls(Scene& scene) const
 
 void SurfaceRun::showSurface(Scene& scene, const std::vector<Part>& parts, double level) const
 {
-    const auto surface = inOne(parts, [&](const Part& part)
-                               { return freeSurface(part.space.grid, part.colour, level, geometry_, settings_.picture.smoothing); });
+    const auto surface = inOne(parts, [&](const Part& part) { return freeSurfaceIn(part, level, settings_.picture.smoothing); });
     if (geometry_.dimension == 2)
     {
         scene.contour = surface;
@@ -214,7 +257,7 @@ void SurfaceRun::showSurface(Scene& scene, const std::vector<Part>& parts, doubl
                              {
                                  auto excess = part.colour;
                                  for (auto& c : excess) c -= level;
-                                 return cutFaces(part.space.grid, excess, part.space.wallDistance);
+                                 return cutFaces(part.space.grid, excess, part.space.sceneDistance());
                              });
 }
 
@@ -239,6 +282,7 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
     {
         const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
         if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5 * scene_.spacing) continue;
+        if (beyond(x)) continue;
         points.position.push_back(x);
         points.value.push_back(values[p]);
     }

@@ -3,6 +3,7 @@
 #include "Case.hpp"
 #include "Cloud.hpp"
 #include "Geometry.hpp"
+#include "OpenPlanes.hpp"
 #include "SurfaceSettings.hpp"
 #include <optional>
 #include <string>
@@ -15,7 +16,8 @@ namespace sph
 struct SurfaceReport
 {
     std::string phase;
-    std::size_t particles = 0;
+    std::size_t particles = 0; ///< in the scene
+    std::size_t held = 0;      ///< beyond openings
     double area = 0, volume = 0, particleVolume = 0;
     double level = 0.5; ///< of the colour function on it
     int pieces = 0;
@@ -35,11 +37,13 @@ class SurfaceRun
     SurfaceCase scene_;
     Geometry geometry_;
     SurfaceSettings settings_;
-    /// A grid and the distances of its nodes from the walls.
+    std::optional<OpenPlanes> openings_;
+    /// A grid and the distances of its nodes from the walls and, where the case has openings, from their planes as well, behind which there is no scene.
     struct Space
     {
         RegularGrid grid;
-        std::vector<double> wallDistance;
+        std::vector<double> wallDistance, toOpenings;
+        const std::vector<double>& sceneDistance() const { return toOpenings.empty() ? wallDistance : toOpenings; }
     };
     Space space_; ///< of the domain, once for all times; where that has too many nodes for its surfaces, a coarser one that shows the walls
     bool sparse_; ///< the latter
@@ -57,7 +61,11 @@ class SurfaceRun
         Space space;
         std::vector<double> colour;
     };
+    Space spaceOf(const RegularGrid&) const;
     std::vector<Part> partsAround(const PhaseParticles&) const;
+    bool beyond(const Vector<3>& x) const { return openings_ && openings_->beyond(x); }
+    /// The free surface in a part, before the planes of openings.
+    Mesh freeSurfaceIn(const Part&, double level, int smoothing) const;
     SurfaceReport reconstruct(const std::vector<Part>&, const PhaseParticles&, int phase, const std::string& time, bool write,
                               std::vector<std::string>& written) const;
     Scene emptyScene(const std::string& time) const;
