@@ -146,8 +146,8 @@ TEST(Shaking, DoesTheWorkThatTheEnergyBalanceHas)
     for (int k = 0; k < steps; ++k) simulation->step(0.1 * k / steps, 0.1 / steps);
     const auto after = simulation->energy();
     EXPECT_NEAR(simulation->gravity().y, -5, 1e-12);
-    EXPECT_NEAR(after.held, 0.5 * 1000 * sqr(0.1 + 0.2), 1e-3);
-    EXPECT_NEAR((after.supplied - before.supplied) / after.held, 1, 1e-3);
+    EXPECT_NEAR(after.held(), 0.5 * 1000 * sqr(0.1 + 0.2), 1e-3);
+    EXPECT_NEAR((after.supplied - before.supplied) / after.held(), 1, 1e-3);
 }
 
 TEST(Shaking, ThatCannotBeIsRefused)
