@@ -1,5 +1,5 @@
-#include "Kernel.hpp"
 #include "defaultSupport.hpp"
+#include "Kernel.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
