@@ -52,10 +52,10 @@ const Count maxSubSteps{"maxSubSteps", 1, anyNumber,
                         "parts of a step at most, an odd number: surface tension acts in the middle one alone"},
     verletSteps{"verletSteps", 50, atLeast(2), "of verlet: each so many steps one starts from the present level alone"},
     maxIter{"maxIter", 1000, atLeast(1).saying("maxIter is a number of steps, at least 1, not {}"), "iterations of a solve at most"};
-const Scalar theta{"theta", units::none, byScene("1; 0.6 with implicit"),
+const Scalar theta{"theta", units::none, 1,
                    between(0.5, 1).saying("theta is 1/2 (Crank-Nicolson) to 1 (Euler), not {}: below 1/2 no step is stable however stiff"),
                    "where in the step the forces of a solve act: 1/2 (in the middle, of second order) to 1 (at the end, Euler)"},
-    tolerance{"tolerance", units::none, byScene("1e-6; 0.05 with implicit"), positive,
+    tolerance{"tolerance", units::none, byScene("1e-6; 0.1 with implicit"), positive,
               "residual of a solve over the velocity; with implicit over that at its start"},
     flowFactor{"flowFactor", units::none, 0.2, positive, "of the limit by flow, h/|v|, with implicit"},
     soundFactor{"soundFactor", units::none, byScene("0.4; half of it with verlet"), positive, "of the limit by sound, h/(c + |v|)"},
@@ -146,8 +146,8 @@ void readSolve(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
     auto& integration = settings.integration;
-    integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.05 : 1e-6);
-    if (integration.moves) integration.theta = entry::theta(dict, integration.solvesPressure ? 0.6 : 1);
+    integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.1 : 1e-6);
+    if (integration.moves) integration.theta = entry::theta(dict);
     integration.maxIter = entry::maxIter(dict);
     if (integration.solvesPressure && integration.tolerance >= 1)
         entry::tolerance.error(dict, "is a share of the forces, below 1: at 1 nothing would be solved for");

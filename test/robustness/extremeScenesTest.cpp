@@ -333,7 +333,7 @@ std::map<std::string, double> memoryOfTwoBlocks(double spacings, const std::stri
                                              end);
     files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
     files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 10; }\n";
-    files["system/controlDict"] = "endTime 0.01; writeInterval 0.01;\n";
+    files["system/controlDict"] = "endTime 0.01; writeControl adjustable; writeInterval 0.01;\n";
     files["system/packParticlesDict"] =
         fmt::format(
             "fill ( {{ region box; min (1 1 0); max (2 2 0.5); phase water; }} {{ region box; min ({0} {0} {1}); max ({2} {2} {3}); phase "

@@ -421,7 +421,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     const auto settings = reading(with("; tolerance 0.02; flowFactor 0.1")).settings;
     EXPECT_TRUE(settings.integration.solves && settings.integration.solvesPressure);
     EXPECT_EQ(settings.integration.tolerance, 0.02);
-    EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.05);
+    EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.1);
     EXPECT_EQ(settings.integration.factors.flow, 0.1);
     EXPECT_EQ(settings.integration.responses, (std::vector<std::string>{"pressureResponse", "singlePhaseViscousResponse"}));
     EXPECT_TRUE(selects(settings, "uniformVolumeStiffness") && selects(settings, "pressureRate"));
@@ -432,7 +432,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     EXPECT_EQ(reading(inviscid).errors, "");
     EXPECT_EQ(reading(inviscid).settings.integration.responses, (std::vector<std::string>{"pressureResponse"}));
     EXPECT_EQ(reading(with("; theta 0.5")).settings.integration.theta, 0.5);
-    EXPECT_EQ(reading(with("")).settings.integration.theta, 0.6);
+    EXPECT_EQ(reading(with("")).settings.integration.theta, 1);
     expectError(with("; theta 0.4"), "theta is 1/2 (Crank-Nicolson) to 1 (Euler), not 0.4");
     expectError(with("; maxSubSteps 3"), "goes with explicit integration");
     expectError(with("; } pressureGradient monaghan; unused {"), "it needs `density numberDensity` and `pressureGradient huAdams`");
