@@ -53,7 +53,7 @@ class Expansion
         return isSet ? alternative : "";
     }
 
-    /// In `$FOAM_CASE/constant` what follows the variable's name belongs to the path.
+    /// The value of the longest beginning of a name that is one: the rest of `$FOAM_CASE/constant` belongs to the path.
     std::string valueOf(const std::string& name) const
     {
         if (const auto value = entry_(name)) return *value;
@@ -87,7 +87,7 @@ public:
     }
 };
 
-/// From the root, without "." and a '/' at its end.
+/// The path from the root, without "." and a '/' at its end.
 fs::path wholePath(const fs::path& folder) { return (fs::absolute(folder).lexically_normal() / "").parent_path(); }
 
 std::string inFolder(const std::string& path, const fs::path& caseFolder)

@@ -1,7 +1,9 @@
 /// Viscosity, and with `scheme implicit` pressure too, within a step instead of at its start: stable however stiff they are.
 ///
 ///   v_1 = v_0 + dt (a(v_0) + theta L (v_1 - v_0))                                a(v_0) all accelerations, L v = dv/dt by viscosity
-///   v_1 = v_0 + dt (a(x_0 + theta dt v_0, v_0) + (theta L + theta^2 dt K)(v_1 - v_0))        theta dt K dv = da by pressure at theta of the step
+///   v_1 = v_0 + dt (a(x_0 + theta dt v_0, v_0) + (theta L + theta^2 dt K)(v_1 - v_0))
+///
+/// dt K u is how the acceleration by pressure changes where particles move by dt u; here they do so by theta^2 dt (v_1 - v_0), to theta of the step.
 ///
 /// theta 1 is Euler's implicit step: of first order, and it damps what it does not resolve. theta 1/2 is that of Crank and Nicolson: of
 /// second order, and it lets what it does not resolve ring. K <= 0, of the energy of Hu and Adams, is that of PressureResponse.hpp.

@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// By scale, rotation and translation of the dictionary.
+/// Scales, turns and moves a mesh as the dictionary says.
 void place(NumberedMesh&, const TriSurface&);
 /// Points nearer than this are one where the dictionary does not say [m].
 double weldOf(const Box&);

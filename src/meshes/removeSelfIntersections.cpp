@@ -155,7 +155,7 @@ std::vector<Sides> sidesOf(const Sheets& s)
     return sides;
 }
 
-/// Which closed surfaces bound a solid (1) and which a cavity (-1). Outermost ones bound solids; one that lies in others bounds what alternates
+/// Closed surfaces bound a solid (1) or a cavity (-1). Outermost ones bound solids; one that lies in others bounds what alternates
 /// with them, unless it crosses others: then the file says by the orientation of its facets what it is.
 std::vector<int> signsOf(const Sheets& s, const std::vector<Sides>& sides, const Shells& shells)
 {

@@ -1,4 +1,4 @@
-/// How often a surface winds around points: crossings of its facets by lines parallel to a coordinate.
+/// Winding numbers of a surface around points: crossings of its facets by lines parallel to a coordinate.
 #pragma once
 #include "TriangleSurface.hpp"
 #include "components.hpp"

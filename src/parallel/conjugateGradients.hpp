@@ -35,8 +35,8 @@ template<class Further> struct ResidualSums
 /// From x = 0 until `done(sums, iterations)`, which throws where it gives up. `diagonal(i)` of A; `apply()` readies `applied(c, i)`, component c of (A p)_i;
 /// `further(i)` is summed over i for `done`. Returns the number of iterations.
 ///
-/// A direction along which A is not positive, as a matrix that is not quite symmetric may have one, is given up for the preconditioned residual; throws
-/// DivergedError where A is not positive along that either.
+/// Throws DivergedError where A is not positive along a direction: a step along it leads away from the solution. To go on along the preconditioned residual, in
+/// its place, was tried on indefinite matrices: the residual grew without bound.
 template<int components>
 int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, const auto& apply, const auto& applied, const auto& further,
                        const auto& done)
@@ -59,7 +59,6 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                        return sums(i);
                    });
     int iterations = 0;
-    bool fresh = true; // p is the preconditioned residual itself
     for (; !done(now, iterations); ++iterations)
     {
         apply();
@@ -71,18 +70,9 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                                    return s.weight[i] * product;
                                });
         if (!(pAp > 0))
-        {
-            if (fresh)
-                throw DivergedError(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} "
-                                                "with its own residual, and would be positive. Choose a smaller step",
-                                                s.name, iterations, pAp));
-            fresh = true;
-#pragma omp parallel for schedule(static)
-            for (std::size_t i = 0; i < s.n; ++i)
-                for (int c = 0; c < components; ++c) s.p[c][i] = s.r[c][i] / diagonal(i);
-            continue;
-        }
-        fresh = false;
+            throw DivergedError(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} with a "
+                                            "direction p, and should be positive along all. Choose a smaller step",
+                                            s.name, iterations, pAp));
         const double alpha = now.rz / pAp;
         const Sums next = sum(s.n,
                               [&](std::size_t i)

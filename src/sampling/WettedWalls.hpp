@@ -1,4 +1,4 @@
-/// How much of each wall liquid wets: area on which the liquid's surface stands.
+/// The wetted area of each wall: that on which liquid stands.
 #pragma once
 #include "ParticleView.hpp"
 

@@ -1,4 +1,4 @@
-/// What damps sound where the density is integrated: numbers of the rooms density and viscosity, which the step's limit by sound (room pressure) asks for.
+/// Damping of sound where the density is integrated: numbers of the rooms density and viscosity, which the step's limit by sound (room pressure) asks for.
 #pragma once
 
 namespace sph
@@ -11,7 +11,7 @@ struct DiffusionNumber
     bool renormalised = false;
 };
 
-/// Of the artificial viscosity: alpha h c rho_0 [Pa s]
+/// The artificial viscosity alpha h c rho_0 [Pa s]
 struct ArtificialNumber
 {
     double mu = 0;

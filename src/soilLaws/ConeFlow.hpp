@@ -37,7 +37,7 @@ struct ConeFlow
         if (!(q.r > 0)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}; // beyond the vertex
         return {-omega / q.r, b - a * std::tanh(q.u)};
     }
-    /// From a place beside the vertex. `allowed` [Pa]: error of a substep.
+    /// The end of the flow from a place beside the vertex. `allowed` [Pa]: error of a substep.
     OnCone end(OnCone q, const EmbeddedPair& pair, double allowed, SubSteps& taken) const
     {
         if (a == 0)

@@ -25,7 +25,7 @@
 namespace sph
 {
 
-/// Which operation feeds the motion: the one with the most work, if any has done some upon the fluid. "what feeds it is a: work of a 2 J, b
+/// The operation that feeds the motion, in words: the one with the most work, if any has done some upon the fluid. "what feeds it is a: work of a 2 J, b
 /// -1 J"
 std::string sourceInWords(const std::map<std::string, double>& workOfEach);
 

@@ -37,7 +37,7 @@ struct Summary
     double maxSpeedOfScene() const { return maxSpeedOf.empty() ? 0 : *std::ranges::max_element(maxSpeedOf); }
 };
 
-/// What the fluid holds and what it was given (EnergyBalance.hpp); per metre of depth in 2-D.
+/// The energy that the fluid holds and that it was given (EnergyBalance.hpp); per metre of depth in 2-D.
 struct Energy
 {
     double kinetic = 0, interfaces = 0, compression = 0; ///< [J]
@@ -60,7 +60,7 @@ public:
     /// All that apply, of which the least binds.
     virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
-    /// That acts at present [m/s^2]: `shaking` of constant/g included.
+    /// Gravity that acts at present [m/s^2]: `shaking` of constant/g included.
     virtual Vector<3> gravity() const = 0;
     /// Of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;

@@ -25,7 +25,7 @@ struct Outlier : NamedParticle
 
 /// The first position or value that is not finite, of the fields that are written.
 std::optional<Outlier> notFinite(const AnySimulation&);
-/// Of densities in the scene outside of leastCompression to mostCompression times that at rest, and of NaN, the furthest from it.
+/// The density in the scene that is furthest outside of leastCompression to mostCompression times that at rest, or is NaN.
 std::optional<Outlier> impossibleDensity(const AnySimulation&, const std::vector<double>& restDensity);
 /// The particle, among those of all ranks, that sets a limit: whose value of the limit's field is the largest at present. None where
 /// constants of the scene set it. All ranks have to ask.

@@ -32,7 +32,7 @@ public:
 /// std::domain_error with the reason where the polygon crosses or touches itself.
 std::vector<std::array<int, 3>> triangulate(std::span<const Vector<3>> corners);
 
-/// How far its corners lie off a plane through the middle of the polygon, over the largest distance of a corner from the middle.
+/// Warp of a polygon: how far its corners lie off a plane through the middle of the polygon, over the largest distance of a corner from the middle.
 double unevenness(std::span<const Vector<3>> corners);
 
 }

@@ -20,7 +20,7 @@ NumberedMesh ofBytes(const std::filesystem::path&, std::string_view bytes, Notes
     return read(bytes, notes);
 }
 
-/// By the end of the name.
+/// The format of a file, by the end of its name.
 Reader readerOf(const std::filesystem::path& file)
 {
     static const std::map<std::string, Reader> readers{{".stl", ofBytes<readStl>}, {".stlb", ofBytes<readStl>}, {".obj", ofBytes<readObj>},

@@ -20,7 +20,7 @@ namespace
 
 using Json = nlohmann::json;
 
-/// What changes or replaces the geometry where the others find it.
+/// Extensions that replace or multiply the geometry: a reader without them finds another one.
 constexpr std::array<std::string_view, 4> unreadExtensions{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                                            "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
 /// Beginnings of the names of those that may be required and change no geometry, or are read.

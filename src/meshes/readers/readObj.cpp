@@ -64,7 +64,7 @@ class Obj
         return true;
     }
 
-    /// Of "7", "7/2", "7//3", "7/2/3" or "-1": from 0. Behind the slashes stand texture and normal.
+    /// The point of a corner "7", "7/2", "7//3", "7/2/3" or "-1", from 0. Behind the slashes stand texture and normal.
     int corner(std::string_view word) const
     {
         const auto slash = std::min(word.find('/'), word.size());

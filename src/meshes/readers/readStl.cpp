@@ -92,7 +92,7 @@ class AsciiStl
             if (!w.empty() || !lines_.next(line_)) return w;
     }
 
-    /// As a keyword of two parts may be written: endfacet, end facet.
+    /// Keywords of two parts are written as one word or as two: endfacet, end facet.
     bool isEnd(std::string_view w, std::string_view what)
     {
         if (!isWord(w.substr(0, 3), "end")) return false;

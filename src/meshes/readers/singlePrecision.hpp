@@ -20,7 +20,7 @@ inline double asWritten(float x)
     return value;
 }
 
-/// By which rounding to single precision may move a coordinate of this size: half of the spacing of its numbers there.
+/// Rounding to single precision moves a coordinate of this size by so much at most: half of the spacing of its numbers there.
 inline double roundingOf(double largest)
 {
     const float x = std::abs(float(largest));

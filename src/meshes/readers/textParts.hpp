@@ -35,7 +35,7 @@ std::string_view nextWord(std::string_view& line);
 std::string_view trimmed(std::string_view);
 /// Whether they are the same but for capitals; `lowerCase` has none.
 bool isWord(std::string_view word, std::string_view lowerCase);
-/// In quotes for an error: at most forty characters, those that cannot be printed as ?.
+/// A piece of a file in quotes, for an error: at most forty characters, those that cannot be printed as ?.
 std::string quoted(std::string_view);
 
 /// The whole word as a number; none where it is none, or not finite.

@@ -74,7 +74,7 @@ class Flat
         return edge == passes_.end() ? 0 : a < b ? edge->second : -edge->second;
     }
 
-    /// How often the polygon goes around each face: one more on the left of an edge than on its right.
+    /// Winding numbers: the polygon goes so often around each face, one more on the left of an edge than on its right.
     void countWindings()
     {
         constexpr int unknown = std::numeric_limits<int>::max();

@@ -12,7 +12,7 @@ namespace
 {
 /// Samples to a spacing between which the edges of a section are sought.
 constexpr int samplesPerSpacing = 8;
-/// From a wall to the nearest line [spacings].
+/// Lines keep this distance from a wall at least [spacings].
 constexpr double leastClearance = 0.25;
 /// An edge nearer to a wall than this is one [spacings].
 constexpr double onWall = 1e-6;

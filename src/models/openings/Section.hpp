@@ -33,7 +33,7 @@ public:
     const std::vector<Line>& lines() const { return lines_; }
     /// Between particles of one line [m].
     double rowSpacing() const { return rowSpacing_; }
-    /// Of the fluid, between its edges, which are found to 1e-12 of a spacing [m^2]; a length [m] in 2-D.
+    /// The area of the fluid, between its edges, which are found to 1e-12 of a spacing [m^2]; a length [m] in 2-D.
     double area() const { return area_; }
     /// The area that the particles of all lines fill: volume per length along the normal [m^2].
     double carried() const { return carried_; }
@@ -60,7 +60,7 @@ private:
     double rowSpacing_ = 0, area_ = 0, carried_ = 0;
 
     Vector<3> at(double a, double b) const { return point_ + a * across_[0] + b * across_[1]; }
-    /// Of a lattice `finer` times as fine; -1 outside of it.
+    /// The number of a site of a lattice `finer` times as fine; -1 outside of it.
     int site(int i, int k, int finer = 1) const;
     int nearestSite(const Vector<3>& x) const;
     Vector<3> centre(int i, int k, int finer = 1) const;

@@ -1,4 +1,4 @@
-/// What an implicit step asks of the pressure (integrators/ImplicitSolve): how its force changes when particles move by dt u.
+/// The response of the pressure that an implicit step asks for (integrators/ImplicitSolve): its force changes when particles move by dt u.
 ///
 ///   dF_i = -dt sum_j [ (q_i + q_j) gradW_ij - g_ij (u_i - u_j) ],    q_k = a_k sum_j gradW_kj.(u_k - u_j),    a_k = V_k^2 dp/dsigma
 ///   g_ij = max(0, p_i V_i^2 + p_j V_j^2) (dW_ij/dr)/r_ij

@@ -63,7 +63,7 @@ Rates ratesOf(const DampedSound& s, const std::vector<Neighbour>& lattice, const
     return rates;
 }
 
-/// What a step makes of q at dq/dt = z q, in steps; of the larger root.
+/// The factor of q a step at dq/dt = z q, in steps: that of the larger root.
 double growth(std::complex<double> z, bool extrapolates)
 {
     if (!extrapolates) return std::abs(1.0 + z + 0.5 * z * z);

@@ -18,7 +18,7 @@ struct Chain
     std::array<std::vector<double>, 2> x, r, p, Ap, b;
     std::vector<double> weight = std::vector<double>(n);
     int applied = 0;
-    double lowest = 0; ///< taken off the diagonal of the last unknown: 5 and more make the matrix indefinite
+    double lowest = 0; ///< taken off the diagonal of the last unknown: 6 and more make the matrix indefinite
 
     Chain()
     {
@@ -116,6 +116,14 @@ TEST(ConjugateGradients, RefuseAMatrixThatIsNotPositive)
                   std::string::npos)
             << e.what();
     }
+}
+// One that shows it later is refused there.
+TEST(ConjugateGradients, RefuseAMatrixThatIsNotPositiveInTheEnd)
+{
+    Chain chain;
+    chain.lowest = 7;
+    EXPECT_THROW(chain.solve(1e-13, 100), DivergedError);
+    EXPECT_GT(chain.applied, 1);
 }
 
 }
