@@ -16,7 +16,7 @@ namespace sph
 namespace entry
 {
 const Choice startFrom{"startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime", "time folder that the run starts from"};
-const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"), "time folder to start from"};
+const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"), "time folder to start from; with another startFrom it stands for later"};
 /// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
 const FreeName foreign[]{{"application", "word", "the solver; read by workPrecision"},
                          {"functions", "dictionary", "function objects"},
@@ -181,7 +181,8 @@ bool RunTime::running() const { return !stopped_ && controls_.before(value_); }
 
 double RunTime::nextDeltaT(double limit) const
 {
-    const double step = controls_.step(value_, limit);
+    const bool isFirst = index_ == 0 && controls_.adjustTimeStep && controls_.deltaT > 0;
+    const double step = controls_.step(value_, isFirst ? std::min(limit, controls_.deltaT) : limit);
     if (!(limit > 0)) throw CaseError(fmt::format("at time {} the limit of the time step is {}", name(), limit));
     if (!std::isfinite(step)) throw CaseError({controlDictFile, 0}, "nothing limits the time step: give maxDeltaT");
     return step;

@@ -54,7 +54,7 @@ public:
     /// False once stopAt is satisfied.
     bool running() const;
     /// The step to take: `limit` from stability, shortened (or stretched by at most a tenth) so that write times and the end are hit
-    /// exactly where writeControl is adjustable/adjustableRunTime. deltaT of controlDict where adjustTimeStep is off.
+    /// exactly where writeControl is adjustable/adjustableRunTime. deltaT of controlDict where adjustTimeStep is off; where it is on, deltaT limits the very first step.
     ///
     /// A restarted run takes the same steps as one that was not stopped, to the last bit, provided that `limit` is the same: the
     /// answer depends on the exact time, `limit` and controlDict alone (see TimeControls).

@@ -16,9 +16,11 @@ const Choice stopAt{"stopAt",
                      {"nextWrite", "stop at the next write"}}, // as StopAt
                     "endTime",
                     "when the run ends"};
-const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"), "end of the run"},
-    deltaT{"deltaT", units::s, byScene("that of the limits; needed without adjustTimeStep"), positive, "time step"},
-    maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step"},
+const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"),
+                     "end of the run; with another stopAt it stands for later"},
+    deltaT{"deltaT", units::s, byScene("that of the limits; needed with adjustTimeStep no"), positive,
+           "time step; with adjustTimeStep yes the longest that the first one may be"},
+    maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step, with adjustTimeStep"},
     writeInterval{"writeInterval", Unit{units::s, "s or steps"}, byScene("needed with a writeControl"), positive, "between two writes"},
     maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run ends"};
 const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits of stability allow"},
@@ -78,6 +80,8 @@ WriteOptions readOptions(const Dictionary& d)
     WriteOptions options;
     options.format = WriteFormat(entry::writeFormat.index(d));
     options.precision = entry::writePrecision(d, 0);
+    if (options.format == WriteFormat::binary && entry::writePrecision.given(d))
+        entry::writePrecision.error(d, "writePrecision does nothing with `writeFormat binary`, which keeps all digits; leave it out");
     if (options.format == WriteFormat::ascii && options.precision > 0 && options.precision < std::numeric_limits<double>::max_digits10)
         d.diagnostics().warning(entry::writePrecision.where(d),
                                 fmt::format("{} digits lose the last ones of each number, and a restart from such files goes on "
@@ -98,9 +102,13 @@ TimeControls TimeControls::read(const Dictionary& d)
     else entry::endTime(d, 0);
 
     c.adjustTimeStep = entry::adjustTimeStep(d);
-    // The limits decide adjusted steps alone: nothing is left for deltaT to say.
     c.deltaT = c.adjustTimeStep ? entry::deltaT(d, 0) : entry::deltaT.needed(d);
+    if (c.adjustTimeStep && entry::deltaT.given(d) && !entry::adjustTimeStep.given(d))
+        entry::deltaT.error(d, "without adjustTimeStep the limits of stability decide on all steps but the first: give `adjustTimeStep no` for "
+                               "steps of deltaT, or `adjustTimeStep yes` where deltaT is that of the first step");
     c.maxDeltaT = entry::maxDeltaT(d, infinity);
+    if (!c.adjustTimeStep && entry::maxDeltaT.given(d))
+        entry::maxDeltaT.error(d, "maxDeltaT does nothing with `adjustTimeStep no`: steps are deltaT; leave it out");
 
     const auto control = entry::writeControl(d);
     c.writeControl = control == "adjustableRunTime" ? WriteControl::adjustable : WriteControl(entry::writeControl.indexOf(control));
@@ -110,6 +118,8 @@ TimeControls TimeControls::read(const Dictionary& d)
         entry::writeInterval.error(d, fmt::format("writeInterval {} s would make {:.2g} time folders until endTime {}", c.writeInterval,
                                                   std::abs(c.endTime) / c.writeInterval, c.endTime));
     c.purgeWrite = entry::purgeWrite(d);
+    if (c.purgeWrite > 0 && c.writeControl == WriteControl::none)
+        entry::purgeWrite.error(d, "purgeWrite does nothing without writeControl: the end of the run is all that is written; leave it out");
     c.writeOptions = readOptions(d);
     c.timeFormat = TimeFormat(entry::timeFormat.index(d));
     c.timePrecision = entry::timePrecision(d);

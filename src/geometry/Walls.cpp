@@ -106,7 +106,7 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
         out += fmt::format(" velocity {};", text(wall.velocity));
         if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
         if (wall.slips) out += " slip yes;";
-        if (wall.frictionAngle) out += fmt::format(" frictionAngle {};", *wall.frictionAngle);
+        if (wall.frictionAngle) out += fmt::format(" frictionAngle {}; definedAt \"{}\";", *wall.frictionAngle, toString(wall.where));
         out += " }\n";
     }
     out += "}\n\npatches\n(\n";
@@ -132,9 +132,14 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const s
     {
         const auto wall = walls.subDict(name);
         g.walls.push_back(readWallProperties(wall, g.dimension, true));
-        const std::string at = wall.get("anglesAt", "");
-        if (const auto colon = at.rfind(':'); colon != std::string::npos)
-            g.walls.back().anglesAt = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
+        const auto readPlace = [&](const char* key, Location& place)
+        {
+            const std::string at = wall.get(key, "");
+            if (const auto colon = at.rfind(':'); colon != std::string::npos)
+                place = {at.substr(0, colon), std::atoi(at.c_str() + colon + 1)};
+        };
+        readPlace("anglesAt", g.walls.back().anglesAt);
+        readPlace("definedAt", g.walls.back().where);
         names.push_back(name);
     }
     for (const auto& patch : dict.dictionaries("patches"))

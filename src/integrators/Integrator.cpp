@@ -1,6 +1,7 @@
 #include "Integrator.hpp"
 #include "ImplicitSolve.hpp"
 #include "TwoLevels.hpp"
+#include "addDefaults.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -87,7 +88,7 @@ std::string chosenScheme(const Reading& reading)
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double tension = infinity;
     StepLimit least{infinity, "none"};
-    for (const auto& limit : reading.limits(settings))
+    for (const auto& limit : reading.limits(settings, {}))
         if (!limit.ofPart) tension = std::min(tension, limit.deltaT);
         else if (limit.deltaT < least.deltaT) least = limit;
     if (tension < worthSolving * least.deltaT) return explicitScheme;
@@ -199,6 +200,29 @@ void read(const Reading& reading)
     if (reading.settings.coefficients.has<TwoLevels>()) readVerlet(reading.settings);
 }
 
+/// Whether a factor scales a limit of the step, for fluid at rest, slow or fast, thin or thick.
+bool scalesALimit(const Reading& reading, double StepFactors::*factor)
+{
+    const auto& settings = reading.settings;
+    const auto& ofParts = settings.integration.factorsOfParts;
+    if (std::ranges::find(ofParts, factor) != ofParts.end()) return true;
+    auto halved = settings;
+    halved.integration.factors.*factor *= 0.5;
+    const auto& c = settings.coefficients;
+    const double sound = *std::ranges::max_element(c.soundSpeed), mu = c.viscosity[0];
+    for (const double speed : {0.0, 0.1 * sound, 10 * sound})
+        for (const double thickness : {1.0, 1e3, 1e6})
+        {
+            Measured measured;
+            measured.maxSpeed = speed;
+            measured.maxAcceleration = measured.maxSlowAcceleration = 1;
+            if (settings.variableViscosity && !settings.multiphase()) measured.leastViscosity = measured.largestViscosity = thickness * mu;
+            const auto isSame = [](const StepLimit& a, const StepLimit& b) { return a.by == b.by && a.deltaT == b.deltaT; };
+            if (!std::ranges::equal(reading.limits(settings, measured), reading.limits(halved, measured), isSame)) return true;
+        }
+    return false;
+}
+
 /// s sqrt(h/|dv/dt|), s = 0.25
 std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& measured)
 {
@@ -208,6 +232,20 @@ std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& me
                          (integration.factors.force * std::sqrt(0.5 * settings.coefficients.support / measured.maxAcceleration)),
                      "force", true, &Acceleration::info};
 }
+}
+
+void checkStepFactors(const Reading& reading)
+{
+    const auto dict = entry::integration(reading.schemes);
+    const std::pair<const Scalar&, double StepFactors::*> factors[]{
+        {entry::soundFactor, &StepFactors::sound},         {entry::stiffnessFactor, &StepFactors::stiffness},
+        {entry::viscousFactor, &StepFactors::viscous},     {entry::diffusiveFactor, &StepFactors::diffusive},
+        {entry::capillaryFactor, &StepFactors::capillary}, {entry::forceFactor, &StepFactors::force},
+        {entry::flowFactor, &StepFactors::flow},           {entry::dampedSoundFactor, &StepFactors::dampedSound}};
+    for (const auto& [entry, factor] : factors)
+        if (entry.given(dict) && !isDefault(dict, entry.keyword()) && !scalesALimit(reading, factor))
+            entry.error(dict, fmt::format("{} does nothing here: it is the share {}, and no step of this scene has that limit; leave it out", entry.keyword(),
+                                          entry.info().meaning));
 }
 
 const Model& integrationModel()

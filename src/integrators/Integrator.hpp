@@ -28,5 +28,7 @@ const Integrator& integratorOf(const std::string& word);
 
 /// The words of `integration`.
 const Model& integrationModel();
+/// A factor that the user gives and that scales no limit of this scene is an error. Asked when all models have read.
+void checkStepFactors(const Reading&);
 
 }

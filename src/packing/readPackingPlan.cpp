@@ -76,6 +76,8 @@ LatticeSpec readLattice(const Dictionary& dict, int dimension, double spacing)
     lattice.spacing = spacing;
     lattice.jitter = entry::jitter(dict);
     lattice.seed = std::uint64_t(entry::seed(dict));
+    if (entry::seed.given(dict) && !(lattice.jitter > 0))
+        entry::seed.error(dict, "seed does nothing without jitter: leave it out, or give the jitter");
     return lattice;
 }
 

@@ -23,7 +23,10 @@ Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
       origin_(entry::origin(d)),
       where_(d.location()),
       isClosed_(context.geometry.patches.empty())
-{}
+{
+    if (!angular_ && entry::origin.given(d))
+        entry::origin.error(d, "origin does nothing without angularMomentum, which counts from it: give `angularMomentum yes`, or leave it out");
+}
 
 EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }
 
@@ -71,7 +74,7 @@ void Conservation::execute(const ParticleView& view)
     }
     const auto since = given();
     mostMomentum_ = std::max({mostMomentum_, last_.momentumScale, mag(since.impulse)});
-    mostEnergy_ = std::max({mostEnergy_, last_.kineticEnergy, std::abs(since.work)});
+    mostEnergy_ = std::max({mostEnergy_, last_.kineticEnergy, std::abs(since.work), std::abs(since.stored)});
     if (!table_)
     {
         std::vector<std::string> columns;
@@ -143,9 +146,12 @@ std::string Conservation::report() const
                            mag(momentum), motion + last_.potentialEnergy - first_->potentialEnergy);
     const auto since = given();
     const double unbalanced = relativeTo(mostEnergy_, motion + since.stored - since.work);
+    const char* const others = unbalanced < 0 ? isClosed_ ? " (dissipated)" : " (dissipated, or taken by walls and openings)"
+                               : isClosed_    ? ""
+                                              : " (walls and openings)";
     return fmt::format("{}, of momentum {:.3g} beyond the impulse of gravity and body force{}, of energy {:.3g} beyond their work{}", mass,
                        relativeTo(mostMomentum_, mag(momentum - since.impulse)), isClosed_ ? "" : " (walls and openings)", unbalanced,
-                       unbalanced < 0 ? " (dissipated)" : "");
+                       others);
 }
 
 }

@@ -15,11 +15,12 @@ namespace sph
 /// g [m/s^2] is the gravity of the moment, with `shaking` of constant/g, and f [N/m^3] the body force. In a periodic direction height has no
 /// meaning: E_pot leaves g's component there out. The log gets three balances since the first sample, each 0 where all is accounted for:
 ///
-///   dm/m,   (dP - I)/max(sum m|u|, |I|),   (dE_kin + dE_stored - W)/max(E_kin, |W|)
+///   dm/m,   (dP - I)/max(sum m|u|, |I|),   (dE_kin + dE_stored - W)/max(E_kin, |W|, |dE_stored|)
 ///
 /// I [kg m/s] the impulse and W [J] the work of gravity and body force, E_stored [J] the energy of interfaces and of compression (Supply),
 /// max the largest until now. Walls and openings take momentum and bring mass: without them the second is what forces between particles do
-/// not conserve. The third is below 0 by what is dissipated, -1 where that is all that was given, and above 0 by what the scheme creates.
+/// not conserve. The third is below 0 by what is dissipated, -1 where that is all that forces and interfaces have given, and above 0 by what
+/// the scheme creates. Moving walls and openings do work that W leaves out: where there are some the log says so beside the number.
 /// Stored times know neither I nor W: there the log gets dP and dE_kin + dE_pot themselves.
 class Conservation : public FunctionObject
 {

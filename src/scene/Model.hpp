@@ -9,6 +9,13 @@
 namespace sph
 {
 
+/// What limits of the step are made of.
+struct Measured
+{
+    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
+    std::optional<double> leastViscosity, largestViscosity; ///< of the moment, where viscosity is a field of its own [Pa s]
+};
+
 /// What a model reads from, and what it fills.
 struct Reading
 {
@@ -16,7 +23,8 @@ struct Reading
     const Geometry& geometry;
     const Dictionary& schemes; ///< system/sphSchemes
     Settings& settings;
-    std::vector<StepLimit> (*limits)(const Settings&); ///< of the step, as far as the settings have been read: what a default may hang on
+    /// Limits of the step, as far as the settings have been read: what a default may hang on.
+    std::vector<StepLimit> (*limits)(const Settings&, const Measured&);
 
     bool paper() const { return settings.has("scheme", "paper"); }
     /// The word of an entry of system/sphSchemes, and keeps it.
@@ -37,12 +45,6 @@ struct Conflict
     std::string why;
 };
 
-/// What limits of the step are made of.
-struct Measured
-{
-    double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
-    std::optional<double> leastViscosity, largestViscosity; ///< of the moment, where viscosity is a field of its own [Pa s]
-};
 /// Entries of a file that a model reads; `meaning` of the file, said once.
 struct FileEntries
 {

@@ -37,6 +37,7 @@ struct Integration
     double theta = 1, tolerance = 1e-6; ///< of the solve
     int maxIter = 1000;
     StepFactors factors;
+    std::vector<double StepFactors::*> factorsOfParts; ///< those of the limits that parts give (Part.hpp), beside the models' own
     std::vector<std::string> responses; ///< terms: what forces make of a change in velocity; selected with the rates of a particle alone
     double dampingRate = 0, dampedUntil = 0; ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
 };

@@ -49,9 +49,11 @@ const Set& set(const std::string& name)
     return found == sets().end() ? sets().front() : *found;
 }
 
+/// Messages name the user's line, and the set whose word it is: "system/sphSchemes:4, scheme bed:1".
 Dictionary dictionaryOf(const Set& s, const std::string& words, const Dictionary& sphSchemes)
 {
-    return Dictionary::parse(words, std::string("scheme ") + s.name, sphSchemes.sharedDiagnostics());
+    const auto chosenAt = sphSchemes.found("scheme") ? toString(sphSchemes.where("scheme")) + ", " : "";
+    return Dictionary::parse(words, chosenAt + "scheme " + s.name, sphSchemes.sharedDiagnostics());
 }
 
 ChoiceWords names()

@@ -76,7 +76,7 @@ Soil readSoil(const Dictionary& d, const std::string& turning)
             [&]<ConstitutiveLaw Law>(Law)
             {
                 if (name == Law::name) soil.law = Law::read(d.subDict(coeffsOf(name)));
-                else if (d.found(coeffsOf(Law::name))) d.ignore(coeffsOf(Law::name)); // of a law to change to
+                else if (d.found(coeffsOf(Law::name))) Law::read(d.subDict(coeffsOf(Law::name))); // of a law to change to: checked alone
             });
     auto& how = soil.integration;
     how.pair = pairs[entry::integrator.index(d)];

@@ -132,7 +132,7 @@ void warnOfSoftPhases(const Case& theCase, const Settings& settings)
     const auto& c = settings.coefficients;
     if (!settings.surfaceTension) return;
     const double capillary = (*std::ranges::max_element(c.surfaceTension)) / c.spacing;
-    const double most = std::max(std::abs(c.backgroundPressure), capillary);
+    const double most = std::abs(c.backgroundPressure) + capillary;
     for (std::size_t k = 0; k < c.phases.size(); ++k)
     {
         const double stiffness = c.restDensity[k] * sqr(c.soundSpeed[k]);
@@ -141,8 +141,8 @@ void warnOfSoftPhases(const Case& theCase, const Settings& settings)
         theCase.diagnostics().warning(
             *where,
             fmt::format(
-                "the automatic sound speed of {}, {:.4g} m/s, makes rho c^2 {:.3g} Pa, and the background pressure is {:.3g} Pa, the capillary pressure "
-                "sigma/spacing {:.3g} Pa: its density will vary by a third and more. A soundSpeed of {:.3g} m/s keeps it within 1 %, one of {:.3g} "
+                "the automatic sound speed of {}, {:.4g} m/s, makes rho c^2 {:.3g} Pa, less than the background pressure, {:.3g} Pa, and the capillary pressure "
+                "sigma/spacing, {:.3g} Pa, together: its density will vary by a third and more. A soundSpeed of {:.3g} m/s keeps it within 1 %, one of {:.3g} "
                 "m/s within 10 %",
                 c.phases[k], c.soundSpeed[k], stiffness, c.backgroundPressure, capillary, 10 * std::sqrt(most / c.restDensity[k]),
                 std::sqrt(10 * most / c.restDensity[k])));
@@ -174,14 +174,15 @@ void readPhases(const Case& theCase, Settings& settings)
         const double rho = entry::rho(phase);
         settings.automaticSound.emplace_back();
         c.restDensity.push_back(rho);
-        c.viscosity.push_back(entry::mu(phase));
         if (entry::stress(phase) == byLaw)
         {
+            c.viscosity.push_back(0);
             settings.chosen[entry::stress.keyword()] = byLaw;
             for (auto* ofStateEquation : {&c.soundSpeed, &c.stiffness}) ofStateEquation->push_back(0);
             c.exponent.push_back(1);
             continue;
         }
+        c.viscosity.push_back(entry::mu(phase));
         double sound = 1;
         if (const auto given = entry::soundSpeed(phase)) sound = *given;
         else

@@ -1,4 +1,5 @@
 #include "readSettings.hpp"
+#include "Integrator.hpp"
 #include "Ranks.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
@@ -96,7 +97,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     settings.variableViscosity = settings.multiphase();
     chooseSet(theCase, geometry, dict, settings);
 
-    const Reading reading{theCase, geometry, dict, settings, [](const Settings& s) { return stepLimits(s, {}); }};
+    const Reading reading{theCase, geometry, dict, settings, [](const Settings& s, const Measured& m) { return stepLimits(s, m); }};
     reading.choose(entry::scheme, "suite");
     for (const auto* model : models())
         if (model->prepare) model->prepare(reading);
@@ -104,6 +105,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (const auto* model : models())
         for (const auto& conflict : model->conflicts)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
+    checkStepFactors(reading);
     warnOfSoftPhases(theCase, settings);
     if (theCase.has("constant/soilProperties") && !settings.has(entry::stress.keyword(), byLaw))
         theCase.diagnostics().error(

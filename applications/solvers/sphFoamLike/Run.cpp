@@ -37,8 +37,7 @@ constexpr double suspectEnergy = 1.01, mostEnergy = 5; // beyond an upper bound 
 constexpr long energySteps = 100;
 constexpr int tracedForEnergy = 200; // some periods of the sound of a few spacings
 
-/// Steps that a dry run measures, at most: they build lists several times. No further one begins after so long [s].
-constexpr int mostOfBurst = 50;
+/// A dry run takes steps for so long [s], and goes on from the last third of them: steps change as a scene sets itself in motion.
 constexpr double burstTime = 3;
 
 /// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
@@ -201,16 +200,31 @@ void Run::dryRun()
     if (!time_.running()) return;
     // The first step has what no other one has: memory is touched for the first time.
     advance(simulation_->stepLimit());
-    const double from = time_.value(), clock = clock_.clockTime();
-    const auto elapsed = [&] { return ofFirst(clock_.clockTime()) - clock; };
-    int steps = 0;
-    for (; time_.running() && steps < mostOfBurst && (steps == 0 || elapsed() < burstTime); ++steps) advance(simulation_->stepLimit());
+    const double clock = clock_.clockTime();
+    struct Mark
+    {
+        double time, clock; ///< [s] of the run, of the burst
+    };
+    std::vector<Mark> marks{{time_.value(), 0}};
+    while (time_.running() && (marks.size() == 1 || marks.back().clock < burstTime))
+    {
+        advance(simulation_->stepLimit());
+        marks.push_back({time_.value(), ofFirst(clock_.clockTime()) - clock});
+    }
+    const auto steps = marks.size() - 1;
     if (steps == 0) return;
-    const double each = elapsed() / steps, deltaT = (time_.value() - from) / steps;
-    log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by {} steps in memory", each, deltaT, steps);
-    if (const double left = time_.endTime() - time_.startTime(); left < 1e30)
-        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}, if steps stay as they are at the start",
-                            std::ceil(left / deltaT - 1e-6), time_.endTime(), durationInWords(each * left / deltaT));
+    const auto& [from, clockFrom] = marks[steps - (steps + 2) / 3];
+    const auto& [now, clockNow] = marks.back();
+    const auto last = double((steps + 2) / 3);
+    const double each = (clockNow - clockFrom) / last, deltaT = (now - from) / last;
+    log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by the last {} of {} steps in memory, until {} s", each,
+                        deltaT, last, steps + 1, time_.name());
+    if (time_.endTime() - time_.startTime() < 1e30)
+    {
+        const double left = time_.running() ? (time_.endTime() - now) / deltaT : 0;
+        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}{}", double(steps + 1) + std::ceil(left - 1e-6), time_.endTime(),
+                            durationInWords(clockNow + each * (left + 1)), left > 0 ? ", if steps stay as these are" : "");
+    }
     log_ << ". Nothing was written\n";
 }
 

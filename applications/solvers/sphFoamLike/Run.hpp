@@ -23,7 +23,7 @@ public:
     /// Reads everything; throws CaseError with all mistakes of the case at once. A parallel run of a decomposed case is one of its processor folders.
     Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parallel);
 
-    /// Prints the plan and, by a few steps in memory, how long the run would take. Writes nothing.
+    /// Prints the plan and, by the steps of some seconds in memory, how long the run would take. Writes nothing.
     void dryRun();
     /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends.
     void solve();

@@ -272,6 +272,10 @@ void read(const Reading& reading)
     const CorrectedFrom corrected{entry::correctedFrom(d)};
     const auto divergence = entry::stressDivergence(d);
     const auto shown = entry::shown(d);
+    if (!(numbers.smoothing > 0) && entry::smoothingActs.given(d))
+        entry::smoothingActs.error(d, "smoothingActs does nothing without stressSmoothing: give that, or leave this out");
+    if (!(numbers.alpha > 0) && entry::viscosityActs.given(d))
+        entry::viscosityActs.error(d, "viscosityActs does nothing with artificialViscosity 0: leave it out");
     if (!isSoil(settings))
     {
         if (entry::soil.given(reading.schemes))
@@ -298,6 +302,7 @@ void read(const Reading& reading)
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
     settings.parts.push_back(partOf<StressUpdate>());
+    settings.integration.factorsOfParts.push_back(&StepFactors::sound);
     if (reading.geometry.withFriction()) settings.parts.push_back(partOf<WallFriction>());
     settings.energyAdvice = "a smaller `soundFactor` in `integration`";
 }

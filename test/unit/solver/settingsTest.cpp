@@ -663,6 +663,17 @@ TEST(Settings, EntriesWithoutAnEffectAreErrors)
     expectError(damped("until 5;"), "system/sphSchemes:3: does nothing without `rate`");
     EXPECT_EQ(reading(damped("rate 5; until 1;")).errors, "");
 
+    // A factor of a limit that the scene does not have; of the limits of this one, sound, viscosity and force, each is taken.
+    const auto scaled = [&](const Files& scene, const std::string& factor)
+    { return edited(scene, schemes, "predictorCorrector;", "predictorCorrector; " + factor + " 0.1;"); };
+    for (const char* factor : {"soundFactor", "viscousFactor", "forceFactor"})
+        EXPECT_EQ(reading(scaled(channelCase(), factor)).errors, "") << factor;
+    for (const char* factor : {"stiffnessFactor", "diffusiveFactor", "capillaryFactor"})
+        expectError(scaled(channelCase(), factor), std::string("system/sphSchemes:3: ") + factor + " does nothing here: it is the share of the limit by ");
+    for (const char* factor : {"stiffnessFactor", "capillaryFactor"}) EXPECT_EQ(reading(scaled(dropCase(), factor)).errors, "") << factor;
+    const auto implicitly = edited(dropCase(), schemes, "predictorCorrector;", "implicit; soundFactor 0.1;");
+    expectError(implicitly, "system/sphSchemes:3: soundFactor does nothing here");
+
     auto files = channelCase();
     files["constant/soilProperties"] = "";
     expectError(files, "constant/soilProperties: does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`");
@@ -699,7 +710,7 @@ TEST(Settings, RulesOfWallsNeedAWall)
 }
 
 // The automatic sound speed of a gas that moves as slowly as the liquid, 1.5 m/s: rho c^2 is 1.125 Pa, and the interface presses by 16 and
-// 20 Pa. A sound speed of 10 sqrt(p/rho) keeps the density within 1 %; with one of that size nothing is said.
+// 20 Pa. A sound speed of 10 sqrt(p/rho), p their sum, keeps the density within 1 %; with one of that size nothing is said.
 TEST(Settings, WarnsOfAnAutomaticSoundSpeedThatInterfacesOutdo)
 {
     const auto warnings = [](const std::string& sound)
@@ -715,9 +726,9 @@ TEST(Settings, WarnsOfAnAutomaticSoundSpeedThatInterfacesOutdo)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(
         found[0],
-        "constant/phaseProperties:3: the automatic sound speed of gas, 1.5 m/s, makes rho c^2 1.12 Pa, and the background pressure is 16 Pa, "
-        "the capillary pressure sigma/spacing 20 Pa: its density will vary by a third and more. A soundSpeed of 63.2 m/s keeps it within 1 "
-        "%, one of 20 m/s within 10 %");
+        "constant/phaseProperties:3: the automatic sound speed of gas, 1.5 m/s, makes rho c^2 1.12 Pa, less than the background pressure, 16 Pa, "
+        "and the capillary pressure sigma/spacing, 20 Pa, together: its density will vary by a third and more. A soundSpeed of 84.9 m/s keeps "
+        "it within 1 %, one of 26.8 m/s within 10 %");
 }
 
 /// Terms of the group that gives the rates of the powder.
