@@ -16,7 +16,8 @@ namespace sph
 namespace entry
 {
 const Choice startFrom{"startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime", "time folder that the run starts from"};
-const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"), "time folder to start from; with another startFrom it stands for later"};
+const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"),
+                       "time folder to start from; with another startFrom it stands for later"};
 /// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
 const FreeName foreign[]{{"application", "word", "the solver; read by workPrecision"},
                          {"functions", "dictionary", "function objects"},

@@ -16,8 +16,7 @@ const Choice stopAt{"stopAt",
                      {"nextWrite", "stop at the next write"}}, // as StopAt
                     "endTime",
                     "when the run ends"};
-const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"),
-                     "end of the run; with another stopAt it stands for later"},
+const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"), "end of the run; with another stopAt it stands for later"},
     deltaT{"deltaT", units::s, byScene("that of the limits; needed with adjustTimeStep no"), positive,
            "time step; with adjustTimeStep yes the longest that the first one may be"},
     maxDeltaT{"maxDeltaT", units::s, byScene("none"), positive, "largest time step, with adjustTimeStep"},
@@ -104,8 +103,9 @@ TimeControls TimeControls::read(const Dictionary& d)
     c.adjustTimeStep = entry::adjustTimeStep(d);
     c.deltaT = c.adjustTimeStep ? entry::deltaT(d, 0) : entry::deltaT.needed(d);
     if (c.adjustTimeStep && entry::deltaT.given(d) && !entry::adjustTimeStep.given(d))
-        entry::deltaT.error(d, "without adjustTimeStep the limits of stability decide on all steps but the first: give `adjustTimeStep no` for "
-                               "steps of deltaT, or `adjustTimeStep yes` where deltaT is that of the first step");
+        entry::deltaT.error(
+            d, "without adjustTimeStep the limits of stability decide on all steps but the first: give `adjustTimeStep no` for "
+               "steps of deltaT, or `adjustTimeStep yes` where deltaT is that of the first step");
     c.maxDeltaT = entry::maxDeltaT(d, infinity);
     if (!c.adjustTimeStep && entry::maxDeltaT.given(d))
         entry::maxDeltaT.error(d, "maxDeltaT does nothing with `adjustTimeStep no`: steps are deltaT; leave it out");

@@ -244,8 +244,9 @@ void checkStepFactors(const Reading& reading)
         {entry::flowFactor, &StepFactors::flow},           {entry::dampedSoundFactor, &StepFactors::dampedSound}};
     for (const auto& [entry, factor] : factors)
         if (entry.given(dict) && !isDefault(dict, entry.keyword()) && !scalesALimit(reading, factor))
-            entry.error(dict, fmt::format("{} does nothing here: it is the share {}, and no step of this scene has that limit; leave it out", entry.keyword(),
-                                          entry.info().meaning));
+            entry.error(dict,
+                        fmt::format("{} does nothing here: it is the share {}, and no step of this scene has that limit; leave it out",
+                                    entry.keyword(), entry.info().meaning));
 }
 
 const Model& integrationModel()

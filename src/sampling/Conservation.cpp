@@ -25,7 +25,8 @@ Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
       isClosed_(context.geometry.patches.empty())
 {
     if (!angular_ && entry::origin.given(d))
-        entry::origin.error(d, "origin does nothing without angularMomentum, which counts from it: give `angularMomentum yes`, or leave it out");
+        entry::origin.error(
+            d, "origin does nothing without angularMomentum, which counts from it: give `angularMomentum yes`, or leave it out");
 }
 
 EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }

@@ -125,14 +125,17 @@ TEST(Runs, DryOnesEstimateTheirSteps)
     const auto before = c.files(".");
     const auto log = c.runWell("sphFoamLike", "-dry-run");
     EXPECT_TRUE(std::regex_search(
-        log, std::regex("Estimate  : [-+.0-9e]+ s of clock a step, 0.0005 s of the run, by the last 13 of 40 steps in memory, until 0.04 s; 40 steps to "
-                        "endTime 0.04 s: [-+.0-9e]+ s. Nothing was written\n$")))
+        log,
+        std::regex(
+            "Estimate  : [-+.0-9e]+ s of clock a step, 0.0005 s of the run, by the last 13 of 40 steps in memory, until 0.04 s; 40 steps to "
+            "endTime 0.04 s: [-+.0-9e]+ s. Nothing was written\n$")))
         << log;
     EXPECT_EQ(difference(before, c.files(".")), "");
     c.replace("system/controlDict", "endTime 0.04", "endTime 10000.02");
     const auto longer = c.runWell("sphFoamLike", "-dry-run");
-    EXPECT_TRUE(std::regex_search(longer, std::regex("by the last [0-9]+ of [0-9]+ steps in memory, until [.0-9]+ s; 2e\\+07 steps to endTime "
-                                                     "10000 s: [.0-9]+ (s|minutes|hours), if steps stay as these are. Nothing")))
+    EXPECT_TRUE(
+        std::regex_search(longer, std::regex("by the last [0-9]+ of [0-9]+ steps in memory, until [.0-9]+ s; 2e\\+07 steps to endTime "
+                                             "10000 s: [.0-9]+ (s|minutes|hours), if steps stay as these are. Nothing")))
         << longer;
 }
 

@@ -74,8 +74,8 @@ void read(const Reading& reading)
     const bool walls = !reading.geometry.patches.empty() || !reading.geometry.layers.empty(), even = mirrorsPairwise(reading.geometry);
     for (const auto& scalar : scalars) reading.select(defineScalarFlux(settings, scalar, walls, even));
     settings.parts.push_back(partOf<ScalarBalance>(scalars));
-    const bool diffuses = std::ranges::any_of(
-        scalars, [](const auto& scalar) { return std::ranges::any_of(scalar.diffusivity, [](double D) { return D > 0; }); });
+    const bool diffuses = std::ranges::any_of(scalars, [](const auto& scalar)
+                                              { return std::ranges::any_of(scalar.diffusivity, [](double D) { return D > 0; }); });
     if (diffuses) settings.integration.factorsOfParts.push_back(&StepFactors::diffusive);
 }
 }

@@ -109,15 +109,17 @@ TEST(RunTime, namesWhatIsWrong)
     EXPECT_EQ(saidOf("endTime 1;\ndeltaT 0.1;").substr(0, 58), "system/controlDict:3: without adjustTimeStep the limits of ");
     EXPECT_EQ(saidOf("endTime 1; adjustTimeStep no; deltaT 0.1;\nmaxDeltaT 1;"),
               "system/controlDict:3: maxDeltaT does nothing with `adjustTimeStep no`: steps are deltaT; leave it out");
-    EXPECT_EQ(saidOf("endTime 1;\npurgeWrite 2;"),
-              "system/controlDict:3: purgeWrite does nothing without writeControl: the end of the run is all that is written; leave it out");
+    EXPECT_EQ(
+        saidOf("endTime 1;\npurgeWrite 2;"),
+        "system/controlDict:3: purgeWrite does nothing without writeControl: the end of the run is all that is written; leave it out");
     EXPECT_EQ(saidOf("endTime 1; writeFormat binary;\nwritePrecision 12;"),
               "system/controlDict:3: writePrecision does nothing with `writeFormat binary`, which keeps all digits; leave it out");
     EXPECT_EQ(saidOf("endTime 1;\ntimePrecision 0;"), "system/controlDict:3: timePrecision must be 1 to 17 digits, found 0");
-    for (const auto* wrong : {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
-                              "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;",
-                              "endTime 1; adjustTimeStep yes; deltaT -1;", "endTime 1; writeFormat text;", "endTime 1; writeCompression on;",
-                              "endTime 1; timeFormat short;", "endTime nan;", "startFrom startTime; endTime 1;"})
+    for (const auto* wrong :
+         {"stopAt endTme;", "stopAt endTime;", "endTime 1; writeControl runTimee;", "endTime 1; adjustTimeStep no;",
+          "endTime 1; writeControl runTime;", "endTime 1; writeControl runTime; writeInterval 0;",
+          "endTime 1; adjustTimeStep yes; deltaT -1;", "endTime 1; writeFormat text;", "endTime 1; writeCompression on;",
+          "endTime 1; timeFormat short;", "endTime nan;", "startFrom startTime; endTime 1;"})
         EXPECT_NE(saidOf(wrong).find("system/controlDict"), std::string::npos) << wrong;
 }
 
@@ -225,6 +227,19 @@ TEST(RunTime, fitsStepsToWriteTimesWithinATenthOfTheLimit)
         EXPECT_LE(dt, std::min(1.1 * limit, 0.05));
         EXPECT_GE(dt, 0.5 * std::min(limit, 0.05));
     }
+}
+
+// With adjustTimeStep deltaT limits the very first step alone, as OpenFOAM begins with it.
+TEST(RunTime, takesDeltaTForTheFirstStep)
+{
+    const TemporaryCase c;
+    control(c, "endTime 10; adjustTimeStep yes; deltaT 1e-3;");
+    makeTime(c, "0");
+    RunTime time{Case(c.folder())};
+    EXPECT_EQ(time.nextDeltaT(0.01), 1e-3);
+    EXPECT_EQ(time.nextDeltaT(1e-4), 1e-4);
+    time.advance(1e-3);
+    EXPECT_EQ(time.nextDeltaT(0.01), 0.01);
 }
 
 TEST(RunTime, refusesAStepThatIsNone)

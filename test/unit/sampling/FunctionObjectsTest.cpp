@@ -304,7 +304,8 @@ TEST(Conservation, saysWhatInterfacesAndWallsGave)
         report({}, {{}, 0, 10});
         EXPECT_EQ(report({1, 0, 0}, {{}, 0, 2}), hasWalls ? "energy -0.75 beyond their work (dissipated, or taken by walls and openings)"
                                                           : "energy -0.75 beyond their work (dissipated)");
-        EXPECT_EQ(report({2, 0, 0}, {{}, 0, 10}), hasWalls ? "energy 1 beyond their work (walls and openings)" : "energy 1 beyond their work");
+        EXPECT_EQ(report({2, 0, 0}, {{}, 0, 10}),
+                  hasWalls ? "energy 1 beyond their work (walls and openings)" : "energy 1 beyond their work");
     }
 }
 

@@ -669,10 +669,11 @@ TEST(Settings, EntriesWithoutAnEffectAreErrors)
     for (const char* factor : {"soundFactor", "viscousFactor", "forceFactor"})
         EXPECT_EQ(reading(scaled(channelCase(), factor)).errors, "") << factor;
     for (const char* factor : {"stiffnessFactor", "diffusiveFactor", "capillaryFactor"})
-        expectError(scaled(channelCase(), factor), std::string("system/sphSchemes:3: ") + factor + " does nothing here: it is the share of the limit by ");
+        expectError(scaled(channelCase(), factor),
+                    std::string("system/sphSchemes:3: ") + factor + " does nothing here: it is the share of the limit by ");
     for (const char* factor : {"stiffnessFactor", "capillaryFactor"}) EXPECT_EQ(reading(scaled(dropCase(), factor)).errors, "") << factor;
     const auto implicitly = edited(dropCase(), schemes, "predictorCorrector;", "implicit; soundFactor 0.1;");
-    expectError(implicitly, "system/sphSchemes:3: soundFactor does nothing here");
+    expectError(implicitly, "system/sphSchemes:2: soundFactor does nothing here");
 
     auto files = channelCase();
     files["constant/soilProperties"] = "";
