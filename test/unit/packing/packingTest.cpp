@@ -355,6 +355,13 @@ TEST(PackingErrors, aRelaxationThatMakesItWorse)
     EXPECT_NE(message.find("choose a finer spacing, the default bias and coefficient, or leave `relax` out"), std::string::npos) << message;
 }
 
+TEST(PackingErrors, aSeedOfNothing)
+{
+    CaseFolder c;
+    c.write("system/packParticlesDict", "allowEmpty yes;\nseed 3;\n");
+    EXPECT_EQ(c.error().find("system/packParticlesDict:2: seed does nothing without jitter"), 0u) << c.error();
+}
+
 TEST(PackingErrors, namePhaseRegionPlacementAndLattice)
 {
     // Each message says where, what was meant and what is possible.

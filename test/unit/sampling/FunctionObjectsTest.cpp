@@ -41,15 +41,19 @@ struct Functions
 TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
 {
     Functions f;
-    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
-           "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\n");
-    EXPECT_EQ(f.mistakes(),
-              "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-              "bedHydrodynamics, errors, filling, volFieldValue.\n"
-              "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
-              "executeControl, executeInterval, angularMomentum, origin.\n"
-              "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
-              "3 errors");
+    f.make(
+        Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
+        "a\n{\n    type probs;\n}\nb\n{\n    type conservation;\n    angularMoment yes;\n}\nc 3;\nd { type conservation; origin (1 0 0); }\n");
+    EXPECT_EQ(
+        f.mistakes(),
+        "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
+        "bedHydrodynamics, errors, filling, volFieldValue.\n"
+        "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
+        "executeControl, executeInterval, angularMomentum, origin.\n"
+        "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
+        "system/controlDict:11: origin does nothing without angularMomentum, which counts from it: give `angularMomentum yes`, or leave it "
+        "out\n"
+        "4 errors");
 }
 
 TEST(FunctionObjects, areDueWhenTheirControlSays)

@@ -1011,6 +1011,17 @@ TEST(SoilMistakes, SayWhereAndWhat)
     says(
         mistake(blockCase("type isotropic; pressure 1e4;", "shown ( shearStrain plasticShearStrain );")),
         "system/sphSchemes:2: plasticShearStrain is of laws that are elastic within a yield surface, as druckerPrager is; law wuBauer has no plastic part");
+    for (const auto* stress : {"smoothingActs always;", "stressSmoothing 0; smoothingActs always;"})
+        says(mistake(blockCase("type isotropic; pressure 1e4;", stress)),
+             "system/sphSchemes:2: smoothingActs does nothing without stressSmoothing");
+    says(mistake(blockCase("type isotropic; pressure 1e4;", "artificialViscosity 0; viscosityActs always;")),
+         "system/sphSchemes:2: viscosityActs does nothing with artificialViscosity 0");
+    says(mistake(changed(good, "constant/phaseProperties", "stress constitutiveLaw;", "stress constitutiveLaw; mu 1;")),
+         "entry \"mu\" is not used here");
+    says(mistake(changed(good, "constant/soilProperties", "rho 1850", "elasticCoeffs { E 2e7; nu 0.3; mu 1; } rho 1850")),
+         "constant/soilProperties:1: entry \"mu\" is not used here");
+    EXPECT_EQ(mistake(changed(good, "constant/soilProperties", "rho 1850", "elasticCoeffs { E 2e7; nu 0.3; } rho 1850")), "")
+        << "of a law to change to";
     says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 0")), "constant/soilProperties:1: ");
     says(mistake(changed(good, "constant/soilProperties", "rho 1850", "rho 1600")),
          "constant/soilProperties:1: 1600 kg/m^3 is not the density of sand");

@@ -663,6 +663,9 @@ TEST(Settings, EntriesWithoutAnEffectAreErrors)
     expectError(damped("until 5;"), "system/sphSchemes:3: does nothing without `rate`");
     EXPECT_EQ(reading(damped("rate 5; until 1;")).errors, "");
 
+    // A set's words are those of the user's line that names it.
+    expectError(adding(edited(channelCase(), schemes, "predictorCorrector", "implicit"), "scheme bed;"),
+                "system/sphSchemes:4, scheme bed:1: goes with steps that sound limits");
     // A factor of a limit that the scene does not have; of the limits of this one, sound, viscosity and force, each is taken.
     const auto scaled = [&](const Files& scene, const std::string& factor)
     { return edited(scene, schemes, "predictorCorrector;", "predictorCorrector; " + factor + " 0.1;"); };
@@ -708,6 +711,22 @@ TEST(Settings, RulesOfWallsNeedAWall)
     EXPECT_EQ(errors("wallPressure mirrored;"),
               "system/sphSchemes:2: wallPressure does nothing here: there are no walls in constant/geometry; leave it out");
     EXPECT_EQ(errors("scheme freeSurface;"), "");
+}
+
+TEST(Settings, AVelocityBehindWallsNeedsOneThatHolds)
+{
+    const auto errors = [](bool lidSlips)
+    {
+        const TestCase folder(edited(channelCase(), "system/sphSchemes", "wallVelocity secondOrder;", "wallVelocity reflected;"));
+        const Case c(folder.folder());
+        auto g = channelGeometry();
+        for (auto& wall : g.walls) wall.slips = true;
+        g.walls.back().slips = lidSlips;
+        readSettings(c, g);
+        return c.diagnostics().errors();
+    };
+    EXPECT_EQ(errors(true), 1u);
+    EXPECT_EQ(errors(false), 0u);
 }
 
 // The automatic sound speed of a gas that moves as slowly as the liquid, 1.5 m/s: rho c^2 is 1.125 Pa, and the interface presses by 16 and
