@@ -106,7 +106,7 @@ TEST(RunTime, namesWhatIsWrong)
         saidOf("endTime 1;\nwriteInterval 0.1;"),
         "system/controlDict:3: writeInterval does nothing without writeControl, which says what it counts: give `writeControl adjustable` for "
         "seconds that steps are fitted to, or leave it out");
-    EXPECT_EQ(saidOf("endTime 1;\ndeltaT 0.1;").substr(0, 58), "system/controlDict:3: without adjustTimeStep the limits of ");
+    EXPECT_EQ(saidOf("endTime 1;\ndeltaT 0.1;").substr(0, 58), "system/controlDict:3: without adjustTimeStep the limits of");
     EXPECT_EQ(saidOf("endTime 1; adjustTimeStep no; deltaT 0.1;\nmaxDeltaT 1;"),
               "system/controlDict:3: maxDeltaT does nothing with `adjustTimeStep no`: steps are deltaT; leave it out");
     EXPECT_EQ(
