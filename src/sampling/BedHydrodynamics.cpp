@@ -173,7 +173,7 @@ void BedHydrodynamics::execute(const ParticleView& view)
     const double bed = size.x * size.y * (flat ? 1 : size.z);
     const auto phases = std::max<std::size_t>(1, view.phases.size());
     const auto content = groupSums(
-        view.n, phases, [&](std::size_t i) { return inBed(position(view, i)) ? phaseOf(view, i) : phases; },
+        view.n, phases, [&](std::size_t i) { return view.inScene(i) && inBed(position(view, i)) ? phaseOf(view, i) : phases; },
         [&](std::size_t i) {
             return VolumeMean<Vector<3>>::of(view.volume[i], {U(0, i), U(1, i), U(2, i)});
         });

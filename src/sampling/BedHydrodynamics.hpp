@@ -10,6 +10,7 @@ class SampledField;
 ///
 ///   porosity = V_pore/V_bed,  saturation = V_liquid/V_pore,  hold-up = V_liquid/V_bed
 ///   superficial velocity of phase k = sum_k V_i u_i/V_bed,  interstitial = sum_k V_i u_i/sum_k V_i
+///   (sums over the particles in the bed that no opening holds)
 ///   wetted fraction = wetted area of the grains/area of the grains (WettedWalls.hpp), and both of each wall
 ///   residence time = hold-up L_n/superficial velocity along n = V_liquid/Q: liquid that is in the bed over its flow, L_n the bed's length along n
 ///   Bo = rho g L^2/gamma (gravity over capillarity),  Ca = mu |u|/gamma,  Re = rho |u| L/mu,  u: superficial, of the liquid

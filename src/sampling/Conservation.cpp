@@ -45,13 +45,14 @@ Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>&
         sum(view.n,
             [&](std::size_t i)
             {
+                if (!view.inScene(i)) return Motion{};
                 const double m = view.mass[i];
                 const Vector<3> u{U(0, i), U(1, i), U(2, i)}, x = position(view, i);
                 return Motion{m * u, m * cross(x - origin, u), 0.5 * m * dot(u, u), -dot(m * g + view.volume[i] * f, x), m * mag(u)};
             });
     return {motion, groupSums(
                         view.n, std::max<std::size_t>(1, view.phases.size()), [&](std::size_t i) { return phaseOf(view, i); },
-                        [&](std::size_t i) { return view.mass[i]; })};
+                        [&](std::size_t i) { return view.inScene(i) ? view.mass[i] : 0; })};
 }
 
 Conservation::Motion& Conservation::Motion::operator+=(const Motion& other)

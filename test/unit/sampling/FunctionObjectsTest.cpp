@@ -235,6 +235,12 @@ TEST(Conservation, sumsAreThoseByHand)
     EXPECT_EQ(Conservation::sums(view, {}, {}).potentialEnergy, 120);
     particles.geometry.periodic = {false, true, false};
     EXPECT_EQ(Conservation::sums(particles.view(), {}, {}).potentialEnergy, 0);
+    // The second held beyond an opening: no part of the scene.
+    particles.heldBy = {0, 1};
+    s = Conservation::sums(particles.view(), {}, {});
+    EXPECT_EQ(s.mass, (std::vector<double>{1, 0}));
+    EXPECT_EQ(s.momentum, (Vector<3>{1, 2, 0}));
+    EXPECT_EQ(s.kineticEnergy, 2.5);
 }
 
 TEST(Conservation, writesAllDigitsAndReportsTheChange)
@@ -352,6 +358,13 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
     EXPECT_NEAR(number(12), 0.25 / 0.1, 1e-12); // all that is in the bed, over what flows through it
     EXPECT_NEAR(number(13), 1, 1e-12);
     EXPECT_NEAR(number(14), 0.5, 1e-12);
+    // With the half at x < 1/2 held by an opening, half as much is in the bed, and flows at half the rate.
+    for (std::size_t i = 0; i < particles.size(); ++i) particles.heldBy.push_back(particles.x[i] < 0.5);
+    f.run(particles, "held { type bedHydrodynamics; length 0.01; }");
+    const auto held = f.folder.rows("postProcessing/held/0/bedHydrodynamics.dat").at(0);
+    EXPECT_NEAR(std::stod(held.at(3)), 0.125, 1e-12);
+    EXPECT_NEAR(std::stod(held.at(4).substr(3)), -0.05, 1e-12) << held[4];
+    EXPECT_NEAR(std::stod(held.at(5).substr(3)), -0.4, 1e-12) << held[5];
 }
 
 // Two spheres and a floor, all under water: the grains are the spheres unless `grains` names the floor as well; without water between grains of that

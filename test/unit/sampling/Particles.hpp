@@ -15,6 +15,7 @@ struct Particles
     Geometry geometry;
     std::vector<std::string> phases{"water"};
     std::vector<double> x, y, z, mass, volume, phase, ux, uy, uz, p;
+    std::vector<double> heldBy; ///< none where nothing is held
     double spacing = 0, supportInSpacings = 3, time = 0;
     std::string kernel = "wendlandC2";
     double surfaceTension = 0;
@@ -79,6 +80,7 @@ struct Particles
         v.mass = mass.data();
         v.volume = volume.data();
         v.phase = phase.data();
+        v.heldBy = heldBy.empty() ? nullptr : heldBy.data();
         v.phases = phases;
         v.restDensity = {1000, 1};
         v.viscosity = {1e-3, 2e-5};
