@@ -58,8 +58,8 @@ std::string hostName()
 
 std::string durationInWords(double seconds)
 {
-    if (seconds < 120) return fmt::format("{:.2g} s", seconds);
-    if (seconds < 7200) return fmt::format("{:.2g} minutes", seconds / 60);
+    if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.3g} minutes", seconds / 60);
     return fmt::format("{:.3g} hours", seconds / 3600);
 }
 
