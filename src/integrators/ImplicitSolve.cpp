@@ -21,7 +21,7 @@ struct Norms
     }
 };
 
-/// Of the speed along walls; the relaxed packings of pipes reach 0.12 at 9 particles across and 0.04 at 19
+/// Largest speed through walls over that along them, at most; the relaxed packings of pipes reach 0.12 at 9 particles across and 0.04 at 19
 /// (tutorials/powderMoulding/circularPipe), a lattice jittered by a tenth of a spacing 0.8.
 constexpr double mostThroughWalls = 0.5;
 
@@ -172,7 +172,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
     const auto apply = [&]
     {
         particles.evaluate(ofSolver);
-        // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
+        // Buffer particles have a residual of 0 and keep it: the equations of the others remain, with a symmetric matrix.
         for (const auto& response : {Lp, Kp})
             for (double* component : response)
                 if (component)

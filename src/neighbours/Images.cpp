@@ -65,8 +65,8 @@ template<int dim> Foot Images<dim>::footOf(Mirror& mirror, int reflection, const
     return reflection == 0 ? geometry_->foot(p, x) : geometry_->footOfGhost(p, x, source);
 }
 
-/// How many times as far as what is mirrored its image moves, until the lists are built anew: meanwhile the distance grows by half the skin
-/// at most, and beyond the support it matters no more.
+/// Speed of the image over that of its source, until the lists are built anew: meanwhile the distance grows by half the skin
+/// at most, and an image beyond the support does not matter.
 template<int dim> double Images<dim>::speedOf(const Foot& f) const
 {
     const double k = std::max({f.k1, f.k2, 0.0}), d = std::max(f.distance, std::min(f.distance + 0.5 * skin_, reach_ - skin_));
@@ -318,7 +318,7 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std:
                                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
                                    next.faces[std::size_t(before)] = {f.normal, in3D(from.x) - f.distance * f.normal};
                                    ++next.entry.reflections;
-                                   // In small hollows an image is faster still; lists would be built anew at every step for it.
+                                   // An image in a small hollow is faster still; lists would be built anew at every step for it.
                                    if (before < dim) next.speed *= std::min(speedOf(f), 2.0);
                                    next.share *= shareSoon(next, f);
                                    if (next.share < leastShare && next.isOfSeveral()) return;

@@ -193,7 +193,7 @@ template<int dim> void Particles<dim>::rebuild()
 
 template<int dim> std::vector<float> Particles<dim>::costs() const
 {
-    // In sums over one neighbour; estimates, which a rank's measured time then scales.
+    // Costs in sums over one neighbour; they are estimates, which a rank's measured time then scales.
     constexpr float ofParticle = 20, ofImage = 12;
     std::vector<float> costs(owned_);
     for (std::size_t i = 0; i < owned_; ++i) costs[i] = ofParticle + float(lists_.sizeOf(i));
@@ -271,7 +271,7 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
     plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
 }
 
-/// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
+/// An evaluation overwrites every derived field. Only state survives it: rates kept for the next predictor count as state, and are put back here.
 template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 {
     using Component = std::pair<std::string, int>;

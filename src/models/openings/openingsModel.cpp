@@ -20,7 +20,7 @@ void prepare(const Reading& reading)
     settings.state.push_back(pressure);
 }
 
-/// When a particle came in.
+/// Time at which a particle came in, as a field that evolves: a new particle is not marked.
 Evolving mark()
 {
     Evolving enteredAt{stateField(EntryTime{})};

@@ -44,7 +44,7 @@ public:
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
-    /// Of a cusp that is not resolved: powder gathers where the shear stress vanishes, and between that place and the next particle phi rises by the more
+    /// Warning of a cusp that is not resolved: powder gathers where the shear stress vanishes, and between that place and the next particle phi rises by the more
     /// the coarser they are. In the middle of a channel, s = |y|/h from it (Kauzlaric et al. 2011, eq. 4.1, for other ratios of the fluxes):
     ///
     ///   s = (phi_0/phi) ((phi_m - phi)/(phi_m - phi_0))^n,    n = c (D_eta/D_c - 1)
