@@ -1,4 +1,4 @@
-/// What the command lines of all applications have in common: OpenFOAM's single-dash options, `-help`, `-case`, exit codes.
+/// Command lines of all applications: OpenFOAM's single-dash options, `-help`, `-case`, exit codes.
 ///
 /// A main is then one call:
 ///

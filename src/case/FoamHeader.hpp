@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// With `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
+/// Text of a header, with `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
 std::string foamHeader(WriteFormat, const std::string& className, const std::string& location, const std::string& object);
 
 struct FoamHeader

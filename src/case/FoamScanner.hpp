@@ -28,7 +28,7 @@ class FoamScanner
 public:
     explicit FoamScanner(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
 
-    /// From here on bytes are data: line ends in them mean nothing.
+    /// Treats bytes from here on as data: line ends in them mean nothing.
     void enterBinary() { inBinary_ = true; }
 
     std::size_t remaining() const { return std::size_t(end_ - at_); }

@@ -31,7 +31,7 @@ public:
     /// Reads system/controlDict, `functions` left to others. Mistakes go to the case's Diagnostics.
     explicit RunTime(const Case& c) : RunTime(c, {}) {}
     RunTime(const Case&, Place);
-    /// Those of system/controlDict, function objects apart.
+    /// Entries of system/controlDict, function objects apart.
     static EntryList entries();
 
     double value() const { return value_; }
@@ -135,7 +135,7 @@ private:
     double clockIndex_ = 0;
     /// Exact times by the names of their folders: that of the start and those written since.
     std::map<std::string, double> named_;
-    /// What purgeWrite counts, oldest first.
+    /// Time folders that purgeWrite counts, oldest first.
     std::vector<std::string> written_;
     StateNumbers restored_;
     Histories histories_;

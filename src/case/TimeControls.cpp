@@ -23,7 +23,7 @@ const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"),
     maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run ends"};
 const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits of stability allow"},
     runTimeModifiable{"runTimeModifiable", true, "read controlDict anew where it changes during the run"};
-/// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
+/// Words in the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
 const Choice writeControl{"writeControl",
                           {"none",
                            {"timeStep", "writeInterval counts steps"},

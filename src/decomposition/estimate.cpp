@@ -19,7 +19,7 @@ struct PartBox
     Vector<3> low, high;
 };
 
-/// With half a spacing around the particles: the cut between two parts lies in the middle.
+/// Boxes of the parts, with half a spacing around the particles: the cut between two parts lies in the middle.
 std::vector<PartBox> boxesOf(int dimension, Places places, const std::vector<int>& part, std::size_t parts, double spacing)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();

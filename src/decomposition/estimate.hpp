@@ -1,4 +1,4 @@
-/// What ranks would have to do and to say to each other: counted on the particles of a case, cut into boxes as a run of so many ranks cuts them.
+/// Estimate of the ranks' work and messages: counted on the particles of a case, cut into boxes as a run of so many ranks cuts them.
 #pragma once
 #include "Geometry.hpp"
 #include <span>
@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// Of each rank.
+/// Load of each rank.
 struct RankLoad
 {
     std::vector<double> particles;

@@ -96,7 +96,7 @@ public:
     /// Declares an entry, and all below it, as none of this program's business.
     void ignore(const std::string& key) const;
 
-    /// For the tools of this module that print and edit dictionaries.
+    /// The parsed entries, for the tools of this module that print and edit dictionaries.
     Node& node() const { return *node_; }
 
 private:

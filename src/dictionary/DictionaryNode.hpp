@@ -30,7 +30,7 @@ struct DictionaryEntry
     std::shared_ptr<const KeywordPattern> pattern = nullptr;
     /// Counts the entries of its dictionary as they were given: among patterns the latest wins, though a repeated one keeps its place.
     std::size_t given = 0;
-    /// Where macros have taken its value: what they made of it stays, whatever becomes of the entry.
+    /// Places at which macros have taken the value: what they made of it stays, whatever becomes of the entry.
     std::vector<Location> taken = {};
 
     /// The text of the value (or of `{ .. }`) in the file `where.file`.
@@ -72,7 +72,7 @@ struct Dictionary::Node
     DictionaryEntry* findExact(const std::string& key);
     /// The entry of that keyword, or the last pattern that matches it.
     DictionaryEntry* find(const std::string& key);
-    /// As a macro names it: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up,
+    /// The entry that a macro names: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up,
     /// `...a` two up.
     DictionaryEntry* findScoped(const std::string& name);
 

@@ -13,7 +13,7 @@ namespace sph
 class DictionaryParser
 {
 public:
-    /// What a file shares with the files that it includes.
+    /// State that a file shares with the files that it includes.
     struct Context
     {
         std::filesystem::path caseFolder;

@@ -74,7 +74,7 @@ std::string valueText(const DictionaryEntry& e, int indent)
     return text;
 }
 
-/// In foamDictionary's layout.
+/// Text of an entry in foamDictionary's layout.
 std::string entryText(const DictionaryEntry& e, int indent)
 {
     const auto keyword = keywordText(e);

@@ -58,7 +58,7 @@ inline constexpr struct Required
 {
 } required;
 
-/// In place of a default: the reader decides, and the reference prints these words, "3 spacings".
+/// A default that the reader decides from the scene; the reference prints these words, "3 spacings".
 struct ByScene
 {
     std::string text;
@@ -94,7 +94,7 @@ struct ChoiceWords : std::vector<ChoiceWord>
     std::vector<std::string> words() const;
 };
 
-/// What the reference says of an entry.
+/// Description of an entry in the reference.
 struct ParameterInfo
 {
     std::string keyword, type, unit;

@@ -21,7 +21,7 @@ enum class Image
     placed
 };
 
-/// What a particle of a wall layer has: by its pair, whatever each particle of the fluid sees in it; or one value of its own, a mean over the fluid
+/// Values of a particle of a wall layer: by pair, a value for each particle of the fluid that sees it; or one value of its own, a mean over the fluid
 /// within sight (WallLayers.hpp).
 enum class InLayers
 {

@@ -149,7 +149,7 @@ public:
     double mostTurned() const { return mostTurned_; }
 
 private:
-    /// Where a point is from a facet; beside it across its edges alone.
+    /// Position of a point relative to a facet; `beside` means across its edges alone.
     enum class Lies : unsigned char
     {
         elsewhere,

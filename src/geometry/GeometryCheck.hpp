@@ -15,7 +15,7 @@
 namespace sph
 {
 
-/// Where two surfaces come nearest to each other with fluid between them.
+/// The place where two surfaces come nearest to each other with fluid between them.
 struct Gap
 {
     double width = Box::infinity; ///< [m]; 0 where they touch

@@ -1,4 +1,4 @@
-/// Which patches may be near a point: a uniform grid over the domain extended by `reach`, so that beds of thousands of spheres
+/// A uniform grid that lists the patches near a point. It covers the domain extended by `reach`, so that beds of thousands of spheres
 /// cost the same per particle as one wall.
 #pragma once
 #include "Geometry.hpp"

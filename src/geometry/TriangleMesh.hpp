@@ -24,7 +24,7 @@ public:
         return mesh;
     }
     FacetBody::Hidden hidden() const { return hidden_; }
-    /// From the scene's coordinates to those of the body.
+    /// Position in the body's coordinates, from one in the scene's.
     Vector<3> local(const Vector<3>& x) const { return x - offset_; }
 
     Foot foot(const Vector<3>& x) const override { return body_->foot(local(x)); }

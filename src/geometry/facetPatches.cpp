@@ -18,7 +18,7 @@ constexpr double onePlane = 0.5 * degree;
 constexpr double sharpAngle = 30 * degree;
 /// Facets wider than this many spacings stand for themselves.
 constexpr double widestSmooth = 3;
-/// In hollows as tight as the support only facets below a spacing stand for the curve: others, for themselves, fill what lies behind its centre.
+/// Limit in hollows as tight as the support: only facets below a spacing stand for the curve; wider ones stand for themselves and fill the space behind its centre.
 constexpr double widestInHollow = 1;
 
 /// Facets within so many spacings know together how deep they have no rivals.
@@ -181,7 +181,7 @@ void FacetBody::numberPatches()
         }
         ++patches_;
     }
-    // What a patch surrounds is no edge of it: hollows about as tight as the limit.
+    // An edge with the same patch on both sides is no edge of the patch: hollows about as tight as the limit.
     for (auto& f : facets_)
         for (std::size_t k = 0; k < 3; ++k)
             if (const auto& g = facets_[std::size_t(f.across[k])];
@@ -241,7 +241,7 @@ void FacetBody::averageNormals()
             for (const auto& c : fan) mostTurned_ = std::max(mostTurned_, angleBetween(n, facets_[std::size_t(c.first)].normal));
             cornerNormals_.push_back(n / std::max(height, 0.5));
 
-            // As far beyond either edge as beyond the other.
+            // The outward direction reaches as far beyond either edge as beyond the other.
             Vector<3> way;
             for (const auto& edge : border) way += unitVector(cross(edge, n));
             const auto out = mag(way) > 0.1 ? unitVector(way) : border.empty() ? n : unitVector(cross(border[0], n));

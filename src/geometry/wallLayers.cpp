@@ -49,7 +49,7 @@ class Layering
         const long more = g_.periodic[c] ? 0 : long(std::ceil(margin_ / step));
         return {low + (0.5 - double(more)) * step, step, n + 2 * more};
     }
-    /// From face to face of a box; from the one face that is within sight of the domain; or the domain's layers.
+    /// A row of places: from face to face of a box, from the one face that is within sight of the domain, or the domain's layers.
     Row along(int c, double low, double high) const
     {
         const Row all = across(c);

@@ -32,7 +32,7 @@ public:
     Schedule& correct();
     Schedule& kick();
     Schedule& kickOnceAStep();
-    /// What models show or limit steps by, beyond an evaluation.
+    /// Computes the fields that models show or limit steps by, beyond an evaluation.
     Schedule& complete();
     /// The largest speed, the account of energy; how far particles may have moved in the last drift.
     Schedule& measure();

@@ -1,4 +1,4 @@
-/// From loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
+/// Conversion of loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
 #pragma once
 #include "NumberedMesh.hpp"
 #include <string>

@@ -1,4 +1,4 @@
-/// From a file of triangles to a wall: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
+/// Preparation of a wall from a file of triangles: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
 #pragma once
 #include "meshStatistics.hpp"
 #include "triSurface.hpp"

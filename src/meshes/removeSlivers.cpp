@@ -22,7 +22,7 @@ class Slivers
     Vector<3> at(WorkingMesh::Vertex_index v) const { return toVector(w_.point(v)); }
     double length(Halfedge h) const { return mag(at(w_.target(h)) - at(w_.source(h))); }
 
-    /// Of a face over its longest edge, and that edge.
+    /// Height of a face over its longest edge, and that edge.
     std::pair<double, Halfedge> height(FaceOf f) const
     {
         auto longest = w_.halfedge(f);

@@ -17,7 +17,7 @@ namespace sph
 template<int dim> class CellList
 {
 public:
-    /// Of `count` points; keeps the capacity of earlier builds.
+    /// Sorts `count` points into cells; keeps the capacity of earlier builds.
     void build(const std::array<const double*, dim>& x, std::size_t count, double side);
 
     /// Points by cell; the order within a cell is that of the indices.

@@ -24,7 +24,7 @@ public:
     Halo(const Ranks& all, double reach) : all_(all), reach_(reach) {}
 
     const Ranks& all() const { return all_; }
-    /// What each owned particle costs, in any unit: only ratios count.
+    /// Costs of the owned particles, in any unit: only ratios count.
     using Costs = std::function<std::vector<float>()>;
     /// Boxes in which the particles cost the same: at first as many of them, and whenever it pays (WhenToCut) by the processor time that each rank's have lately
     /// taken, which `costs` shares out among them.

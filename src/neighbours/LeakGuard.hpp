@@ -34,7 +34,7 @@ struct Leaks
     int patch = -1;         ///< likewise; -1 of what was removed for being outside the domain
 
     long count() const { return putBack + removed; }
-    /// Those of another rank.
+    /// Adds the leaks of another rank.
     Leaks& operator+=(const Leaks& other)
     {
         const auto& deeper = other.deepest > deepest ? other : *this;

@@ -41,14 +41,14 @@
 namespace sph
 {
 
-/// How a particle of a layer gets a value of its own from those of the fluid: with weights W, or w as above.
+/// Extrapolation of a layer particle's own value from those of the fluid: with weights W, or w as above.
 enum class Extrapolation
 {
     mean,
     fit
 };
 
-/// What a column of a stencil holds in particles of layers: what the rule, of the field's own type, makes of a pair; or, `interpolated`, a value of their own.
+/// Source of a stencil column's values in particles of layers: the rule, of the field's own type, for each pair; or, `interpolated`, a value of their own.
 struct InLayersOf
 {
     const AnyGhostRule* rule;

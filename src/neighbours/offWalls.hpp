@@ -1,4 +1,4 @@
-/// How a place is kept off walls: by the solver at each step and by its leak guard, and by packings.
+/// Correction of positions and velocities that keeps particles off walls: for the solver at each step, its leak guard, and packings.
 #pragma once
 #include "Images.hpp"
 

@@ -47,14 +47,14 @@ struct PackingPlan
     bool allowEmpty = false;
     Location spacingAt, latticeAt, relaxAt;
 
-    /// For the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
+    /// Numbers for the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
     double bedPeriod = 0, g = 0, surfaceTension = 0;
 };
 
 /// Reads constant/geometry, constant/phaseProperties, constant/g, system/sphSchemes (`resolution`) and system/packParticlesDict
 /// (every entry has a default, and the file may be missing). Throws CaseError with all mistakes.
 PackingPlan readPackingPlan(const Case&);
-/// Those of system/packParticlesDict.
+/// Entries of system/packParticlesDict.
 EntryList packingEntries();
 
 struct PackedPhase

@@ -31,7 +31,7 @@ constexpr double wallInset = 0.2;
 /// Particles stand on one line where their distances from one another across it are below this [spacings].
 constexpr double sameLine = 1e-6;
 
-/// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
+/// Kernel of the repulsion. Where the scene's kernel lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
 template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
 {

@@ -20,7 +20,7 @@ public:
         mostOfTime = 0.02;           ///< that cuts may take
     static constexpr long fewestTimes = 5; ///< that lists have been made since the last cut
 
-    /// Of one rank.
+    /// Load of one rank.
     struct Share
     {
         double busy,   ///< since the rule was last asked [s]
@@ -36,7 +36,7 @@ public:
 
     /// The busiest rank over the mean in the window; 0 where that says nothing yet.
     double imbalance() const { return imbalance_; }
-    /// Of this rank in the window [s].
+    /// Busy time of this rank in the window [s].
     double recent() const { return recent_; }
 
 private:

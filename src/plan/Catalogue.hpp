@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What a term runs over. `advance`: a local law that sees the step.
+/// The loop that a term runs in: over particles, pairs of neighbours, or nearest places of walls.
 enum class Over
 {
     particles,

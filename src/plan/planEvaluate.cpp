@@ -136,7 +136,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const double* records = nullptr;
 
-    // Of so many particles, all owned ones unless it says which.
+    // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     const auto over = [&](std::size_t n, const int* which, const auto& k)
     {
         const auto gather = [&](std::size_t begin, std::size_t end)

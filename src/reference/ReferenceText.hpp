@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// What `system/controlDict.functions.errors` names: a file, a sub-dictionary, the entries that come with a word of a choice, or one
+/// Part of the reference that a path names, as `system/controlDict.functions.errors`: a file, a sub-dictionary, the entries of a word of a choice, or one
 /// entry. Freely named dictionaries (walls, functions) may be left out of the path.
 struct ReferencePart
 {

@@ -32,7 +32,7 @@ class Conservation : public FunctionObject
     std::optional<OutputTable> table_;
 
 public:
-    /// Of all phases together.
+    /// Momentum and energy of all phases together.
     struct Motion
     {
         Vector<3> momentum, angularMomentum;

@@ -19,7 +19,7 @@ public:
     virtual void execute(const ParticleView&) = 0;
     /// One or more lines for the solver's log, "" where there is nothing to say.
     virtual std::string report() const { return ""; }
-    /// What later rows depend on beside what they look at: a restarted run begins with it.
+    /// History that later rows depend on beside the particles: a restarted run begins with it.
     virtual Histories histories() const { return {}; }
     virtual void restore(const Histories&) {}
 };

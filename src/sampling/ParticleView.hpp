@@ -1,4 +1,4 @@
-/// What a function object sees of a running or stored case: read-only arrays, names and numbers, nothing of the solver.
+/// View of a running or stored case for function objects: read-only arrays, names and numbers, nothing of the solver.
 #pragma once
 #include "Cloud.hpp"
 #include "Geometry.hpp"

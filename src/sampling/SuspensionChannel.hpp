@@ -25,7 +25,7 @@ public:
     static EntryList entries();
     explicit SuspensionChannel(const Dictionary&);
 
-    /// At s = |y|/h from 0 (middle) to 1 (wall).
+    /// Volume fraction of powder at s = |y|/h from 0 (middle) to 1 (wall).
     double phi(double s) const;
     double wallPhi() const { return wall_; }
     /// [m/s]

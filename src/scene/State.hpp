@@ -1,5 +1,5 @@
-/// What evolves in a scene: one declaration for each field. Allocating, loading, sorting, predicting, kicking, correcting, what an inlet brings,
-/// what is held, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
+/// State of a scene: one declaration for each field that evolves. Allocating, loading, sorting, predicting, kicking, correcting, inlets,
+/// buffer particles, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
 #pragma once
 #include "Cloud.hpp"
 #include "Coefficients.hpp"

@@ -19,7 +19,7 @@
 namespace sph
 {
 
-/// Of the field of q^n - q^(n-1), which is state: what models change at the end of a step so changes both levels alike.
+/// Name of the field of q^n - q^(n-1), which is state: what models change at the end of a step so changes both levels alike.
 inline std::string incrementOf(const StateField& q) { return q.name + "Increment"; }
 
 class TwoLevels

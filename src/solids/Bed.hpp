@@ -28,7 +28,7 @@ struct SolidShape
 /// Throws CaseError where the file is missing, or the surface is open, inside out or empty.
 SolidShape readSolidShape(const Case&, const ShapeToPack&);
 
-/// In the frame of the container: z against gravity, the origin at its base.
+/// A solid in the frame of the container: z against gravity, the origin at its base.
 struct Body
 {
     int shape = 0;

@@ -12,7 +12,7 @@ namespace
 
 /// Lengths are in mean sizes and g is 9.81, for which Bullet's tolerances are made.
 constexpr double g = 9.81;
-/// Of meshes contacts are found anew where points move along faces: at half the substep they overlap a third as much.
+/// Substeps: contacts of meshes are found anew where points move along faces, and at half the substep they overlap a third as much.
 constexpr double substepOfSpheres = 1.0 / 120, substepOfMeshes = 1.0 / 240;
 constexpr int iterations = 40;
 /// Surfaces nearer than this are looked at, and touch where they are nearer than `touching`.

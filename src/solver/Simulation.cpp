@@ -16,7 +16,7 @@ namespace sph
 
 namespace
 {
-/// Of a number that was measured in the last step, in the state that a restart begins with: "lastPower".
+/// Name of a number that was measured in the last step, in the state that a restart begins with: "lastPower".
 std::string lastName(std::string name)
 {
     name[0] = char(std::toupper(name[0]));
@@ -34,7 +34,7 @@ template<int dim> class Simulation final : public AnySimulation
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
 
-    /// Those of all models, and those of a name of their own that the scene defines.
+    /// Terms of all models, and those that the scene defines under names of their own.
     static Catalogue<dim> termsOf(const Settings& settings)
     {
         auto terms = allTerms<dim>();

@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// What the colour function needs to know of the particles.
+/// Particles as the colour function needs them.
 struct PhaseParticles
 {
     std::vector<Vector<3>> position;

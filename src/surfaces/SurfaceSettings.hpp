@@ -11,7 +11,7 @@
 namespace sph
 {
 
-/// What a case tells of itself, on which the defaults rest.
+/// Facts of a case on which the defaults rest.
 struct SurfaceCase
 {
     double spacing = 0;              ///< of the particles [m]

@@ -36,7 +36,7 @@ struct WordColumn
     const std::vector<std::string>& (*words)() = nullptr; ///< those possible; any where there is no such list
 };
 
-/// In the order of the file.
+/// Names of the columns, in the order of the file.
 const std::vector<std::string>& columnNames()
 {
     static const std::vector<std::string> names{"variant",    "resolution",  "spacing",    "nParticles", "steps",

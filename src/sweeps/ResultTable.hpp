@@ -36,7 +36,7 @@ struct ResultRow
 const std::vector<std::string>& resultStatuses();
 const std::vector<std::string>& errorNorms();
 
-/// What a file that somebody else made must give in every row: variant, spacing, cpuSeconds, field, norm and error.
+/// Completeness of a file's rows: one that somebody else made must give in each variant, spacing, cpuSeconds, field, norm and error.
 enum class Completeness
 {
     ownRows,

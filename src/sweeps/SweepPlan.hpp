@@ -1,4 +1,4 @@
-/// What system/workPrecisionDict asks for.
+/// Plan of a sweep, as system/workPrecisionDict states it.
 ///
 ///     baseCase        ".";                        // default: the case itself
 ///     resolutions     (8 16 32);                  // $n below is one of these at a time

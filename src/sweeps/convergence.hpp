@@ -1,4 +1,4 @@
-/// What a table of errors and costs says: order of convergence, the best at each cost, what a finer run will cost.
+/// Conclusions from a table of errors and costs: order of convergence, the best at each cost, the expected cost of a finer run.
 #pragma once
 #include "ResultTable.hpp"
 #include <optional>

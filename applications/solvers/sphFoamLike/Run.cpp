@@ -41,7 +41,7 @@ constexpr int tracedForEnergy = 200; // some periods of the sound of a few spaci
 constexpr int mostOfBurst = 50;
 constexpr double burstTime = 3;
 
-/// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
+/// Shortest step over the run's span: shorter ones would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
 /// Particles of a thread or a rank below which it costs more than it brings.

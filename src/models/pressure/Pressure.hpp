@@ -52,7 +52,7 @@ struct MonaghanPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (i.p + j.p) * ij.gradW; }
 };
 
-/// Of p/rho^2 of both, Monaghan (1992), as eq. (3.2) of Kauzlaric et al. (2011):
+/// Acceleration by pressure in the form of p/rho^2, Monaghan (1992), as eq. (3.2) of Kauzlaric et al. (2011):
 ///
 ///   dv_i/dt = -sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) gradW_ij
 ///

@@ -47,7 +47,7 @@ constexpr SymmTensor<3> inPlane(SymmTensor<3> a) { return a; }
 constexpr SymmTensor<3> in3D(SymmTensor<3> a) { return a; }
 constexpr Tensor<3> in3D(Tensor<2> a) { return {a.xx, a.xy, 0, a.yx, a.yy, 0, 0, 0, 0}; }
 constexpr Tensor<3> in3D(Tensor<3> a) { return a; }
-/// Of a stress that stays in plane strain.
+/// Stress of the flow's dimension from a stress in three; in 2-D it must be one of plane strain.
 template<int dim> constexpr StressTensor<dim> stressIn(SymmTensor<3> a)
 {
     if constexpr (dim == 3) return a;

@@ -15,7 +15,7 @@ struct OfTensor
     static double finish(const auto&, const auto& S) { return std::sqrt(0.5 * doubleDot(S, S)); }
 };
 
-/// From the stress, with the pair viscosity and the corrected gradient:
+/// Shear rate from the viscous stress, with the pair viscosity and the corrected gradient:
 ///
 ///   S_i = sum_j V_j 2 mu_i mu_j/(mu_i + mu_j) ((v_j - v_i) L_i gradW_ij + transposed),    tau_i = sqrt(S_i:S_i/2),    gammaDot_i = tau_i/mu_i
 ///
@@ -45,7 +45,7 @@ struct ResolvedShear
     auto operator()(const auto& i) const { return i.tau / i.mu; }
 };
 
-/// What the particle's own extent adds to the shear:
+/// Contribution of the particle's own extent to the shear rate:
 ///
 ///   gammaDot_i = 1/mu_i sqrt(tau_i^2 + max(0, alpha Delta_x^2/2 laplacian(tau^2)_i)),    laplacian(f)_i = 2 sum_j V_j w_ij (f_j - f_i)
 ///

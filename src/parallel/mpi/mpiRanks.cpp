@@ -14,7 +14,7 @@ namespace sph
 
 namespace
 {
-/// What Zoltan asks for.
+/// Positions and weights that Zoltan asks for.
 struct Places
 {
     int dimension;

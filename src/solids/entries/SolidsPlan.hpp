@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// What a mesh collides as.
+/// Shape as which a mesh collides.
 enum class CollisionForm
 {
     automatic, ///< hull where the shape is convex but for a little, else parts
@@ -26,7 +26,7 @@ struct ShapeToPack
     bool isSphere() const { return file.empty(); }
 };
 
-/// Of the diameter [m], that of the sphere of equal volume.
+/// Distribution of the diameter [m], that of the sphere of equal volume.
 struct SizeDistribution
 {
     enum class Kind
