@@ -1,4 +1,4 @@
-/// What a value is made of: the one place that knows how many numbers a type has, and where they are on disk.
+/// Layout of a value: the one place that knows how many numbers a type has, and where they are on disk.
 ///
 /// A type declares its parts in order, `parts(q, f)` calls f(q.x, q.y ...); parts are numbers or have parts themselves, so that what one loop
 /// sums may be a struct of tensors. A type that fields have also declares its class on disk and the names of its components there.

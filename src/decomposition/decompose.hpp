@@ -1,4 +1,4 @@
-/// Particles of time folders into folders processor0, processor1, .., and back.
+/// Decomposition of time folders into folders processor0, processor1, .., and reconstruction of them.
 #pragma once
 #include "Case.hpp"
 #include "Cloud.hpp"

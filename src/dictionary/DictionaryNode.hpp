@@ -1,4 +1,4 @@
-/// What a Dictionary is a handle on: the parsed entries, their place in the files, and what was looked up.
+/// The node behind a Dictionary: the parsed entries, their place in the files, and what was looked up.
 #pragma once
 #include "KeywordPattern.hpp"
 #include "Token.hpp"

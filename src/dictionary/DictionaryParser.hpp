@@ -1,4 +1,4 @@
-/// Turns the tokens of a file into the entries of a dictionary, carrying out directives and macros on the way.
+/// Parser that turns the tokens of a file into the entries of a dictionary, carrying out directives and macros on the way.
 ///
 /// Nothing throws: a mistake is recorded where it was made, and parsing goes on at the next place that looks like the beginning
 /// of an entry, so that the mistakes of a file are reported together.

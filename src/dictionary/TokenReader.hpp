@@ -1,4 +1,4 @@
-/// Turns the tokens of a value into numbers, words, vectors and lists, in each form in which OpenFOAM writes them.
+/// Reader that turns the tokens of a value into numbers, words, vectors and lists, in each form in which OpenFOAM writes them.
 #pragma once
 #include "Token.hpp"
 #include <stdexcept>

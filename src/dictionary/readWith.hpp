@@ -1,4 +1,4 @@
-/// Dictionaries from another text than that of their file.
+/// Reading of a dictionary from another text than that of its file.
 #pragma once
 #include "Dictionary.hpp"
 

@@ -1,4 +1,4 @@
-/// Whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
+/// Check whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
 ///
 /// An image exists as far as the nearest centre of curvature, so that R > H is needed on either side of a curved wall (Barker et al.
 /// 2012 do not say so). Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not

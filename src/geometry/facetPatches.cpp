@@ -18,7 +18,7 @@ constexpr double onePlane = 0.5 * degree;
 constexpr double sharpAngle = 30 * degree;
 /// Facets wider than this many spacings stand for themselves.
 constexpr double widestSmooth = 3;
-/// Limit in hollows as tight as the support: only facets below a spacing stand for the curve; wider ones stand for themselves and fill the space behind its centre.
+/// Limit in hollows as tight as the support: only facets below a spacing stand for the curve; wider ones, by themselves, fill the space behind its centre.
 constexpr double widestInHollow = 1;
 
 /// Facets within so many spacings know together how deep they have no rivals.

@@ -1,4 +1,4 @@
-/// Whether a point lies in the solid that a file of triangles bounds, by rays of CGAL: nothing of the distances that the solver keeps particles off walls by.
+/// Test whether a point lies in the solid that a file of triangles bounds, by rays of CGAL, independent of the distances that the solver keeps particles off walls by.
 #pragma once
 #include "triSurface.hpp"
 #include <filesystem>

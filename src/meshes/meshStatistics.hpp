@@ -1,4 +1,4 @@
-/// What a mesh is, in the words of OpenFOAM's surfaceCheck, and what the kernel makes of it.
+/// Statistics of a mesh, in the words of OpenFOAM's surfaceCheck, and of what the kernel makes of it.
 #pragma once
 #include "NumberedMesh.hpp"
 #include "Shape.hpp"

@@ -1,4 +1,4 @@
-/// Which side of each closed surface of a mesh is fluid.
+/// Orientation of the closed surfaces of a mesh: which side of each is fluid.
 #pragma once
 #include "NumberedMesh.hpp"
 #include "Shape.hpp"

@@ -1,5 +1,5 @@
-/// Where ranks share the particles: the box of space that this one owns, the particles that it takes over and gives away, and copies of those of others
-/// that its own see, directly or in a wall or through a periodic face.
+/// The halo of a rank, where ranks share the particles: the box of space that it owns, the particles that it takes over and gives away, and copies of those of
+/// others that its own see, directly or in a wall or through a periodic face.
 ///
 ///   owned | copies | images of both | null particle
 ///

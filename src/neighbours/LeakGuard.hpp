@@ -1,6 +1,6 @@
-/// Keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
+/// Guard that keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
 ///
-/// Wraps across periodic faces. A particle nearer to a wall than `closestInSpacings` is put there, and loses what velocity it has into
+/// It wraps positions across periodic faces. A particle nearer to a wall than `closestInSpacings` is put there, and loses what velocity it has into
 /// the wall. One deeper in a solid than that has leaked: it is counted, and put back, removed or the end of the run, as the dictionary says. One more
 /// than half a spacing deep or outside the domain is removed or an error: from there the way back may lead out on the other side.
 #pragma once

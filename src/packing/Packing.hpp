@@ -1,4 +1,4 @@
-/// From the dictionaries of a case to particles with phase, mass and velocity: what packParticles does.
+/// Packing of a scene: particles with phase, mass and velocity from the dictionaries of a case. It is what packParticles does.
 #pragma once
 #include "Case.hpp"
 #include "Cloud.hpp"

@@ -1,6 +1,6 @@
-/// When ranks cut space anew: once one of them has for a while been busy for longer than the mean, and what the others have waited for it since the last cut exceeds
-/// what another cut costs. So a load that moves slowly is cut seldom and one that moves fast often, each when it pays; what cuts cost is at most what waiting would
-/// have cost, and 2 % of the time.
+/// Criterion for cutting space anew among ranks: one has for a while been busy for longer than the mean, and the others have waited for it since the last cut for
+/// longer than another cut costs. So a load that moves slowly is cut seldom and one that moves fast often, each when it pays; cuts cost at most what waiting
+/// would have cost, and 2 % of the time.
 ///
 /// Processor time it is that counts: other programs on the machine take wall time from one rank or another, and hardly that. What they do take of it, by the caches
 /// that they fill, the window smooths.

@@ -1,4 +1,4 @@
-/// From particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
+/// Reductions of particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
 /// combined in their order, and then those of all ranks in theirs: each rank has to ask, and all get the same. NaN and infinity go through it: `smaller` and
 /// `larger` keep a NaN that they meet.
 #pragma once

@@ -1,4 +1,4 @@
-/// Name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
+/// Catalogue of terms: name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
 #pragma once
 #include "terms.hpp"
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// What a term is, and the loop that runs it. Physics is the functor; looping, vector lanes and memory are here, once.
+/// The concept of a term, and the loop that runs it. Physics is the functor; looping, vector lanes and memory are here, once.
 ///
 ///   pair term   operator()(ij, i, j)     summed over the stencil of i;   Reads at i and j, ReadsOwn at i alone (costs no gather)
 ///               finish(i, sum)           optional: what the sum means

@@ -1,4 +1,4 @@
-/// Where function objects write: below postProcessing/ of a running case, or of one whose stored times are looked at.
+/// Folder in which function objects write: below postProcessing/ of a running case, or of one whose stored times are looked at.
 #pragma once
 #include "RunTime.hpp"
 #include <filesystem>

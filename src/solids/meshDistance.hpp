@@ -1,4 +1,4 @@
-/// Where a point is to a closed surface.
+/// Distance of a point from a closed surface, and whether it lies inside.
 #pragma once
 #include "Bed.hpp"
 

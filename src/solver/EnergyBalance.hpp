@@ -1,4 +1,4 @@
-/// What a run holds in energy against all that its scene can have given it. A scheme whose pressure and tension are gradients of an energy
+/// Energy balance of a run: its energy against all that its scene can have supplied. A scheme whose pressure and tension are gradients of an energy
 /// gains none; others may, and do where nothing takes it up (tutorials/stiff/dropOnFilm).
 ///
 ///   held       K(t) + S(t)

@@ -1,4 +1,4 @@
-/// constant/phaseProperties and constant/g: the materials of a case.
+/// Materials of a case, from constant/phaseProperties and constant/g.
 #pragma once
 #include "EntryList.hpp"
 #include "Settings.hpp"

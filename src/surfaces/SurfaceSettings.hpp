@@ -1,4 +1,4 @@
-/// What system/reconstructSurfaceDict says; every entry has a default, so that the file may be missing.
+/// Settings of system/reconstructSurfaceDict; every entry has a default, so that the file may be missing.
 #pragma once
 #include "ColourFunction.hpp"
 #include "Cuts.hpp"

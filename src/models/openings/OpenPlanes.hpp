@@ -1,4 +1,4 @@
-/// Where a scene ends at its openings, for whoever looks at stored particles: pictures, volumes and means are of the scene alone, and not of what openings hold.
+/// Planes at which a scene ends at its openings, for users of stored particles: pictures, volumes and means are of the scene alone, without buffer particles.
 /// Positions alone say who is held. Verified by test/unit/openings and test/unit/sampling.
 #pragma once
 #include "Opening.hpp"

@@ -1,4 +1,4 @@
-/// How the velocity of a wall ghost follows from that of the particle it mirrors: what makes a wall stick or slip. Particles of wall layers
+/// Rules for the velocity of a wall ghost, from that of the particle it mirrors: they make a wall stick or slip. Particles of wall layers
 /// (neighbours/WallLayers.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
 #pragma once
 #include "Coefficients.hpp"
