@@ -1,3 +1,4 @@
+/// Folder of a rank in a parallel run.
 #pragma once
 #include "Case.hpp"
 #include "Ranks.hpp"

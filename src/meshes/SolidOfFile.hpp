@@ -1,4 +1,4 @@
-/// Test whether a point lies in the solid that a file of triangles bounds, by rays of CGAL, independent of the distances that the solver keeps particles off walls by.
+/// Test whether a point lies in the solid that a file of triangles bounds, by rays of CGAL, not by the distances that the solver keeps particles off walls by.
 #pragma once
 #include "triSurface.hpp"
 #include <filesystem>

@@ -1,3 +1,4 @@
+/// Function object `bedHydrodynamics`: saturation, hold-up, flow and wetting of a packed bed.
 #pragma once
 #include "FunctionContext.hpp"
 #include <optional>

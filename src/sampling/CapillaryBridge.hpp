@@ -1,3 +1,4 @@
+/// Exact solution: the shape of a liquid bridge at rest.
 #pragma once
 
 namespace sph

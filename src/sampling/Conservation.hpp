@@ -1,3 +1,4 @@
+/// Function object `conservation`: mass, momentum and energy of a run.
 #pragma once
 #include "FunctionContext.hpp"
 #include <optional>

@@ -1,3 +1,4 @@
+/// Measures: stresses of a layer of soil at rest.
 #pragma once
 #include "Measurement.hpp"
 #include "SymmTensor.hpp"

@@ -1,3 +1,4 @@
+/// Function object `filling`: the filled share of a cavity.
 #pragma once
 #include "FunctionContext.hpp"
 #include <limits>

@@ -1,3 +1,4 @@
+/// Measure: the position of a front, against a table.
 #pragma once
 #include "CsvReference.hpp"
 #include "Measurement.hpp"

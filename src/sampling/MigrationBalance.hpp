@@ -1,3 +1,4 @@
+/// Measure: the balance of the fluxes of powder.
 #pragma once
 #include "Measurement.hpp"
 

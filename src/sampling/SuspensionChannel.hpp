@@ -1,3 +1,4 @@
+/// Exact solution: steady flow of a suspension in a channel or pipe.
 #pragma once
 #include "EntryList.hpp"
 

@@ -1,3 +1,4 @@
+/// Measure: the time in which a field at a wall changes.
 #pragma once
 #include "Measurement.hpp"
 
