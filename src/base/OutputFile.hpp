@@ -57,7 +57,7 @@ public:
     void close();
 };
 
-/// What carries this at the end of its name is being written, and gets its own name when it is whole.
+/// End of the name of a file or folder that is being written; it gets its own name when it is whole.
 inline constexpr const char* partialSuffix = ".partial";
 
 /// A whole file at once: written beside, and renamed when it is whole. A failure leaves what had the name before, and nothing else.

@@ -32,7 +32,7 @@ template<> struct Components<double>
     static constexpr int count = 1;
 };
 }
-/// How many numbers a value has.
+/// Number of components of a value.
 template<class T> constexpr int components = detail::Components<T>::count;
 
 /// Sets number c of a value to component(c), one after another; `store` calls set(c, number).

@@ -20,7 +20,7 @@ struct FoamHeader
 /// Throws ScanError where it is not whole, has no `format` or `class`, or its `arch` is not one that can be read.
 FoamHeader readFoamHeader(FoamScanner&);
 
-/// What a time folder will be called once it is whole: its name without the ".partial" it carries while it is written.
+/// Name of a time folder once it is whole: without the ".partial" that it carries while it is written.
 std::string finalName(const std::filesystem::path& timeFolder);
 
 }

@@ -167,7 +167,7 @@ double TimeControls::step(double t, double limit) const
     if (!adjustTimeStep) return deltaT;
     const double longest = std::min(limit, maxDeltaT);
     const double left = nextTarget(t) - t;
-    // At the most a tenth beyond the limit rather than a step of almost nothing behind it; maxDeltaT is never passed.
+    // The step is at most a tenth beyond the limit, rather than one of almost nothing behind it; maxDeltaT is never passed.
     if (left <= std::min(1.1 * limit, maxDeltaT)) return left;
     // Two equal steps rather than a long one and a short one.
     return left < 2 * longest ? 0.5 * left : longest;

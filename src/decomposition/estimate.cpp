@@ -105,7 +105,7 @@ public:
     }
 };
 
-/// Where a periodic domain has the same particles again, itself included.
+/// Shifts at which a periodic domain has the same particles again, 0 included.
 std::vector<Vector<3>> shiftsOf(const Geometry& g)
 {
     std::vector<Vector<3>> shifts{{}};

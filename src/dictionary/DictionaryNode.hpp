@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What happens to an entry whose keyword is there already, as OpenFOAM's #inputMode.
+/// Treatment of an entry whose keyword is there already, as OpenFOAM's #inputMode.
 enum class InputMode
 {
     merge,     ///< sub-dictionaries merge, other values are replaced
@@ -96,7 +96,7 @@ struct Dictionary::Node
     }
 
 private:
-    /// Where keywords stand in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
+    /// Places of keywords in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
     std::unordered_map<std::string, std::size_t> places_;
     std::size_t placed_ = 0, given_ = 0;
 
@@ -106,7 +106,7 @@ private:
     DictionaryEntry* descend(const std::string& name);
 };
 
-/// Of a value: the dictionaries in it counted with all they hold.
+/// Extent of a value: the dictionaries in it counted with all they hold.
 Dictionary::Node::Extent extentOf(const std::vector<Token>&);
 
 }

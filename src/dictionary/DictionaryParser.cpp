@@ -285,7 +285,7 @@ void DictionaryParser::skipBlock()
     }
 }
 
-/// Behind the next ';', or before a '}', a block, a directive, or a word that begins a line.
+/// Skips to behind the next ';', or before a '}', a block, a directive, or a word that begins a line.
 void DictionaryParser::skipToNextEntry()
 {
     for (bool first = true; !atEnd(); first = false)

@@ -83,7 +83,7 @@ private:
     void take(DictionaryEntry&, int line) const;
     ExpressionValue macroValue(Dictionary::Node& scope, const std::string& name, int line) const;
     void undefinedMacro(Dictionary::Node& scope, const Token& variable);
-    /// As a path may name it; nothing where there is no such entry. Throws PathError where it is more than one word.
+    /// Text of an entry as a path may name it; nothing where there is no such entry. Throws PathError where it is more than one word.
     std::optional<std::string> textOf(Dictionary::Node& scope, const std::string& name, int line) const;
 
     void directive(Dictionary::Node& scope, const Token& directive);

@@ -112,7 +112,7 @@ template<class List, int dim> struct Values;
 template<class... F, int dim> struct Values<Fields<F...>, dim> : At<F, dim>...
 {};
 
-/// How many numbers those are.
+/// Number of components of these values.
 template<class V> constexpr int valueComponents = 0;
 template<class... F, int dim> constexpr int valueComponents<Values<Fields<F...>, dim>> = (fieldComponents<F, dim> + ... + 0);
 

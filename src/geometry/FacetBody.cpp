@@ -348,7 +348,7 @@ bool FacetBody::sees(const Vector<3>& x, int facet) const
             const double towards = dot(g.normal, way);
             if (towards >= 0) return; // from behind
             const double at = dot(g.normal, corner(g, 0) - x) / towards;
-            // What is met beside the end is the face itself, or a neighbour.
+            // A facet met beside the end is the face itself, or a neighbour.
             if (at <= 0 || at * length > length - 1e-2 * scale_.spacing) return;
             const auto p = plane(t, x + at * way);
             hidden = hidden || p.inside;

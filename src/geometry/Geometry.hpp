@@ -57,7 +57,7 @@ struct Patch
 {
     std::shared_ptr<const Shape> shape;
     int wall; ///< index into Geometry::walls
-    /// The same of each region of a mesh; empty of what is all one wall.
+    /// Number of the wall of each region of a mesh; empty where all is one wall.
     std::vector<int> walls = {};
     const TriangleMesh* mesh = nullptr; ///< the shape, where it is one; from repeatPeriodically
     int wallAt(int region) const { return walls.empty() ? wall : walls[std::size_t(region)]; }
@@ -176,7 +176,7 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///
 /// Meshes (type triSurface) are read as meshToGhost has prepared them in `folder`, that of the case.
 Geometry readGeometry(const Dictionary&, double reach);
-/// The same as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
+/// The geometry as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
 Geometry readGeometry(const Dictionary&, const Resolution&, double supports, const std::filesystem::path& folder = {});
 /// Dimension and domain alone, of constant/walls or, where meshToGhost has not been run, of constant/geometry.
 Geometry readDomain(const Case&);

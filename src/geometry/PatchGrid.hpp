@@ -19,7 +19,7 @@ class PatchGrid
     int cell(const Vector<3>& x) const;
 
 public:
-    /// Of geometry.patches. `reach` [m] is the largest distance at which a patch must be found.
+    /// A grid of geometry.patches. `reach` [m] is the largest distance at which a patch must be found.
     PatchGrid(const Geometry&, double reach);
 
     /// Indices into Geometry::patches, ascending, of every patch from which x has a signed distance of at most `reach`, and

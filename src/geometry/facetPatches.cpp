@@ -1,4 +1,4 @@
-/// How triangles become a body: who is across each edge, what is smooth and what an edge, patches, and the normals of the corners.
+/// A body made of triangles: the facet across each edge, smooth and sharp edges, patches, and the normals of the corners.
 #include "FacetBody.hpp"
 #include "facetAngles.hpp"
 #include <algorithm>
@@ -85,7 +85,7 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
     safeLayers_ = std::vector<std::atomic<unsigned char>>(tree_.nodes().size());
 }
 
-/// As the facets follow one another, so that what is near lies near in memory, too.
+/// Numbers the points as the facets follow one another, so that those near in space lie near in memory, too.
 void FacetBody::renumberPoints(std::vector<std::array<int, 3>>& triangles)
 {
     std::vector<int> numberOf(points_.size(), -1);
@@ -105,7 +105,7 @@ void FacetBody::renumberPoints(std::vector<std::array<int, 3>>& triangles)
     points_.swap(points);
 }
 
-/// Who is across each edge.
+/// Finds the facet across each edge.
 void FacetBody::join()
 {
     std::unordered_map<std::uint64_t, std::pair<int, int>> open;

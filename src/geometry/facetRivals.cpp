@@ -39,7 +39,7 @@ FacetBody::Claim FacetBody::claim(int facet, const Vector<3>& y) const
     return {D, depth < 0 ? Box::infinity : 2 * D - depth};
 }
 
-/// In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
+/// Claim of the face in whose plane y lies beyond an edge: that of its facet nearest to y.
 FacetBody::Claim FacetBody::claimOfPlane(int facet, const Vector<3>& y) const
 {
     const auto& f = facets_[std::size_t(facet)];
@@ -126,7 +126,7 @@ double FacetBody::safeDepth(int facet) const
     return layers * thickness;
 }
 
-/// By one place y from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
+/// Tests one place y, from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
 bool FacetBody::isSafe(const FacetTree::Node& node, double depth) const
 {
     if (node.patch < 0 || node.cosine < rivalCosine) return false;

@@ -96,7 +96,7 @@ class Layering
         particles_.push_back({x, volume / cell_, patch.wall});
     }
 
-    /// Behind a surface, layer by layer: f(k, depth, thickness). `radius`: how deep the solid is at most.
+    /// Calls f(k, depth, thickness) for the layers behind a surface. `radius`: depth of the solid at most.
     void layers(double thickness, double radius, const std::function<void(long, double, double)>& f) const
     {
         if (radius < H_ + 0.5 * thickness) thickness = radius / std::floor(radius / thickness);

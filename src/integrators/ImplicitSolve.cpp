@@ -190,7 +190,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
             throw DivergedError(
                 fmt::format("{} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step", name,
                             iterations, history));
-        // Of the velocity, or with pressure, whose forces balance one another, of what they were before.
+        // The residual is relative to the velocity, or with pressure, whose forces balance one another, to its value at the start.
         if (withPressure_ ? now.rz <= sqr(settings.tolerance) * start : rr <= sqr(settings.tolerance) * vv) return true;
         const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
         if (iterations == settings.maxIter)

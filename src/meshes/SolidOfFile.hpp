@@ -16,7 +16,7 @@ public:
     SolidOfFile(SolidOfFile&&) noexcept;
     ~SolidOfFile();
 
-    /// What lies on the surface is not in the solid.
+    /// Whether a point lies in the solid; its surface does not belong to it.
     bool contains(const Vector<3>&) const;
 
 private:

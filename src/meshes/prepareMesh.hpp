@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// What of the scene a mesh must fit.
+/// Part of the scene into which a mesh must fit.
 struct MeshSpace
 {
     Vector<3> low, high; ///< the domain

@@ -37,7 +37,7 @@ private:
     std::array<int, dim> n_{};
     std::vector<int> begin_, order_;
     std::vector<long> filled_; ///< numbers of the cells that hold points, to which begin_ then belongs; empty where every cell is kept
-    /// Of a row by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
+    /// Numbers of a row, by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
     struct Row
     {
         int first, stride;

@@ -51,7 +51,7 @@ public:
         const auto found = field ? rules_.find(field) : rules_.end();
         return found == rules_.end() ? nullptr : found->second.get();
     }
-    /// From now on particles of layers have one value of this field each, a fit to the fluid's, and not what each pair makes of it.
+    /// Gives particles of layers one value of this field each from now on, a fit to the fluid's, and not the one that the rule makes of each pair.
     template<class F> void interpolateInLayers(F) { interpolated_.insert(F::info.name); }
     bool interpolates(const FieldInfo& info) const { return info.inLayers == InLayers::extrapolated || interpolated_.contains(info.name); }
     /// Ends a step for the rules that keep a state.
@@ -68,7 +68,7 @@ public:
     {
         if (layers_) layers_->list(lists, owned_);
     }
-    /// From now on interfaces go straight on behind walls; else they are mirrored, and meet every wall at 90 degrees.
+    /// Lets interfaces go straight on behind walls from now on; else they are mirrored, and meet every wall at 90 degrees.
     void continueInterfaces() { continuesInterfaces_ = true; }
     /// Binds the rules to the arrays, after each change of them.
     void bindRules()

@@ -24,7 +24,7 @@ enum class Leaked
 Leaked readLeakGuard(const Dictionary& sphSchemes);
 EntryList leakGuardEntries();
 
-/// What has leaked since the start of the run.
+/// Account of leaked particles since the start of the run.
 struct Leaks
 {
     long putBack = 0, removed = 0;
@@ -72,7 +72,7 @@ public:
     LeakGuard(const Geometry& geometry, double spacing, double support, Leaked leaked)
         : geometry_(geometry), spacing_(spacing), support_(support), leaked_(leaked)
     {}
-    /// Of the first `owned` particles, of which it returns how many are left; throws CaseError where one is beyond help.
+    /// Guards the first `owned` particles, and returns how many are left; throws CaseError where one is beyond help.
     std::size_t operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
     const Leaks& leaks() const { return leaks_; }
 };

@@ -59,7 +59,7 @@ private:
     }
 };
 
-/// For each set of kept lanes the lanes in the order in which a compress leaves them; a lane has so many `parts`.
+/// Order in which a compress leaves the lanes, for each set of kept ones; a lane has so many `parts`.
 template<int lanes, int parts> constexpr auto compressOrders()
 {
     std::array<std::array<int, lanes * parts>, 1 << lanes> orders{};

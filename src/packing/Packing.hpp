@@ -31,7 +31,7 @@ struct FillRule
     std::optional<double> p;
 };
 
-/// All that the dictionaries say, checked.
+/// Plan of a packing: all that the dictionaries say, checked.
 struct PackingPlan
 {
     Geometry geometry;
@@ -94,7 +94,7 @@ struct Packing
 /// surface does not spread. Throws CaseError where there are no particles, a phase has none, or two particles coincide.
 Packing pack(const PackingPlan&);
 
-/// What the user is told.
+/// Report of a packing to the user.
 std::string report(const PackingPlan&, const Packing&);
 
 /// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. With V in place of rho where the

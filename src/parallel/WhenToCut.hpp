@@ -31,7 +31,7 @@ public:
 
     /// Whether to cut now, the same on all ranks, who ask at the same time with the shares of all; `me` is this one's place among them.
     bool operator()(std::span<const Share> ofAll, std::size_t me, double maxImbalance);
-    /// After a cut.
+    /// Restarts the window after a cut.
     void startAnew() { *this = {}; }
 
     /// The busiest rank over the mean in the window; 0 where that says nothing yet.

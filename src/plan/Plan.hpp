@@ -65,7 +65,7 @@ public:
     bool has(const std::string& term) const;
     bool provides(const std::string& field) const;
 
-    /// How often each operation has run, by "group/term".
+    /// Number of runs of each operation, by "group/term".
     using Counts = std::map<std::string, long>;
     void countInto(Counts* counts) { counts_ = counts; }
 
@@ -74,7 +74,7 @@ public:
     void printGroup(std::ostream&, std::size_t group, int& pass, int& operation) const;
     /// Fields, bytes, and the terms of the catalogue that no group has.
     void printFields(std::ostream&, const FieldStore<dim>&) const;
-    /// All groups in order, and the fields.
+    /// Prints all groups in order, and the fields.
     void print(std::ostream&, const FieldStore<dim>&) const;
 
 private:

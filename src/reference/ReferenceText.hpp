@@ -17,7 +17,7 @@ ReferencePart findPart(const EntryRegistry&, const std::string& path);
 
 /// Every entry with type, unit, default, choices and meaning; those of sub-dictionaries indented.
 std::string listText(const ReferencePart&);
-/// The same as tables in Markdown.
+/// The reference as tables in Markdown.
 std::string markdownText(const ReferencePart&);
 /// A dictionary that can be read: what is required with a value, all else commented out.
 std::string templateText(const ReferencePart&);

@@ -16,7 +16,7 @@ struct Drop
     bool has(const ParticleView&, std::size_t particle) const;
     /// Radius of the ball, in 2-D the disc, of the drop's volume [m].
     double radius(int dimension) const;
-    /// How far its particles are from its centre, at the most [m].
+    /// Largest distance of its particles from its centre [m].
     double reach(const ParticleView&) const;
 };
 

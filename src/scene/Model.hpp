@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What a model reads from, and what it fills.
+/// Input of a model while settings are read, and the settings that it fills.
 struct Reading
 {
     const Case& theCase;
@@ -37,7 +37,7 @@ struct Conflict
     std::string why;
 };
 
-/// What limits of the step are made of.
+/// Measured values that limits of the step are made of.
 struct Measured
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;

@@ -47,7 +47,7 @@ std::vector<Group> groupsOf(const Settings& settings)
     return groups;
 }
 
-/// What no term provides: the state, what images say of themselves, and what a group is asked about (the change that a solver tries).
+/// Fields that no term provides: the state, those of images themselves, and those that the caller of a group writes (the change that a solver tries).
 std::set<std::string> givenOf(const Settings& settings)
 {
     std::set<std::string> given{GhostWall::info.name};
@@ -276,7 +276,7 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 {
     using Component = std::pair<std::string, int>;
     const auto values = [this](const Component& a) { return store_.component(a.first, a.second); };
-    // Between steps the values at the start of one are nobody's: they make room.
+    // Values at the start of a step are not needed between steps: they make room.
     std::vector<Component> idle;
     for (const auto& evolving : settings_.state)
         for (int c = 0; !predicted_ && store_.has(evolving.startName()) && c < evolving.value.in(dim); ++c)

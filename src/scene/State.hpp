@@ -28,7 +28,7 @@ template<class F> StateField stateField(F, const std::string& name = F::info.nam
     return {F::info, name, {valueType<FieldValue<F, 2>>, valueType<FieldValue<F, 3>>}};
 }
 
-/// What a field is loaded from.
+/// Source from which a field is loaded.
 struct Loading
 {
     const Cloud& cloud;

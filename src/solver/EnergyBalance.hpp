@@ -37,12 +37,12 @@ template<int dim> class EnergyBalance
 
     double interfaces(const Particles<dim>&) const;
     double compression(const Particles<dim>&) const;
-    /// What a lattice may yield under the background pressure, and sound that any start makes.
+    /// Energy that a lattice may yield under the background pressure, and that of the sound that any start makes.
     double allowance(const Particles<dim>&, const Summary&) const;
     double walls(const Particles<dim>&, const Geometry&, const Summary&) const;
 
 public:
-    /// At the start of a run. The settings must outlive it.
+    /// The balance at the start of a run. The settings must outlive it.
     EnergyBalance(const Particles<dim>&, const Settings&, const Geometry&, const Summary&);
     void addWork(double work);
     void addImpulse(const Vector<3>& impulse) { impulse_ += impulse; }

@@ -13,7 +13,7 @@
 namespace sph
 {
 
-/// What the log prints of a state, and what tells whether it is still physical. Sums are over owned particles in a fixed order.
+/// Summary of a state, which the log prints and which tells whether the state is still physical. Sums are over owned particles in a fixed order.
 struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0,
@@ -23,7 +23,7 @@ struct Summary
     Vector<3> momentum, force;                                    ///< [kg m/s]; of gravity and body force [N]
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf; ///< of each phase
     std::vector<std::size_t> count;
-    /// What openings hold beyond their planes; all else is of the scene alone.
+    /// Buffer particles, which openings hold beyond their planes; all else is of the scene alone.
     struct Held
     {
         std::vector<double> mass, minDensity, maxDensity; ///< of each phase
@@ -32,7 +32,7 @@ struct Summary
     Numbers columns; ///< of the models, by name
     bool finite = true;
 
-    /// Those that openings hold among them.
+    /// Number of particles of a phase, buffer particles among them.
     std::size_t allOf(std::size_t phase) const { return count[phase] + held.count[phase]; }
     double maxSpeedOfScene() const { return maxSpeedOf.empty() ? 0 : *std::ranges::max_element(maxSpeedOf); }
 };
@@ -83,7 +83,7 @@ public:
 
     /// Stages of a step with the passes and operations that they run, numbered through; fields; what was left out.
     virtual void printPlan(std::ostream&) const = 0;
-    /// How often each stage, and each operation as "group/term", has run since the counting began.
+    /// Counts how often each stage, and each operation as "group/term", has run since the counting began.
     virtual void count() = 0;
     virtual std::map<std::string, long> counts() const = 0;
     /// Texts of the models: at the start; at a report; on the line of the step.

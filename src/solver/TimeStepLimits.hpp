@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// All that apply; `ofParts` come first.
+/// All limits that apply; `ofParts` come first.
 std::vector<StepLimit> stepLimits(const Settings&, const Measured&, std::vector<StepLimit> ofParts = {});
 /// The least odd number of parts that brings each within its limit.
 int partsOf(double deltaT, const Settings&, const std::vector<StepLimit>&);

@@ -20,7 +20,7 @@ struct PhaseParticles
     bool hasOtherPhase() const;
 };
 
-/// What the sum over the phase is divided by.
+/// Divisor of the sum over the phase.
 enum class Normalisation
 {
     none,      ///< nothing: the sum as it stands; the surface bends away from walls, where half the kernel is empty

@@ -300,7 +300,7 @@ void setPasses(vtkRenderer* renderer, const Scene& scene)
     renderer->SetPass(steps);
 }
 
-/// From above the front right corner; nearly straight at a plane that the scene is cut by.
+/// View from above the front right corner; nearly straight at a plane that the scene is cut by.
 Vector<3> viewDirection(const Camera& wish)
 {
     const auto up = wish.up / mag(wish.up);

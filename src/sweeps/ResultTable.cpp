@@ -72,7 +72,7 @@ const std::vector<WordColumn>& wordColumns()
     return columns;
 }
 
-/// What is wrong with a number, "" where nothing is.
+/// Mistake in a number, "" where there is none.
 std::string mistakeIn(Range range, double value)
 {
     if (range == Range::positive && !(value > 0)) return "must be greater than 0";

@@ -52,7 +52,7 @@ std::string rangeOf(const std::vector<Curve>& curves, double ResultRow::*value)
     return fmt::format("[{:.4g}:{:.4g}]", low / room, high * room);
 }
 
-/// Within single quotes gnuplot reads everything as it is, but for the quote itself.
+/// Text in single quotes, in which gnuplot reads everything as it is, but for the quote itself.
 std::string quoted(const std::string& text)
 {
     std::string inner;

@@ -22,7 +22,7 @@ public:
     OpenPlanes(const Case&, const Geometry&, const Resolution&, const std::vector<std::string>& phases);
 
     bool none() const { return openings_.empty(); }
-    /// From the nearest plane, of those that are open where x stands before or behind them [m]: < 0 beyond it, endless where there is none.
+    /// Distance from the nearest plane, of those that are open where x stands before or behind them [m]: < 0 beyond it, infinite where there is none.
     double distance(const Vector<3>& x) const;
     bool beyond(const Vector<3>& x) const { return distance(x) < 0; }
 };

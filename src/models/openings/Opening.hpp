@@ -74,7 +74,7 @@ struct EntryTime
 /// does not have, and what to say to it.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
                                   const std::map<std::string, std::string>& absent = {});
-/// The same for who asks for the planes alone: what models make of the other entries is left unread.
+/// Reads the planes alone: what models make of the other entries is left unread.
 std::vector<Opening> readOpeningPlanes(const Case&, const Geometry&, const Coefficients&);
 EntryList openingEntries();
 

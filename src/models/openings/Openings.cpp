@@ -395,7 +395,7 @@ template<int dim> std::vector<bool> Openings<dim>::linesToFill(FieldStore<dim>& 
     return filled;
 }
 
-/// At the first start what is packed beyond an inlet gives way to the inlet's own lattice, which continues the rows of the scene: a packing that is cut by
+/// An inlet's own lattice, which continues the rows of the scene, replaces what is packed beyond it at the first start: a packing that is cut by
 /// the plane fits neither its section nor its rate, and two lattices in one another are compressed.
 template<int dim> void Openings<dim>::fillFirst(FieldStore<dim>& store, std::size_t& owned)
 {
@@ -544,7 +544,7 @@ template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predic
     list(store);
 }
 
-/// On a line that moves inwards all is what comes back in: what else has left is gone.
+/// Turns a particle on a line that moves inwards into the phase that comes back: what else has left is gone.
 template<int dim> void Openings<dim>::replace(FieldStore<dim>& store, std::size_t i, const Gate& gate, const Vector<3>& x_i) const
 {
     const int line = gate.section.lineAt(x_i);

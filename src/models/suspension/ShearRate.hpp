@@ -80,7 +80,7 @@ struct VelocityGradientShear : OfTensor
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * twiceSymm(j.v - i.v, ij.gradW); }
 };
 
-/// The same with the gradient corrected.
+/// Shear rate from the velocity gradient with the gradient corrected.
 struct CorrectedGradientShear : OfTensor
 {
     static constexpr auto name = "correctedGradientShear";

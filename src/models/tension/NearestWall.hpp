@@ -46,7 +46,7 @@ struct NextToWall
     }
 };
 
-/// Its number, for AdheringPhaseGradient, which looks up the angle of each pair of phases.
+/// Number of the nearest wall, for AdheringPhaseGradient, which looks up the angle of each pair of phases.
 struct WallNextTo : NextToWall
 {
     static constexpr auto name = "wallNextTo";

@@ -50,7 +50,7 @@ public:
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&, bool varies);
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
-    /// Again after each change of the arrays.
+    /// Binds the rule again after each change of the arrays.
     void bind() override;
     /// Moves a_w, the low-passed a_p, a tenth of the way to the latest a_p. Once a step: an evaluation leaves no trace.
     void filter() override;
@@ -82,7 +82,7 @@ public:
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
 };
 
-/// The same without suction, for a liquid with a free surface, which may leave the wall:
+/// Hydrostatic continuation of the pressure without suction, for a liquid with a free surface, which may leave the wall:
 ///
 ///   p_g = max(p - (1 + q) d rho n.(g + f/rho), min(p, 0))
 ///

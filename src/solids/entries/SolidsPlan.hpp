@@ -44,7 +44,7 @@ struct SizeDistribution
 
     /// The size that the share p of the solids, by number, does not exceed.
     double quantile(double p) const;
-    /// Of the sizes at the middles of n equal shares: what `count` solids have.
+    /// Mean of the sizes at the middles of n equal shares, which `count` solids have.
     double mean(int count) const;
     double meanVolume(int count) const; ///< pi/6 of the mean of d^3
     Location where;
