@@ -58,7 +58,7 @@ template<class T> constexpr void store(const T& q, const auto& set)
              { ((store(part, [&](int c, double number) { set(first + c, number); }), first += components<Part>), ...); });
 }
 
-/// A value's type as known at run time: its class on disk, and the place there of each component. What has no place in a value is 0 on disk.
+/// A value's type as known at run time: its class on disk, and the place there of each component. A component without a place in a value is 0 on disk.
 struct ValueType
 {
     FieldClass fieldClass = FieldClass::scalar;

@@ -5,7 +5,7 @@
 /// resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
 /// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
-/// warning between the walls of a container. A wall may slide along itself and nowhere else. What lies of a wall in another solid is none of
+/// warning between the walls of a container. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
 /// it (solidUnion.cpp): a step on the floor may be thinner than two supports; a body that no fluid can reach is an error.
 #pragma once
 #include "Geometry.hpp"

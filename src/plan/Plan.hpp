@@ -4,8 +4,8 @@
 /// stage of the integrator asks for them: forces that act once in several substeps, terms that a solver or a subcycle repeats. They find what the groups
 /// before them have left there, images and pairs included.
 ///
-/// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. What the rule
-/// of an image reads counts as read by the term whose neighbours' values it makes.
+/// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. Fields that the
+/// rule of an image reads count as read by the term whose neighbours' values it makes.
 /// Where a term that provides gradientScale is selected, every pair term but those of the raw gradient waits for it, and its pass sees
 /// the normalised gradW.
 /// Order: wall laws and local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass; wall laws that

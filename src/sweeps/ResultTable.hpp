@@ -43,7 +43,7 @@ enum class Completeness
     wholeRows
 };
 
-/// Reads a table; columns in any order, lines that begin with '#' are notes. What is malformed becomes an error with file and line.
+/// Reads a table; columns in any order, lines that begin with '#' are notes. A malformed row becomes an error with file and line.
 std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, const std::string& file, Completeness, Diagnostics&);
 
 /// The table as text, all columns.

@@ -19,7 +19,7 @@
 /// An inlet that has a pressure p_in moves by the balance of forces on the plug of length l that it holds, and not faster than its velocity,
 /// if it has one: dU/dt = (p_in - a)/(rho l), U >= 0. A particle is free from the evaluation on that finds it past an inlet's plane, and held from that
 /// on which finds it past an outlet's. Lines are filled up from behind, and what comes to the end of an outlet is taken away, when neighbour lists are
-/// rebuilt: both out of the scene's sight, so that when this happens decides nothing. What is packed further beyond a plane than is held there is taken away
+/// rebuilt: both out of the scene's sight, so that the time of it changes nothing. A packing farther beyond a plane than the buffer reaches is taken away
 /// at the start.
 ///
 /// The account of an opening counts what passes, by phases, and what is removed at the start: free fluid has grown by the one less the other, to round-off.
