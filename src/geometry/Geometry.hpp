@@ -17,7 +17,7 @@ namespace sph
 
 class Case;
 
-/// Length scales of a mesh: the spacing, below which facets stand for a curved surface, and the support, below which reflection cannot represent radii.
+/// Length scales of a mesh: the spacing, for facets that stand for a curved surface, and the support, for radii that reflection cannot represent.
 struct FacetScale
 {
     double spacing = 0; ///< of particles [m]

@@ -16,7 +16,7 @@
 namespace sph
 {
 
-/// Limit on tension of the pressure q that the density gives.
+/// Pressure from the q that the density gives: below p_min the liquid parts, and its tension fades to 0.
 inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2 * p_min - q)); }
 
 struct Tait
