@@ -17,7 +17,7 @@ struct Location
 /// "system/controlDict:14", or the file alone where there is no line.
 std::string toString(const Location&);
 
-/// What the user got wrong, in words for the user: where, what, what was meant, what is possible. Caught once per application.
+/// A mistake of the user, in words for the user: where, what, what was meant, what is possible. Caught once per application.
 class CaseError : public std::runtime_error
 {
 public:

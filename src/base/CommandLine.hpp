@@ -1,4 +1,4 @@
-/// What the command lines of all applications have in common: OpenFOAM's single-dash options, `-help`, `-case`, exit codes.
+/// Command lines of all applications: OpenFOAM's single-dash options, `-help`, `-case`, exit codes.
 ///
 /// A main is then one call:
 ///
@@ -36,7 +36,7 @@ namespace sph
 std::vector<std::string> openFoamArguments(int argc, const char* const* argv);
 
 /// Runs an application: `options` declares its options beside `-help` and `-case <dir>` (default: the current folder), `body`
-/// does the work and returns the exit code. What goes to stdout is written line by line, so that a log which gets stderr as well has both
+/// does the work and returns the exit code. Output to stdout is written line by line, so that a log which gets stderr as well has both
 /// in order. Writes usage to stdout. Mistakes on the command line, CaseError and any other
 /// exception are written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that
 /// catches them.

@@ -1,3 +1,4 @@
+/// The exception of a run that has lost its solution.
 #pragma once
 #include "CaseError.hpp"
 

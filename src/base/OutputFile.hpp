@@ -57,13 +57,13 @@ public:
     void close();
 };
 
-/// What carries this at the end of its name is being written, and gets its own name when it is whole.
+/// End of the name of a file or folder that is being written; it gets its own name when it is whole.
 inline constexpr const char* partialSuffix = ".partial";
 
 /// A whole file at once: written beside, and renamed when it is whole. A failure leaves what had the name before, and nothing else.
 void writeFile(const std::filesystem::path&, std::string_view text);
 
-/// As std::filesystem::create_directories, with the reason of a failure in a CaseError.
+/// Creates folders as std::filesystem::create_directories does, with the reason of a failure in a CaseError.
 void createFolders(const std::filesystem::path&);
 
 /// The text of a number: see OutputFile::write.

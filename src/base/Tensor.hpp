@@ -94,7 +94,7 @@ constexpr double determinant(Tensor<3> a)
     const auto b = adjugate(a);
     return a.xx * b.xx + a.xy * b.yx + a.xz * b.zx;
 }
-/// Not finite for a singular tensor.
+/// Inverse of a tensor, not finite for a singular one.
 template<int dim> constexpr Tensor<dim> inverse(Tensor<dim> a) { return 1 / determinant(a) * adjugate(a); }
 
 /// R a R with R = I - 2 n n: the mirror image in a plane of unit normal n.

@@ -21,7 +21,7 @@ public:
     explicit CsvLines(const std::string& text) : in_(text) {}
     /// The cells of the next line; none at the end.
     std::optional<std::vector<std::string>> next();
-    /// Of the line that was read last, from 1.
+    /// Number of the line that was read last, from 1.
     int number() const { return number_; }
 };
 

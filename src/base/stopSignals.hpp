@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// Of a user, of a queue, of a terminal that is closed. One that is ignored, as under nohup, stays so.
+/// Handles the signals of a user, of a queue, of a terminal that is closed. One that is ignored, as under nohup, stays so.
 inline void onStopSignals(void (*handler)(int))
 {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})

@@ -1,4 +1,4 @@
-/// What a value is made of: the one place that knows how many numbers a type has, and where they are on disk.
+/// Layout of a value: the one place that knows how many numbers a type has, and where they are on disk.
 ///
 /// A type declares its parts in order, `parts(q, f)` calls f(q.x, q.y ...); parts are numbers or have parts themselves, so that what one loop
 /// sums may be a struct of tensors. A type that fields have also declares its class on disk and the names of its components there.
@@ -32,7 +32,7 @@ template<> struct Components<double>
     static constexpr int count = 1;
 };
 }
-/// How many numbers a value has.
+/// Number of components of a value.
 template<class T> constexpr int components = detail::Components<T>::count;
 
 /// Sets number c of a value to component(c), one after another; `store` calls set(c, number).
@@ -58,7 +58,7 @@ template<class T> constexpr void store(const T& q, const auto& set)
              { ((store(part, [&](int c, double number) { set(first + c, number); }), first += components<Part>), ...); });
 }
 
-/// A value's type as known at run time: its class on disk, and the place there of each component. What has no place in a value is 0 on disk.
+/// A value's type as known at run time: its class on disk, and the place there of each component. A component without a place in a value is 0 on disk.
 struct ValueType
 {
     FieldClass fieldClass = FieldClass::scalar;

@@ -19,7 +19,7 @@ std::string suggestion(const std::string& word, const std::string& things, std::
 /// "a, b, c"
 std::string list(std::span<const std::string> words);
 
-/// Its first characters and "..." where it is long, for messages that quote a file.
+/// First characters of a text, and "..." where it is long, for messages that quote a file.
 std::string beginning(const std::string& text);
 
 }

@@ -52,7 +52,7 @@ CaseLock::CaseLock(const std::filesystem::path& caseFolder, const std::string& p
     char host[256] = {};
     ::gethostname(host, sizeof host - 1);
     const auto text = fmt::format("{}, process {} on {}", program, ::getpid(), host);
-    // On a full disk the file stays empty: the lock holds all the same.
+    // The file stays empty on a full disk: the lock holds all the same.
     if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, text.data(), text.size(), 0) < 0) return;
 }
 

@@ -1,4 +1,4 @@
-/// One program at a time writes time folders into a case: another would take away what this one is writing.
+/// Lock of a case, for one program at a time to write time folders into it: another would take away those that this one is writing.
 ///
 /// The file `.lock` of the case holds the program, its process id and its machine, for people; the system's lock on it, which ends with the
 /// process whatever ends it, decides. A file that a killed process has left is taken over.

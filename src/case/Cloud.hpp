@@ -87,7 +87,7 @@ bool hasCloud(const std::filesystem::path& caseFolder, const std::string& time, 
 
 /// The one-cell polyMesh around [low, high] that ParaView and OpenFOAM want to see (5 files in constant/polyMesh).
 void writePolyMesh(const std::filesystem::path& folder, const double (&low)[3], const double (&high)[3]);
-/// The same, and an empty `<case>.foam` to open.
+/// Writes the mesh of the box between these corners, and an empty `<case>.foam` to open.
 void writeBoundingMesh(const std::filesystem::path& caseFolder, const double (&low)[3], const double (&high)[3]);
 
 }

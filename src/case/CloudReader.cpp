@@ -26,7 +26,7 @@ std::vector<std::string> fieldsIn(const std::filesystem::path& folder)
     return names;
 }
 
-/// What was written must be there: a field that is lost, or copied without, would be taken for one that was never given. OpenFOAM's tools
+/// Checks that every written field is there: one that is lost, or copied without, would be taken for one that was never given. OpenFOAM's tools
 /// write this file without the names, and then nothing is known.
 void checkComplete(const std::filesystem::path& caseFolder, const std::string& time, const std::string& cloud, const std::string& folder,
                    std::size_t particles, const std::vector<std::string>& files, Diagnostics& diagnostics)
@@ -77,7 +77,7 @@ Cloud readCloud(const std::filesystem::path& caseFolder, const std::string& time
     Cloud result;
     result.folder = folder;
     auto positions = readPositions(caseFolder, folder + "/positions", diagnostics, slice);
-    // How long the fields must be is not known without positions.
+    // The length of the fields is not known without positions.
     if (!positions) return result;
     result.x = std::move(positions->x);
     result.y = std::move(positions->y);

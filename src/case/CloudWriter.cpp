@@ -218,7 +218,7 @@ void writeCloud(const std::filesystem::path& timeFolder, const std::string& clou
     writePositions(folder, location, share, positions, options);
     for (const auto& field : fields) writeField(folder, location, share, field, options);
 
-    // Without `geometry positions;` OpenFOAM's tools look for barycentric coordinates and silently read no particles. The names of the fields
+    // OpenFOAM's tools look for barycentric coordinates without `geometry positions;` and silently read no particles. The names of the fields
     // are for readCloud, which misses what has been lost.
     std::string names;
     for (const auto& field : fields) names += (names.empty() ? "" : " ") + field.name;

@@ -96,7 +96,7 @@ private:
 
     std::size_t readAscii(const auto& append)
     {
-        // Where a list does not say how long it is, its slice is cut at its end.
+        // A list that does not state its length has its slice cut at its end.
         const auto begin = hasCount_ ? slice_.begin(count_) : 0,
                    end = hasCount_ ? slice_.end(count_) : std::numeric_limits<std::size_t>::max();
         if (hasCount_ && in_.take('{'))
@@ -195,7 +195,7 @@ CloudField parseField(std::string_view text, const std::string& name, std::size_
     return field;
 }
 
-/// How far n records are from one another of which the first begins here and the last ends before the closing parenthesis of the file; 0 where they are not
+/// Distance of n records from one another, of which the first begins here and the last ends before the closing parenthesis of the file; 0 where they are not
 /// even, for white space may stand between them.
 std::size_t evenDistance(FoamScanner in, std::size_t bytes, std::size_t n)
 {

@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// With `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
+/// Text of a header, with `arch "LSB;label=32;scalar=64"` in a binary file. ParaView shows a cloud field under the name of `object`.
 std::string foamHeader(WriteFormat, const std::string& className, const std::string& location, const std::string& object);
 
 struct FoamHeader
@@ -20,7 +20,7 @@ struct FoamHeader
 /// Throws ScanError where it is not whole, has no `format` or `class`, or its `arch` is not one that can be read.
 FoamHeader readFoamHeader(FoamScanner&);
 
-/// What a time folder will be called once it is whole: its name without the ".partial" it carries while it is written.
+/// Name of a time folder once it is whole: without the ".partial" that it carries while it is written.
 std::string finalName(const std::filesystem::path& timeFolder);
 
 }

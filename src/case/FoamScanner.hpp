@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What stops the reading of a file, and the line (0 in binary data, which has none).
+/// Error that stops the reading of a file, and its line (0 in binary data, which has none).
 struct ScanError : std::runtime_error
 {
     int line;
@@ -28,7 +28,7 @@ class FoamScanner
 public:
     explicit FoamScanner(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
 
-    /// From here on bytes are data: line ends in them mean nothing.
+    /// Treats bytes from here on as data: line ends in them mean nothing.
     void enterBinary() { inBinary_ = true; }
 
     std::size_t remaining() const { return std::size_t(end_ - at_); }
@@ -61,14 +61,14 @@ public:
         ++at_;
         return true;
     }
-    /// The same where nothing may stand before it, as behind binary data.
+    /// Takes that character where nothing may stand before it, as behind binary data.
     bool takeHere(char c)
     {
         if (at_ == end_ || *at_ != c) return false;
         ++at_;
         return true;
     }
-    /// What stands here, shortened and quoted for a message; "the end of the file" where nothing does.
+    /// Text at the present place, shortened and quoted for a message; "the end of the file" where there is none.
     std::string found();
 
     /// Up to white space or one of `; { } ( )`, parentheses within a word being part of it; or a quoted string without its quotes.

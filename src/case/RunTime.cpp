@@ -18,7 +18,7 @@ namespace entry
 const Choice startFrom{"startFrom", {"firstTime", "startTime", "latestTime"}, "latestTime", "time folder that the run starts from"};
 const Scalar startTime{"startTime", units::s, byScene("needed with startFrom startTime"),
                        "time folder to start from; with another startFrom it stands for later"};
-/// What OpenFOAM's users have in controlDict for other programs, and what function objects read.
+/// Entries that OpenFOAM's users have in controlDict for other programs, and those that function objects read.
 const FreeName foreign[]{{"application", "word", "the solver; read by workPrecision"},
                          {"functions", "dictionary", "function objects"},
                          {"libs", "list of words", "not looked at"},
@@ -106,7 +106,7 @@ void RunTime::findStart(const Case& c)
     {
         const auto off = [wanted](const std::string& name) { return std::abs(*timeValue(name) - wanted); };
         chosen = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
-        // As near as the digits of a name written by hand can be expected to be.
+        // The tolerance is that of the digits of a name written by hand.
         if (off(*chosen) > 1e-10 * std::abs(wanted))
             return entry::startTime.error(control_,
                                           fmt::format("there is no time folder {}. Times: {}.", shortestText(wanted), list(names)));
@@ -240,7 +240,7 @@ bool RunTime::writeTime() const
 void RunTime::write(const std::function<void(const std::filesystem::path& folder)>& fill, const StateNumbers& state,
                     const Histories& histories)
 {
-    // Not when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
+    // Partial folders stay when the run starts: a utility that only reads times must not take away what a solver beside it is writing.
     if (written_.empty()) byFirst([&] { removePartialFolders(timesFolder()); });
     const auto time = index_ == startIndex_ ? startName_ : folderName();
     const auto writeUniform = [&](const std::filesystem::path& folder)
@@ -295,7 +295,7 @@ bool RunTime::controlDictModified() const
 std::string RunTime::rereadIfModified()
 {
     if (!controlDictModified()) return "";
-    // Before reading: what is changed meanwhile is seen the next time.
+    // The stamp is taken before reading: a change meanwhile is seen the next time.
     stamp_ = stamp();
     const auto mistakes = std::make_shared<Diagnostics>();
     const auto control = Dictionary::read(caseFolder_, controlDictFile, mistakes);

@@ -16,13 +16,13 @@ namespace sph
 /// `<time>/uniform/sphState` (whatever the solver adds, in shortest round-trip form).
 using StateNumbers = std::map<std::string, double>;
 
-/// What those who look at a run have seen and go on needing, kept in `<time>/uniform/functionObjects` where there is any.
+/// Histories of function objects, which later rows need, kept in `<time>/uniform/functionObjects` where there are any.
 using Histories = std::map<std::string, std::vector<double>>;
 
 class RunTime
 {
 public:
-    /// Where this process has its time folders: below `folder` of the case, those of `times` alone (sorted) where some are named.
+    /// Folder of this process for its time folders: below `folder` of the case, those of `times` alone (sorted) where some are named.
     struct Place
     {
         std::string folder; ///< "processor3"; empty: the case itself
@@ -31,7 +31,7 @@ public:
     /// Reads system/controlDict, `functions` left to others. Mistakes go to the case's Diagnostics.
     explicit RunTime(const Case& c) : RunTime(c, {}) {}
     RunTime(const Case&, Place);
-    /// Those of system/controlDict, function objects apart.
+    /// Entries of system/controlDict, function objects apart.
     static EntryList entries();
 
     double value() const { return value_; }
@@ -40,7 +40,7 @@ public:
     std::string name() const;
     /// Name of the folder that the run starts from; "0.orig" is copied to "0" first where there is no "0".
     const std::string& startName() const { return startName_; }
-    /// Its path in the case.
+    /// Path of the start folder in the case.
     std::string startFolder() const { return inPlace(startName_); }
     double startTime() const { return startTime_; }
     /// Infinite where stopAt is not endTime.
@@ -81,7 +81,7 @@ public:
     /// The look alone, for ranks that must agree on when to read.
     bool controlDictModified() const;
 
-    /// For further entries of controlDict, and for `reportUnused` when all that are known have been read.
+    /// The dictionary, for further entries of controlDict, and for `reportUnused` when all that are known have been read.
     const Dictionary& controlDict() const { return control_; }
 
     /// Wall and processor time since the start [s], which clockTime, cpuTime and maxClockTime refer to. Ranks of a parallel run
@@ -92,7 +92,7 @@ public:
     };
     void useClocks(Clocks);
 
-    /// Where several processes write a time folder each: waits for the others, once this one's is whole and once more when it has its name.
+    /// Sets a barrier for several processes that write a time folder each: it waits for the others, once this one's is whole and once more when it has its name.
     /// Then either all or none of them are there when a run is killed, but for the moment of renaming.
     void useBarrier(std::function<void()> barrier) { barrier_ = std::move(barrier); }
 
@@ -135,7 +135,7 @@ private:
     double clockIndex_ = 0;
     /// Exact times by the names of their folders: that of the start and those written since.
     std::map<std::string, double> named_;
-    /// What purgeWrite counts, oldest first.
+    /// Time folders that purgeWrite counts, oldest first.
     std::vector<std::string> written_;
     StateNumbers restored_;
     Histories histories_;

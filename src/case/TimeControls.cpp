@@ -24,7 +24,7 @@ const Scalar endTime{"endTime", units::s, byScene("needed with stopAt endTime"),
     maxClockTime{"maxClockTime", units::s, byScene("none"), positive, "clock time after which the run ends"};
 const Switch adjustTimeStep{"adjustTimeStep", true, "steps as long as the limits of stability allow"},
     runTimeModifiable{"runTimeModifiable", true, "read controlDict anew where it changes during the run"};
-/// In the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
+/// Words in the order of WriteControl; OpenFOAM's second word for the same thing stands at the end.
 const Choice writeControl{"writeControl",
                           {"none",
                            {"timeStep", "writeInterval counts steps"},
@@ -177,7 +177,7 @@ double TimeControls::step(double t, double limit) const
     if (!adjustTimeStep) return deltaT;
     const double longest = std::min(limit, maxDeltaT);
     const double left = nextTarget(t) - t;
-    // At the most a tenth beyond the limit rather than a step of almost nothing behind it; maxDeltaT is never passed.
+    // The step is at most a tenth beyond the limit, rather than one of almost nothing behind it; maxDeltaT is never passed.
     if (left <= std::min(1.1 * limit, maxDeltaT)) return left;
     // Two equal steps rather than a long one and a short one.
     return left < 2 * longest ? 0.5 * left : longest;

@@ -66,7 +66,7 @@ struct TimeControls
     /// The end of the run; where steps are fitted, the write time that differs from it by round-off alone (3*0.1 for 0.3), so that
     /// a run that ends there holds the time that one going further passes through.
     double end() const;
-    /// Where a fitted step may not pass: the next write time after t or the end. Infinite where steps are not fitted.
+    /// Time that a fitted step may not pass: the next write time after t or the end. Infinite where steps are not fitted.
     double nextTarget(double t) const;
     /// The step from t under the stability limit; see RunTime::nextDeltaT.
     double step(double t, double limit) const;

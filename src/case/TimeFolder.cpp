@@ -45,7 +45,7 @@ void moveIntoPlace(const fs::path& partial, const fs::path& folder)
 {
     if (!fs::exists(folder)) return moveTo(partial, folder);
     if (exchange(partial, folder)) return removeAll(partial);
-    // Not a name that removePartialFolders takes away: until the second renaming this is the last good one.
+    // The name must not be one that removePartialFolders takes away: until the second renaming this is the last good one.
     const auto former = folder.string() + ".former";
     removeAll(former);
     moveTo(folder, former);

@@ -1,4 +1,4 @@
-/// Which of a case's times to process, in OpenFOAM's words.
+/// Selection of a case's times, in OpenFOAM's words.
 #pragma once
 #include <string>
 #include <vector>

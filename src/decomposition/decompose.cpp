@@ -126,7 +126,7 @@ void checkSameRun(const Case& theCase, int part, const std::string& time)
         throw CaseError({file(part), 0}, fmt::format("differs from {}: one run has not written both", file(0)));
 }
 
-/// With the fields of those before it.
+/// Checks that a part has the same fields as the parts before it.
 void checkFields(const Cloud& whole, const Cloud& part)
 {
     for (const auto& [name, _] : whole.fields)

@@ -1,4 +1,4 @@
-/// Particles of time folders into folders processor0, processor1, .., and back.
+/// Decomposition of time folders into folders processor0, processor1, .., and reconstruction of them.
 #pragma once
 #include "Case.hpp"
 #include "Cloud.hpp"
@@ -19,7 +19,7 @@ std::vector<std::vector<std::size_t>> decompose(const Case&, const std::vector<s
 /// The times of all processor folders, sorted. Throws CaseError where the folders are not those of one decomposition into as many as there
 /// are and, if the case has a dictionary for it, as that says.
 std::vector<std::string> processorTimes(const Case&);
-/// Those that decomposeParticles has made of a time folder of the case which is still there.
+/// Times that decomposeParticles has made of a time folder of the case which is still there.
 std::vector<std::string> dividedTimes(const Case&);
 
 /// Puts the particles of a time together, those of processor0 first; returns how many there are. Throws CaseError where a folder lacks the

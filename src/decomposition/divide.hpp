@@ -1,4 +1,4 @@
-/// Particles into parts of equal numbers, by one process: for folders on disk. What ranks of a run share in memory is cut by Ranks::cut.
+/// Division of particles into parts of equal numbers, by one process, for folders on disk. Ranks of a run cut their shared particles by Ranks::cut.
 #pragma once
 #include "Vector.hpp"
 #include <cstddef>

@@ -19,7 +19,7 @@ struct PartBox
     Vector<3> low, high;
 };
 
-/// With half a spacing around the particles: the cut between two parts lies in the middle.
+/// Boxes of the parts, with half a spacing around the particles: the cut between two parts lies in the middle.
 std::vector<PartBox> boxesOf(int dimension, Places places, const std::vector<int>& part, std::size_t parts, double spacing)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -105,7 +105,7 @@ public:
     }
 };
 
-/// Where a periodic domain has the same particles again, itself included.
+/// Shifts at which a periodic domain has the same particles again, 0 included.
 std::vector<Vector<3>> shiftsOf(const Geometry& g)
 {
     std::vector<Vector<3>> shifts{{}};

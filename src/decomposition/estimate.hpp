@@ -1,4 +1,4 @@
-/// What ranks would have to do and to say to each other: counted on the particles of a case, cut into boxes as a run of so many ranks cuts them.
+/// Estimate of the ranks' work and messages: counted on the particles of a case, cut into boxes as a run of so many ranks cuts them.
 #pragma once
 #include "Geometry.hpp"
 #include <span>
@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// Of each rank.
+/// Load of each rank.
 struct RankLoad
 {
     std::vector<double> particles;
@@ -32,7 +32,7 @@ struct Costs
     int values = 18;                  ///< numbers of a copy that are sent in a step, in all
 };
 
-/// Of a step, for a rank with so many: its time in communication over all its time, which is n secondsPerParticle + refreshes neighbours
+/// Time that a rank spends in communication over all its time in a step; the latter is n secondsPerParticle + refreshes neighbours
 /// latency + 8 values copies/bandwidth.
 double shareOfCommunication(const Costs&, double particles, double copies, double neighbours);
 

@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// How many binary digits each coordinate may have so that the index has 64 at most.
+/// Number of binary digits that each coordinate may have so that the index has 64 at most.
 template<std::size_t dim> constexpr int hilbertBits = 64 / int(dim) - (dim == 2 ? 1 : 0);
 
 /// The index along the curve of a cell of a lattice with 2^hilbertBits cells to the side. Cells of successive indices are neighbours.

@@ -12,7 +12,7 @@ namespace sph
 
 namespace
 {
-/// Of each time, how many ranks have it.
+/// Number of ranks that have each time.
 std::map<std::string, int> countOfTimes(const Ranks& all, const std::vector<std::string>& own)
 {
     std::string text = fmt::format("{}", fmt::join(own, " "));

@@ -11,12 +11,12 @@ namespace sph
 /// "processor3"
 std::string processorFolder(int part);
 
-/// How many there are. Throws CaseError where one is missing among them.
+/// Number of processor folders. Throws CaseError where one is missing among them.
 int countProcessorFolders(const std::filesystem::path& caseFolder);
-/// All that are called so, whatever is missing.
+/// Removes all folders that have such a name, whatever is missing.
 void removeProcessorFolders(const std::filesystem::path& caseFolder);
 
-/// What decomposeParticles has written of a folder into it, `constant/decomposition`: by this a folder is known that is of another decomposition.
+/// Description that decomposeParticles writes into a folder, `constant/decomposition`; it tells a folder of another decomposition.
 struct Portion
 {
     int part = 0, parts = 0;

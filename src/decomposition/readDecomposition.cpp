@@ -9,7 +9,7 @@ namespace entry
 {
 const Count numberOfSubdomains{"numberOfSubdomains", byScene("as many as mpirun has started; needed by decomposeParticles"), atLeast(1),
                                "ranks, and folders processor0, processor1, .."};
-/// As Division.
+/// Words in the order of Division.
 const Choice method{
     "method",
     {{"rcb", "boxes: the longest side is cut in two, and so are both parts, until there is one for each"},

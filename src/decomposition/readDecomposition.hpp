@@ -1,4 +1,4 @@
-/// system/decomposeParDict: how particles are shared, between ranks and between folders. OpenFOAM's name and words.
+/// Settings of system/decomposeParDict: how ranks and folders share particles. OpenFOAM's name and words.
 #pragma once
 #include "Case.hpp"
 #include "EntryList.hpp"

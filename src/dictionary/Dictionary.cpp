@@ -60,7 +60,7 @@ DictionaryEntry* valueEntry(Dictionary::Node& node, const std::string& key, bool
     return nullptr;
 }
 
-/// What `read` makes of an entry; nothing where it is missing or wrong.
+/// Value that `read` makes of an entry; nothing where it is missing or wrong.
 template<class Read>
 auto valueOf(Dictionary::Node& node, const std::string& key, bool required, const Read& read)
     -> std::optional<decltype(read(std::declval<TokenReader&>()))>
@@ -268,7 +268,7 @@ std::string Dictionary::getPath(const std::string& key, const std::string& folde
     {
         const std::filesystem::path path = expandPath(text, caseFolder, [](const std::string&) { return std::nullopt; });
         if (path.is_relative()) return path.string();
-        // As the operating system sees folders, which may be links.
+        // The path is relative as the operating system sees folders, which may be links.
         return (std::filesystem::relative(path.parent_path(), caseFolder / folder) / path.filename()).lexically_normal().string();
     }
     catch (const PathError& e)

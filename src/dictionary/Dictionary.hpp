@@ -26,7 +26,7 @@ public:
     /// empty dictionary.
     static Dictionary read(const std::filesystem::path& caseFolder, const std::string& file, std::shared_ptr<Diagnostics>);
 
-    /// The same from text, for tests and defaults.
+    /// Parses a dictionary from text, for tests and defaults.
     static Dictionary parse(const std::string& text, const std::string& file, std::shared_ptr<Diagnostics>);
 
     /// An empty dictionary of that name: each look-up with a fallback succeeds.
@@ -39,7 +39,7 @@ public:
     Location location() const;
 
     bool found(const std::string& key) const;
-    /// Where an entry stands; this dictionary's own location where it is missing.
+    /// Location of an entry; this dictionary's own where it is missing.
     Location where(const std::string& key) const;
     /// Keywords in the order of the file, "FoamFile" left out. Listing does not count as reading.
     std::vector<std::string> keys() const;
@@ -68,7 +68,7 @@ public:
     Vector<3> getVector(const std::string& key, const DimensionSet& expected) const;
     Vector<3> getVector(const std::string& key, const DimensionSet& expected, Vector<3> fallback) const;
 
-    /// As `get`, and the value must be > 0 (>= 0).
+    /// A value as from `get`, which must be > 0 (>= 0).
     double getPositive(const std::string& key, const DimensionSet& expected) const;
     double getPositive(const std::string& key, const DimensionSet& expected, double fallback) const;
     double getNonNegative(const std::string& key, const DimensionSet& expected, double fallback) const;
@@ -96,7 +96,7 @@ public:
     /// Declares an entry, and all below it, as none of this program's business.
     void ignore(const std::string& key) const;
 
-    /// For the tools of this module that print and edit dictionaries.
+    /// The parsed entries, for the tools of this module that print and edit dictionaries.
     Node& node() const { return *node_; }
 
 private:

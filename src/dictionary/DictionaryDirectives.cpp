@@ -49,7 +49,7 @@ void DictionaryParser::unsupported(const Token& d)
                       "#include a file with it");
     else error(d.line, fmt::format("directive \"#{}\" is unknown. {}", d.text, suggestion(d.text, "directives", valid)));
 
-    // Its argument goes with it.
+    // The argument of a refused directive goes with it.
     if (sameLine(d.line) && (peek().kind == Kind::string || peek().kind == Kind::verbatim)) ++at_;
     else if (!atEnd() && peek().is('{') && d.text == "codeStream") skipBlock();
     else

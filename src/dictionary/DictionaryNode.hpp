@@ -1,4 +1,4 @@
-/// What a Dictionary is a handle on: the parsed entries, their place in the files, and what was looked up.
+/// The node behind a Dictionary: the parsed entries, their place in the files, and what was looked up.
 #pragma once
 #include "KeywordPattern.hpp"
 #include "Token.hpp"
@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What happens to an entry whose keyword is there already, as OpenFOAM's #inputMode.
+/// Treatment of an entry whose keyword is there already, as OpenFOAM's #inputMode.
 enum class InputMode
 {
     merge,     ///< sub-dictionaries merge, other values are replaced
@@ -30,7 +30,7 @@ struct DictionaryEntry
     std::shared_ptr<const KeywordPattern> pattern = nullptr;
     /// Counts the entries of its dictionary as they were given: among patterns the latest wins, though a repeated one keeps its place.
     std::size_t given = 0;
-    /// Where macros have taken its value: what they made of it stays, whatever becomes of the entry.
+    /// Places at which macros have taken the value: what they made of it stays, whatever becomes of the entry.
     std::vector<Location> taken = {};
 
     /// The text of the value (or of `{ .. }`) in the file `where.file`.
@@ -72,7 +72,7 @@ struct Dictionary::Node
     DictionaryEntry* findExact(const std::string& key);
     /// The entry of that keyword, or the last pattern that matches it.
     DictionaryEntry* find(const std::string& key);
-    /// As a macro names it: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up,
+    /// The entry that a macro names: `a` and `a.b` here or in an enclosing dictionary, `:a.b` or `/a/b` from the top, `..a` one up,
     /// `...a` two up.
     DictionaryEntry* findScoped(const std::string& name);
 
@@ -96,7 +96,7 @@ struct Dictionary::Node
     }
 
 private:
-    /// Where keywords stand in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
+    /// Places of keywords in `entries`, the first so many of them: a file of 10^5 entries would take half a minute without.
     std::unordered_map<std::string, std::size_t> places_;
     std::size_t placed_ = 0, given_ = 0;
 
@@ -106,7 +106,7 @@ private:
     DictionaryEntry* descend(const std::string& name);
 };
 
-/// Of a value: the dictionaries in it counted with all they hold.
+/// Extent of a value: the dictionaries in it counted with all they hold.
 Dictionary::Node::Extent extentOf(const std::vector<Token>&);
 
 }

@@ -274,7 +274,7 @@ void DictionaryParser::listNotClosed(const Token& keyword, const Token& opening)
     if (!atEnd() && peek().is(';')) ++at_;
 }
 
-/// From a '{' to behind the '}' that closes it.
+/// Skips a block, from a '{' to behind the '}' that closes it.
 void DictionaryParser::skipBlock()
 {
     for (int depth = 0; !atEnd();)
@@ -285,7 +285,7 @@ void DictionaryParser::skipBlock()
     }
 }
 
-/// Behind the next ';', or before a '}', a block, a directive, or a word that begins a line.
+/// Skips to behind the next ';', or before a '}', a block, a directive, or a word that begins a line.
 void DictionaryParser::skipToNextEntry()
 {
     for (bool first = true; !atEnd(); first = false)

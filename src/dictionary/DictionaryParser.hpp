@@ -1,4 +1,4 @@
-/// Turns the tokens of a file into the entries of a dictionary, carrying out directives and macros on the way.
+/// Parser that turns the tokens of a file into the entries of a dictionary, carrying out directives and macros on the way.
 ///
 /// Nothing throws: a mistake is recorded where it was made, and parsing goes on at the next place that looks like the beginning
 /// of an entry, so that the mistakes of a file are reported together.
@@ -13,7 +13,7 @@ namespace sph
 class DictionaryParser
 {
 public:
-    /// What a file shares with the files that it includes.
+    /// State that a file shares with the files that it includes.
     struct Context
     {
         std::filesystem::path caseFolder;
@@ -83,7 +83,7 @@ private:
     void take(DictionaryEntry&, int line) const;
     ExpressionValue macroValue(Dictionary::Node& scope, const std::string& name, int line) const;
     void undefinedMacro(Dictionary::Node& scope, const Token& variable);
-    /// As a path may name it; nothing where there is no such entry. Throws PathError where it is more than one word.
+    /// Text of an entry as a path may name it; nothing where there is no such entry. Throws PathError where it is more than one word.
     std::optional<std::string> textOf(Dictionary::Node& scope, const std::string& name, int line) const;
 
     void directive(Dictionary::Node& scope, const Token& directive);

@@ -74,7 +74,7 @@ std::string valueText(const DictionaryEntry& e, int indent)
     return text;
 }
 
-/// In foamDictionary's layout.
+/// Text of an entry in foamDictionary's layout.
 std::string entryText(const DictionaryEntry& e, int indent)
 {
     const auto keyword = keywordText(e);
@@ -98,7 +98,7 @@ bool isBlock(const std::string& value)
     return first != value.npos && value[first] == '{';
 }
 
-/// What would be written must be readable, and the value that was given be all of the entry's: it may name an unknown macro, or end too early.
+/// Checks that the edited text is readable, and that the given value is all of the entry's: it may name an unknown macro, or end too early.
 void checkEdited(const Dictionary& edited, const std::string& path, const std::string& value, std::size_t begin)
 {
     try
@@ -122,7 +122,7 @@ void checkEdited(const Dictionary& edited, const std::string& path, const std::s
         throw CaseError(header->where, "the header FoamFile is a dictionary");
 }
 
-/// Behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
+/// Place behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
 /// "// **** //" that closes OpenFOAM's files.
 std::size_t placeOfNewEntry(const std::string& text, const Node& node)
 {

@@ -9,7 +9,7 @@ namespace sph
 /// expanded and without ';', or "{ .. }" of a dictionary. Throws CaseError where it is missing.
 std::string valueText(const Dictionary&, const std::string& path);
 
-/// The same with its keyword, as a dictionary file has it; an empty path gives the whole dictionary.
+/// Text of an entry with its keyword, as a dictionary file has it; an empty path gives the whole dictionary.
 std::string entryText(const Dictionary&, const std::string& path);
 
 /// The keywords of the dictionary at `path` in the order of the file, patterns in quotes.

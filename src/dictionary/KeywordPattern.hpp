@@ -19,7 +19,7 @@ class KeywordPattern
 public:
     /// Throws PatternError, in words that follow the quoted expression, where it is none or too large.
     explicit KeywordPattern(const std::string& expression);
-    /// In a time proportional to the length of the expression times that of the keyword, whatever they are.
+    /// Whether the keyword matches as a whole, found in a time proportional to the length of the expression times that of the keyword.
     bool matches(const std::string& keyword) const;
 };
 

@@ -11,7 +11,7 @@ namespace sph
 namespace
 {
 
-/// As engineers write it where there is such a name, else in base units: "kg m s^-2".
+/// Text of a unit as engineers write it, where there is such a name, else in base units: "kg m s^-2".
 std::string unitText(const DimensionSet& d)
 {
     static const std::vector<std::pair<DimensionSet, std::string>> named{{units::none, ""},

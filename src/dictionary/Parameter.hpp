@@ -42,9 +42,9 @@ struct Range
     double harmless() const;
     /// "> 0", "0 to 180"; empty where every number will do.
     std::string text() const;
-    /// What is wrong with a value: "width" must be positive, found -1.
+    /// Message about a wrong value: "width" must be positive, found -1.
     std::string wrong(const std::string& keyword, double value) const;
-    /// The same range with a complaint of its own, which gives the reason: "theta is 1/2 (Crank-Nicolson) to 1 (Euler)".
+    /// A range with a complaint of its own, which gives the reason: "theta is 1/2 (Crank-Nicolson) to 1 (Euler)".
     Range saying(std::string reason) const;
 };
 inline const Range anyNumber, positive{.low = 0, .lowIncluded = false}, nonNegative{.low = 0};
@@ -53,12 +53,12 @@ inline Range between(double low, double high) { return {.low = low, .high = high
 inline Range positiveBelow(double high) { return {.low = 0, .high = high, .lowIncluded = false, .highIncluded = false}; }
 inline Range positiveUpTo(double high) { return {.low = 0, .high = high, .lowIncluded = false}; }
 
-/// In place of a default: the entry must be there.
+/// Mark in place of a default: the entry must be there.
 inline constexpr struct Required
 {
 } required;
 
-/// In place of a default: the reader decides, and the reference prints these words, "3 spacings".
+/// A default that the reader decides from the scene; the reference prints these words, "3 spacings".
 struct ByScene
 {
     std::string text;
@@ -94,7 +94,7 @@ struct ChoiceWords : std::vector<ChoiceWord>
     std::vector<std::string> words() const;
 };
 
-/// What the reference says of an entry.
+/// Description of an entry in the reference.
 struct ParameterInfo
 {
     std::string keyword, type, unit;
@@ -122,7 +122,7 @@ public:
     void checkPlane(const Dictionary& d, const Vector<3>& value, int dimension) const;
 };
 
-/// How a dictionary writes a value.
+/// Text of a value as a dictionary writes it.
 std::string written(double);
 std::string written(int);
 std::string written(bool);
@@ -135,7 +135,7 @@ template<class T> std::string written(const std::vector<T>& list)
     return "(" + text + ")";
 }
 
-/// What all entries with a value of type T have in common.
+/// Base of all entries with a value of type T.
 template<class T> class ValueParameter : public Parameter
 {
     std::optional<T> fallback_;
@@ -156,14 +156,14 @@ public:
     }
     virtual ~ValueParameter() = default;
 
-    /// With the declared default; a missing entry is an error where there is none.
+    /// The value, or the declared default; a missing entry is an error where there is none.
     T operator()(const Dictionary& d) const
     {
         assert((fallback_ || info_.isRequired) && "the reader must decide the default");
         return fallback_ ? (*this)(d, *fallback_) : needed(d);
     }
     T operator()(const Dictionary& d, const T& fallback) const { return given(d) ? read(d, fallback) : fallback; }
-    /// Here the entry must be there, though it need not be everywhere.
+    /// The value of an entry that must be there in this place, though it need not be everywhere.
     T needed(const Dictionary& d) const
     {
         if (given(d)) return read(d, harmless_);
@@ -185,7 +185,7 @@ public:
     Scalar(std::string keyword, const Unit& unit, const Default<double>& fallback, std::string meaning)
         : Scalar(std::move(keyword), unit, fallback, anyNumber, std::move(meaning))
     {}
-    /// The same entry in another unit, for what is per length in 2-D and per area in 3-D.
+    /// The same entry in another unit, for a quantity per length in 2-D and per area in 3-D.
     Scalar in(const DimensionSet&) const;
 };
 
@@ -315,7 +315,7 @@ class Choices : public ListOf<std::string>
 public:
     /// `things` says in an error what the words are: "Known phases: water, air".
     Choices(std::string keyword, std::string things, ChoiceWords, const Default<std::vector<std::string>>&, std::string meaning);
-    /// What is unknown is an error, and left out.
+    /// The chosen words; an unknown one is an error, and left out.
     std::vector<std::string> operator()(const Dictionary&) const;
     std::vector<std::string> operator()(const Dictionary&, const std::vector<std::string>& fallback) const;
     std::vector<std::string> among(const Dictionary&, std::span<const std::string> known, const std::vector<std::string>& fallback) const;
@@ -341,7 +341,7 @@ public:
     SubDictionary(std::string keyword, Required, std::string meaning);
     SubDictionary(std::string keyword, ByScene, std::string meaning);
     Dictionary operator()(const Dictionary& d) const { return info_.isRequired ? needed(d) : d.subDictOrEmpty(keyword()); }
-    /// Here it must be there, though it need not be everywhere.
+    /// The sub-dictionary, which must be there in this place, though it need not be everywhere.
     Dictionary needed(const Dictionary& d) const { return d.subDict(keyword()); }
 };
 

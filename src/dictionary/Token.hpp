@@ -24,13 +24,13 @@ struct Token
     };
 
     Kind kind = Kind::word;
-    /// Without the marks that delimit it.
+    /// Text without the marks that delimit it.
     std::string text;
     int line = 0, lastLine = 0;
-    /// From 1; tells a continued value from the next entry where a ';' is missing.
+    /// Column from 1; it tells a continued value from the next entry where a ';' is missing.
     int column = 0;
     bool firstOnLine = false;
-    /// Its place in the text of the file, for editing.
+    /// Place of the token in the text of the file, for editing.
     std::size_t begin = 0, end = 0;
     std::shared_ptr<Dictionary::Node> dictionary = nullptr;
 
@@ -38,7 +38,7 @@ struct Token
     bool isText() const { return kind == Kind::word || kind == Kind::string; }
 };
 
-/// As it is written in a file.
+/// Text of a token as it is written in a file.
 std::string toString(const Token&);
 
 }

@@ -1,4 +1,4 @@
-/// Turns the tokens of a value into numbers, words, vectors and lists, in each form in which OpenFOAM writes them.
+/// Reader that turns the tokens of a value into numbers, words, vectors and lists, in each form in which OpenFOAM writes them.
 #pragma once
 #include "Token.hpp"
 #include <stdexcept>
@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// What is wrong with a value, to follow its keyword: "must be a number, found "abc"".
+/// Message about a wrong value, to follow its keyword: "must be a number, found "abc"".
 struct ValueError : std::runtime_error
 {
     using runtime_error::runtime_error;
@@ -26,7 +26,7 @@ public:
     bool accept(char c);
     bool accept(const char* word);
     const Token& take(const char* expected);
-    /// All that is left, as written.
+    /// Text of all remaining tokens, as written.
     std::string rest() const;
     /// `[..]`, behind a name that repeats the keyword or not, if there is one.
     std::optional<DimensionSet> dimensions();

@@ -1,4 +1,4 @@
-/// Cuts the text of a dictionary file into tokens, by the rules of OpenFOAM's ISstream.
+/// Tokeniser that cuts the text of a dictionary file into tokens, by the rules of OpenFOAM's ISstream.
 #pragma once
 #include "Token.hpp"
 #include <vector>

@@ -1,3 +1,4 @@
+/// Default entries of a dictionary, merged into it.
 #pragma once
 #include "Dictionary.hpp"
 

@@ -1,11 +1,11 @@
-/// How large a dictionary may be: far beyond what a case needs, and well within what stack, memory and patience bear.
+/// Limits on the size of a dictionary: far beyond what a case needs, and well within what stack, memory and patience bear.
 #pragma once
 #include <cstddef>
 
 namespace sph::limit
 {
 
-/// Of dictionaries and included files within one another, and of brackets, signs and conditions in an expression.
+/// Depth of dictionaries and included files within one another, and of brackets, signs and conditions in an expression.
 inline constexpr int nesting = 100;
 /// Words, numbers and brackets of a file, of all that it includes, and of what its macros bring in.
 inline constexpr std::size_t words = 2'000'000;

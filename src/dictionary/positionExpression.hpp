@@ -20,7 +20,7 @@ inline ExpressionValue evaluateAt(const std::string& text, const Vector<3>& x, s
                     });
 }
 
-/// Where to try an expression before it is needed: nothing that users write is singular there, as it may be at the origin.
+/// Position at which an expression is tried before it is needed: nothing that users write is singular there, as it may be at the origin.
 inline constexpr Vector<3> anyPlace{3.819e-4, 2.764e-4, 4.472e-4};
 
 }

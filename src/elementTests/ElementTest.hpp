@@ -10,7 +10,7 @@ namespace sph
 inline constexpr double SymmTensor<3>::*symmComponents[]{&SymmTensor<3>::xx, &SymmTensor<3>::xy, &SymmTensor<3>::xz,
                                                          &SymmTensor<3>::yy, &SymmTensor<3>::yz, &SymmTensor<3>::zz};
 
-/// A straight piece of the path: L dt of the whole piece. Of a component whose stress is held, its own part of L is unknown.
+/// A straight piece of the path: L dt of the whole piece. For a component whose stress is held, its own part of L is unknown.
 struct ElementLeg
 {
     Tensor<3> deformation;

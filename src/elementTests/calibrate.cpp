@@ -170,7 +170,7 @@ Calibration calibrate(const Measurement& measured)
     auto m = measured;
     if (!m.points.empty())
     {
-        // What comes behind the peak, softening, is beyond the law.
+        // Points behind the peak, softening, are beyond the law.
         m.points.erase(std::ranges::max_element(m.points, {}, &TriaxialPoint::q) + 1, m.points.end());
         checkPoints(m);
         m.figures = figuresOf(m.figures.pressure, m.points);

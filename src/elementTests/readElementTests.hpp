@@ -1,4 +1,4 @@
-/// system/elementTestDict:
+/// Element tests, as system/elementTestDict states them:
 ///
 ///     tests
 ///     {

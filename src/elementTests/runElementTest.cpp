@@ -98,7 +98,7 @@ ElementRow heldRow(const Law& law, const StressIntegration& how, const ElementRo
     const auto rate = [&](double, const ElementState& s)
     {
         const auto D = solveHeld(law, s.stress, guess, W, held);
-        // What cannot be makes the substep shorter.
+        // A strain rate that does not exist makes the substep shorter.
         if (!D) return std::numeric_limits<double>::quiet_NaN() * s;
         guess = *D;
         return ElementState{law.rate(s.stress, *D) + turning(s.stress, W), *D};

@@ -1,4 +1,4 @@
-/// What elementTest writes into postProcessing/elementTest: a table of each test, and a gnuplot script that draws all.
+/// Output of elementTest in postProcessing/elementTest: a table of each test, and a gnuplot script that draws all.
 #pragma once
 #include "ElementTest.hpp"
 #include <filesystem>

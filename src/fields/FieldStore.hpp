@@ -43,7 +43,7 @@ public:
     /// An array of the current size for each component, filled with 0; asking twice is harmless.
     void allocate(const std::string& name, const FieldInfo& info, const ValueType& type);
     template<class F> void allocate(F) { allocate(F::info.name, F::info, valueType<FieldValue<F, dim>>); }
-    /// The same, for a field that keeps its values from step to step.
+    /// Allocates a field that keeps its values from step to step.
     void allocateState(const std::string& name, const FieldInfo& info, const ValueType& type)
     {
         allocate(name, info, type);

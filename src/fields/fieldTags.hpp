@@ -21,7 +21,7 @@ enum class Image
     placed
 };
 
-/// What a particle of a wall layer has: by its pair, whatever each particle of the fluid sees in it; or one value of its own, a mean over the fluid
+/// Values of a particle of a wall layer: by pair, a value for each particle of the fluid that sees it; or one value of its own, a mean over the fluid
 /// within sight (WallLayers.hpp).
 enum class InLayers
 {
@@ -112,7 +112,7 @@ template<class List, int dim> struct Values;
 template<class... F, int dim> struct Values<Fields<F...>, dim> : At<F, dim>...
 {};
 
-/// How many numbers those are.
+/// Number of components of these values.
 template<class V> constexpr int valueComponents = 0;
 template<class... F, int dim> constexpr int valueComponents<Values<Fields<F...>, dim>> = (fieldComponents<F, dim> + ... + 0);
 

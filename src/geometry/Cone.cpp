@@ -26,7 +26,7 @@ Foot Cone::foot(const Vector<3>& x) const
     const double rho = mag(radial), s = t * cosine_ + rho * sine_;
     if (s <= 0)
     {
-        // Behind the apex, where the point is outside the cone.
+        // The nearest place is the apex, behind which the point lies outside the cone.
         const double r = mag(q);
         return {-e * r, r > 0 ? -e / r * q : e * axis_, 0, 0, false};
     }

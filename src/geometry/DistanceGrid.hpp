@@ -1,4 +1,4 @@
-/// What is known of the distance to a surface: in cells, each of which is asked for once, so that of most places far off no search is needed.
+/// A grid of cells that store the distance to a surface, each when it is first asked for, so that of most places far off no search is needed.
 #pragma once
 #include "Shape.hpp"
 #include <array>

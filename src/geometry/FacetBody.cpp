@@ -12,7 +12,7 @@ namespace
 /// Largest distance of a particle over a hollow's radius for which its image has the volume factor of eq. (18).
 constexpr double mostCurved = 0.6;
 
-/// Of the coordinates of a facet: what lies over the joint of two lies over both.
+/// Tolerance of the coordinates on a facet: a point over the joint of two facets lies over both.
 constexpr double onJoint = 1e-10;
 
 /// Whether what lies `way` from the middle of a facet may lie in its prism.
@@ -296,7 +296,7 @@ Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
     const auto& f = facets_[std::size_t(facet)];
     if (flatPatch_[std::size_t(f.patch)]) return withMargin({facet, Lies::beside, plane(facet, x).foot}, x, hidden);
     if (!f.isCreased()) return withMargin({facet, Lies::over, (over ? *over : plane(facet, x)).foot}, x, hidden);
-    // Beyond the border of a curved patch: along it to the edge whose strip x lies in.
+    // A point beyond the border of a curved patch: the search goes along the border to the edge whose strip x lies in.
     const auto l = over ? over->l : plane(facet, x).l;
     int edge = -1;
     for (int k = 0; k < 3; ++k)
@@ -348,7 +348,7 @@ bool FacetBody::sees(const Vector<3>& x, int facet) const
             const double towards = dot(g.normal, way);
             if (towards >= 0) return; // from behind
             const double at = dot(g.normal, corner(g, 0) - x) / towards;
-            // What is met beside the end is the face itself, or a neighbour.
+            // A facet met beside the end is the face itself, or a neighbour.
             if (at <= 0 || at * length > length - 1e-2 * scale_.spacing) return;
             const auto p = plane(t, x + at * way);
             hidden = hidden || p.inside;

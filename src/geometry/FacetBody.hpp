@@ -63,7 +63,7 @@ public:
         double radius; ///< of a sphere around `middle` that holds the facet [m]
         double lean;   ///< of the most oblique corner normal: how far it goes along the facet for each unit along the normal
 
-        /// Which of its corners this point is, 3 if none.
+        /// Number of the corner that this point is, 3 if none.
         int cornerAt(int point) const { return int(std::ranges::find(points, point) - points.begin()); }
         bool isCreased() const
         {
@@ -149,7 +149,7 @@ public:
     double mostTurned() const { return mostTurned_; }
 
 private:
-    /// Where a point is from a facet; beside it across its edges alone.
+    /// Position of a point relative to a facet; `beside` means across its edges alone.
     enum class Lies : unsigned char
     {
         elsewhere,

@@ -12,7 +12,7 @@
 namespace sph
 {
 
-/// Where the nearest point of a triangle lies.
+/// Part of a triangle on which its nearest point lies.
 enum class TrianglePart : unsigned char
 {
     face,

@@ -17,17 +17,17 @@ namespace sph
 
 class Case;
 
-/// What is small in a mesh: facets that stand for a curved surface, and radii that reflection cannot represent.
+/// Length scales of a mesh: the spacing, for facets that stand for a curved surface, and the support, for radii that reflection cannot represent.
 struct FacetScale
 {
     double spacing = 0; ///< of particles [m]
     double support = 0; ///< H [m]
 };
 
-/// What the physics needs to know of a wall besides its shape.
+/// Properties of a wall that the physics needs besides its shape.
 struct WallProperties
 {
-    /// Of two phases by their names, which geometry does not know.
+    /// Contact angle of two phases, by their names, which geometry does not know.
     struct PhaseAngle
     {
         std::string first, second;
@@ -57,7 +57,7 @@ struct Patch
 {
     std::shared_ptr<const Shape> shape;
     int wall; ///< index into Geometry::walls
-    /// The same of each region of a mesh; empty of what is all one wall.
+    /// Number of the wall of each region of a mesh; empty where all is one wall.
     std::vector<int> walls = {};
     const TriangleMesh* mesh = nullptr; ///< the shape, where it is one; from repeatPeriodically
     int wallAt(int region) const { return walls.empty() ? wall : walls[std::size_t(region)]; }
@@ -88,7 +88,7 @@ struct Geometry
     std::vector<LayerParticle> layers;     ///< of one period, where walls are layers of particles; empty where they reflect
     std::shared_ptr<const PatchGrid> grid; ///< of `patches`, for what is within reach; without it every patch is asked
     std::shared_ptr<const PatchTree> tree; ///< of `patches`, for the nearest at any distance; likewise
-    /// Of each patch those whose solid may hold parts of it. Empty where no solids touch or overlap: nothing then asks (solidUnion.cpp).
+    /// Patches whose solid may hold parts of a patch, by patch. Empty where no solids touch or overlap: nothing then asks (solidUnion.cpp).
     std::vector<std::vector<int>> coverers;
 
     /// Whether another solid may hold parts of a patch.
@@ -113,7 +113,7 @@ struct Geometry
     double distance(const Vector<3>& x) const;
     /// True where no patch has x on its solid side, for x within the domain.
     bool inFluid(const Vector<3>& x) const;
-    /// Of the wall as a rigid body: velocity + omega x (x - origin) [m/s].
+    /// Velocity of a point of a wall as a rigid body: velocity + omega x (x - origin) [m/s].
     Vector<3> wallVelocity(int wall, const Vector<3>& x) const;
     /// True where some wall has a contact angle.
     bool wets() const
@@ -154,8 +154,8 @@ void repeatPeriodically(Geometry&, double reach);
 /// Faces of boxes that lie on planes or behind them go on into the solid: a block that stands on a floor, or is let into it, is the same.
 void sinkIntoPlanes(Geometry&);
 
-/// Which patches other solids may cover: where a body (fluid outside) touches or overlaps another solid. Walls of a container among
-/// themselves are none of it: their feet behind one another are outside the domain. Spheres that touch are none either.
+/// Patches that may cover a patch, by patch, where a body (fluid outside) touches or overlaps another solid. Walls of a container among
+/// themselves have none: their feet behind one another are outside the domain. Spheres that touch have none either.
 std::vector<std::vector<int>> findCoverers(const Geometry&);
 
 /// Reads constant/geometry:
@@ -176,11 +176,11 @@ std::vector<std::vector<int>> findCoverers(const Geometry&);
 ///
 /// Meshes (type triSurface) are read as meshToGhost has prepared them in `folder`, that of the case.
 Geometry readGeometry(const Dictionary&, double reach);
-/// The same as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
+/// The geometry as far as so many supports of the kernel, for particles that must fit the domain: throws CaseError where they do not.
 Geometry readGeometry(const Dictionary&, const Resolution&, double supports, const std::filesystem::path& folder = {});
 /// Dimension and domain alone, of constant/walls or, where meshToGhost has not been run, of constant/geometry.
 Geometry readDomain(const Case&);
-/// What the solver's images reach, skin included.
+/// Reach of the solver's images in supports, skin included.
 inline constexpr double supportsOfSolver = 1.5;
 /// Period [m] of the first bed of spheres among the walls of constant/geometry, 0 where there is none.
 double bedPeriod(const Dictionary& geometry);

@@ -28,7 +28,7 @@ class Check
     Box domain_;
     std::map<int, TriangleSurface> samples_;
 
-    /// Of all shapes of two walls, with the sharpest wedge among them.
+    /// Overlaps of all shapes of two walls, with the sharpest wedge among them.
     struct Overlap
     {
         int count = 0;
@@ -242,7 +242,7 @@ class Check
             if (found.first > 0) movesThroughItself(w, found.first, found.second);
     }
 
-    /// In the domain, and not on a far side that repeats the near one.
+    /// Whether x lies in the domain, and not on a far side that repeats the near one.
     bool isOnce(const Vector<3>& x) const
     {
         for (int k = 0; k < g_.dimension; ++k)

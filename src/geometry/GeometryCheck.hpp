@@ -1,11 +1,11 @@
-/// Whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
+/// Check whether reflection can represent the walls of a scene: curvature, gaps, contacts and overlaps against the kernel support H.
 ///
 /// An image exists as far as the nearest centre of curvature, so that R > H is needed on either side of a curved wall (Barker et al.
 /// 2012 do not say so). Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not
 /// resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
 /// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
-/// warning between the walls of a container. A wall may slide along itself and nowhere else. What lies of a wall in another solid is none of
+/// warning between the walls of a container. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
 /// it (solidUnion.cpp): a step on the floor may be thinner than two supports; a body that no fluid can reach is an error.
 #pragma once
 #include "Geometry.hpp"
@@ -15,7 +15,7 @@
 namespace sph
 {
 
-/// Where two surfaces come nearest to each other with fluid between them.
+/// The place where two surfaces come nearest to each other with fluid between them.
 struct Gap
 {
     double width = Box::infinity; ///< [m]; 0 where they touch

@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// Of a wall's speed, what its direction in the dictionary may be off the wall by rounding.
+/// Share of a wall's speed by which its direction in the dictionary may be off the wall, by rounding.
 inline constexpr double slidingTolerance = 1e-6;
 
 /// Whether a velocity of the wall has a part across the patch.

@@ -1,4 +1,4 @@
-/// Which patches may be near a point: a uniform grid over the domain extended by `reach`, so that beds of thousands of spheres
+/// A uniform grid that lists the patches near a point. It covers the domain extended by `reach`, so that beds of thousands of spheres
 /// cost the same per particle as one wall.
 #pragma once
 #include "Geometry.hpp"
@@ -19,7 +19,7 @@ class PatchGrid
     int cell(const Vector<3>& x) const;
 
 public:
-    /// Of geometry.patches. `reach` [m] is the largest distance at which a patch must be found.
+    /// A grid of geometry.patches. `reach` [m] is the largest distance at which a patch must be found.
     PatchGrid(const Geometry&, double reach);
 
     /// Indices into Geometry::patches, ascending, of every patch from which x has a signed distance of at most `reach`, and

@@ -18,7 +18,7 @@
 namespace sph
 {
 
-/// What a point sees of the nearest place of a surface.
+/// The nearest place of a surface as a point sees it: distance, normal and curvatures.
 struct Foot
 {
     double distance = 0;   ///< [m] > 0 in the fluid
@@ -28,7 +28,7 @@ struct Foot
     /// False where x has no mirror image in this surface: the nearest point lies on an edge, a vertex or an apex, or is not
     /// unique (centre of a sphere, axis of a torus). Whoever makes images leaves such a point out.
     bool smooth = true;
-    /// By how much the mirror image lies nearer to this face than to the next one of its body [m]: negative beyond the bisector of a convex edge,
+    /// Margin by which the mirror image lies nearer to this face than to the next one of its body [m]: negative beyond the bisector of a convex edge,
     /// -infinite where the nearest place is an edge or a vertex.
     double margin = std::numeric_limits<double>::infinity();
 
@@ -44,7 +44,7 @@ struct Foot
     int region = 0; ///< of the mesh whose surface it lies on
 };
 
-/// From 0 at s = 0 to 1 at s = 1, flat beyond both.
+/// Smooth step, from 0 at s = 0 to 1 at s = 1, flat beyond both.
 constexpr double smoothStep(double s) { return s <= 0 ? 0 : s >= 1 ? 1 : s * s * (3 - 2 * s); }
 
 /// Share of a mirror image that belongs to the face it was mirrored in. It fades from 1 to 0 over a width across the bisector of an edge, on
@@ -126,7 +126,7 @@ public:
     virtual bool enclosesFluid() const = 0;
     /// Triangles, none longer than about `size`, that cover the surface within the box and may stick out of it.
     virtual TriangleSurface triangles(const Box& within, double size) const = 0;
-    /// At most the distance between surface and box.
+    /// A lower bound on the distance between surface and box [m].
     virtual double distanceTo(const Box&) const;
 };
 

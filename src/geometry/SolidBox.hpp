@@ -23,7 +23,7 @@ public:
     Foot footOnFace(const Vector<3>& x, const Vector<3>& normal, const Vector<3>& source, const Covered&) const override;
     std::vector<Foot> feetFromInside(const Vector<3>& x) const override;
     Box bounds() const override { return {low_, high_}; }
-    /// Of the faces; edges are not smooth.
+    /// The radius is that of the faces; edges are not smooth.
     double smallestRadius() const override { return Box::infinity; }
     bool hasEdges() const override { return true; }
     std::unique_ptr<Shape> shifted(const Vector<3>& by) const override;

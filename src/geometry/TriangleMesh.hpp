@@ -16,7 +16,7 @@ public:
     explicit TriangleMesh(std::shared_ptr<const FacetBody> body, const Vector<3>& offset = {}) : body_(std::move(body)), offset_(offset) {}
 
     const FacetBody& body() const { return *body_; }
-    /// The same mesh where facets are hidden in other solids.
+    /// A copy of the mesh with facets hidden in other solids.
     std::shared_ptr<const TriangleMesh> withHidden(std::vector<char> facets) const
     {
         auto mesh = std::make_shared<TriangleMesh>(body_, offset_);
@@ -24,7 +24,7 @@ public:
         return mesh;
     }
     FacetBody::Hidden hidden() const { return hidden_; }
-    /// From the scene's coordinates to those of the body.
+    /// Position in the body's coordinates, from one in the scene's.
     Vector<3> local(const Vector<3>& x) const { return x - offset_; }
 
     Foot foot(const Vector<3>& x) const override { return body_->foot(local(x)); }
@@ -36,7 +36,7 @@ public:
     bool invariantAlong(int) const override { return false; }
     bool enclosesFluid() const override { return body_->volume() < 0; }
     TriangleSurface triangles(const Box&, double size) const override;
-    /// Its facets of one region, as they are.
+    /// Facets of one region of the mesh, as they are.
     TriangleSurface region(int) const;
 };
 

@@ -23,7 +23,7 @@ TriangleSurface parametricSurface(int nu, int nv, const std::function<Vector<3>(
 /// Cells along an arc of that length [m] for edges no longer than `size`, within limits that keep circles round and files small.
 int segments(double length, double size);
 
-/// What lies within the box: triangles that cross its sides are cut there.
+/// The part of a surface within the box: triangles that cross its sides are cut there.
 TriangleSurface cropped(const TriangleSurface&, const Box&);
 
 void append(TriangleSurface& to, const TriangleSurface& more);

@@ -51,7 +51,7 @@ Vector<3> withinDomain(Vector<3> a, const Geometry& g)
     return a;
 }
 
-/// With the place in constant/geometry, which is that of a mistake: what the angles mean the solver alone can tell.
+/// Text of the angles with the place in constant/geometry, which is that of a mistake: their meaning the solver alone can tell.
 std::string anglesText(const WallProperties& wall)
 {
     if (!wall.wets) return "";

@@ -1,4 +1,4 @@
-/// constant/walls: the geometry as the solver loads it, written by meshToGhost.
+/// The file constant/walls: the geometry as the solver loads it, written by meshToGhost.
 ///
 /// A dictionary with every number in the shortest form that reads back to the same double:
 ///

@@ -1,4 +1,4 @@
-/// How two surfaces lie to each other within the domain: a gap, a contact, or a line along which they cross.
+/// Relation of two surfaces within the domain: a gap, a contact, or a line along which they cross.
 #pragma once
 #include "Geometry.hpp"
 

@@ -1,4 +1,4 @@
-/// How triangles become a body: who is across each edge, what is smooth and what an edge, patches, and the normals of the corners.
+/// A body made of triangles: the facet across each edge, smooth and sharp edges, patches, and the normals of the corners.
 #include "FacetBody.hpp"
 #include "facetAngles.hpp"
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double onePlane = 0.5 * degree;
 constexpr double sharpAngle = 30 * degree;
 /// Facets wider than this many spacings stand for themselves.
 constexpr double widestSmooth = 3;
-/// In hollows as tight as the support only facets below a spacing stand for the curve: others, for themselves, fill what lies behind its centre.
+/// Limit in hollows as tight as the support: only facets below a spacing stand for the curve; wider ones, by themselves, fill the space behind its centre.
 constexpr double widestInHollow = 1;
 
 /// Facets within so many spacings know together how deep they have no rivals.
@@ -85,7 +85,7 @@ FacetBody::FacetBody(const FacetSurface& surface, std::span<const int> chosen, c
     safeLayers_ = std::vector<std::atomic<unsigned char>>(tree_.nodes().size());
 }
 
-/// As the facets follow one another, so that what is near lies near in memory, too.
+/// Numbers the points as the facets follow one another, so that those near in space lie near in memory, too.
 void FacetBody::renumberPoints(std::vector<std::array<int, 3>>& triangles)
 {
     std::vector<int> numberOf(points_.size(), -1);
@@ -105,7 +105,7 @@ void FacetBody::renumberPoints(std::vector<std::array<int, 3>>& triangles)
     points_.swap(points);
 }
 
-/// Who is across each edge.
+/// Finds the facet across each edge.
 void FacetBody::join()
 {
     std::unordered_map<std::uint64_t, std::pair<int, int>> open;
@@ -181,7 +181,7 @@ void FacetBody::numberPatches()
         }
         ++patches_;
     }
-    // What a patch surrounds is no edge of it: hollows about as tight as the limit.
+    // An edge with the same patch on both sides is no edge of the patch: hollows about as tight as the limit.
     for (auto& f : facets_)
         for (std::size_t k = 0; k < 3; ++k)
             if (const auto& g = facets_[std::size_t(f.across[k])];
@@ -241,7 +241,7 @@ void FacetBody::averageNormals()
             for (const auto& c : fan) mostTurned_ = std::max(mostTurned_, angleBetween(n, facets_[std::size_t(c.first)].normal));
             cornerNormals_.push_back(n / std::max(height, 0.5));
 
-            // As far beyond either edge as beyond the other.
+            // The outward direction reaches as far beyond either edge as beyond the other.
             Vector<3> way;
             for (const auto& edge : border) way += unitVector(cross(edge, n));
             const auto out = mag(way) > 0.1 ? unitVector(way) : border.empty() ? n : unitVector(cross(border[0], n));

@@ -1,4 +1,4 @@
-/// Which face of a body a place behind its surface belongs to: what competes for it, and where nothing does.
+/// Facets of a body that compete for a place behind its surface (rivals): which of them the place belongs to, and where there are no rivals.
 #include "FacetBody.hpp"
 #include "facetAngles.hpp"
 
@@ -8,20 +8,20 @@ namespace sph
 namespace
 {
 
-/// Of one smooth patch, facets turned by more than this against one another compete for what is behind them: both sides of a ridge that ends.
+/// Facets of one smooth patch that are turned by more than this against one another are rivals: both sides of a ridge that ends.
 constexpr double rivalAngle = 35 * degree;
 const double rivalCosine = std::cos(rivalAngle);
-/// Beyond an edge a patch owns what lies as deep below all of it as from the edge, and nothing of what lies less than half as deep.
+/// Depth below the whole patch over distance from an edge: a place beyond the edge belongs to the patch from `wholeBelow` on, and not at all below `noneBelow`.
 constexpr double wholeBelow = 0.9, noneBelow = 0.5;
-/// Among what competes for a place, facets within so many spacings count as one.
+/// Rivals within so many spacings of one another count as one.
 constexpr double finest = 0.1;
-/// How deep facets have no rivals is known in layers of so many spacings,
+/// Depths down to which facets have no rivals are stored in layers of so many spacings,
 constexpr double layer = 0.25;
 constexpr int mostLayers = 254;
-/// of which those beyond so many supports are asked for by none.
+/// and layers deeper than so many supports are never needed.
 constexpr double deepest = 1.5;
 
-/// That of y below the plane of a facet of the node, no more than the distance to it.
+/// Upper bound on the depth of y below the planes of the facets of a node, no more than the distance to the far end of the node.
 double greatestDepth(const FacetTree::Node& node, const Vector<3>& y)
 {
     const auto way = 0.5 * (node.box.low + node.box.high) - y;
@@ -39,7 +39,7 @@ FacetBody::Claim FacetBody::claim(int facet, const Vector<3>& y) const
     return {D, depth < 0 ? Box::infinity : 2 * D - depth};
 }
 
-/// In the plane beyond an edge the facet of the face that y is nearest to speaks for it.
+/// Claim of the face in whose plane y lies beyond an edge: that of its facet nearest to y.
 FacetBody::Claim FacetBody::claimOfPlane(int facet, const Vector<3>& y) const
 {
     const auto& f = facets_[std::size_t(facet)];
@@ -65,7 +65,7 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     double toFront = Box::infinity, toBack = own.D;
     const double faded = std::numbers::sqrt2 * scale_.spacing;
     double least = own.t + faded;
-    // Of two facets that meet at an angle the difference counts as much more as their normals differ less; a share that has faded out is 0 whatever it is.
+    // The difference between two facets counts the more the less their normals differ; a share that has faded out is 0 whatever the difference is.
     const auto rival = [&](int t)
     {
         const auto& g = facets_[std::size_t(t)];
@@ -92,14 +92,14 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
                       const double weight = std::numbers::sqrt2 / std::sqrt(1 - cosine);
                       return D > std::min(toFront, toBack) && own.t + weight * (2 * D - greatestDepth(node, y) - own.t) > least;
                   });
-    // What is mirrored to a place in the fluid is nobody's.
+    // A place that lies in the fluid belongs to no facet.
     if (toFront <= toBack * (1 + 1e-9))
         if (const double s = distance(y); s > 0) return -s - own.t;
     return (least - own.t) / std::numbers::sqrt2;
 }
 
-/// Beyond an edge, D from the facet, y may lie below another part of the same curved patch, or in front of it, where the patch goes round the end of the edge:
-/// that part is no rival, and has an image of its own there. So as much of the margin as y is as near to the facet as to any.
+/// A place y beyond an edge, D from the facet, may lie below another part of the same curved patch, or in front of it, where the patch goes round the end of the
+/// edge: that part is no rival, and has an image of its own there. The margin then follows from the depth of y below the whole patch over D.
 double FacetBody::marginInPatch(const Facet& f, const Vector<3>& y, double D) const
 {
     int nearest;
@@ -126,7 +126,7 @@ double FacetBody::safeDepth(int facet) const
     return layers * thickness;
 }
 
-/// By one place y from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
+/// Tests one place y, from which all P - depth N of these facets are no further than `off`. Further up D - d of any rival is greater, and t >= D.
 bool FacetBody::isSafe(const FacetTree::Node& node, double depth) const
 {
     if (node.patch < 0 || node.cosine < rivalCosine) return false;

@@ -1,3 +1,4 @@
+/// Fluid fraction of a domain with walls.
 #pragma once
 #include "Geometry.hpp"
 

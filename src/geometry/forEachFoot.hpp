@@ -23,13 +23,13 @@ template<class F> void forEachFoot(const Geometry& g, std::span<const int> near,
         else if (const Foot foot = g.foot(p, x); foot.distance <= reach && foot.exposure > 0) f(foot, p);
 }
 
-/// The same of all patches that the geometry's own grid knows, for reach up to Geometry::reach.
+/// Calls f for the patches that the geometry's own grid knows, for reach up to Geometry::reach.
 template<class F> void forEachFoot(const Geometry& g, const Vector<3>& x, double reach, const F& f)
 {
     forEachFoot(g, g.grid->near(x), x, reach, f);
 }
 
-/// The same of each shape by itself, whatever other solids cover of it, and for any reach: the smallest of these distances is that to the union
+/// Calls f for each shape by itself, whatever other solids cover of it, and for any reach: the smallest of these distances is that to the union
 /// of all solids, also for an x in several of them, whose feet may all be covered.
 template<class F> void forEachFootAlone(const Geometry& g, const Vector<3>& x, double reach, const F& f)
 {

@@ -174,7 +174,7 @@ void readMeshWall(const Dictionary& dict, Geometry& g)
     {
         auto wall = readWallProperties(region, g.dimension, true);
         wall.name = name + "." + region.keyword();
-        // As the rest of the mesh
+        // A region that states neither slip nor friction has those of the rest of the mesh.
         if (!entry::slip.given(region) && !wall.frictionAngle)
         {
             wall.slips = whole.slips;

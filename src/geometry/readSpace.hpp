@@ -1,4 +1,4 @@
-/// What constant/geometry and constant/walls have in common.
+/// Entries that constant/geometry and constant/walls share.
 #pragma once
 #include "Geometry.hpp"
 

@@ -49,7 +49,7 @@ class Layering
         const long more = g_.periodic[c] ? 0 : long(std::ceil(margin_ / step));
         return {low + (0.5 - double(more)) * step, step, n + 2 * more};
     }
-    /// From face to face of a box; from the one face that is within sight of the domain; or the domain's layers.
+    /// A row of places: from face to face of a box, from the one face that is within sight of the domain, or the domain's layers.
     Row along(int c, double low, double high) const
     {
         const Row all = across(c);
@@ -96,7 +96,7 @@ class Layering
         particles_.push_back({x, volume / cell_, patch.wall});
     }
 
-    /// Behind a surface, layer by layer: f(k, depth, thickness). `radius`: how deep the solid is at most.
+    /// Calls f(k, depth, thickness) for the layers behind a surface. `radius`: depth of the solid at most.
     void layers(double thickness, double radius, const std::function<void(long, double, double)>& f) const
     {
         if (radius < H_ + 0.5 * thickness) thickness = radius / std::floor(radius / thickness);

@@ -21,7 +21,7 @@ struct Norms
     }
 };
 
-/// Of the speed along walls; the relaxed packings of pipes reach 0.12 at 9 particles across and 0.04 at 19
+/// Largest speed through walls over that along them, at most; the relaxed packings of pipes reach 0.12 at 9 particles across and 0.04 at 19
 /// (tutorials/powderMoulding/circularPipe), a lattice jittered by a tenth of a spacing 0.8.
 constexpr double mostThroughWalls = 0.5;
 
@@ -172,7 +172,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
     const auto apply = [&]
     {
         particles.evaluate(ofSolver);
-        // What is held has a residual of 0 and keeps it: the others' equations remain, with a symmetric matrix.
+        // Buffer particles have a residual of 0 and keep it: the equations of the others remain, with a symmetric matrix.
         for (const auto& response : {Lp, Kp})
             for (double* component : response)
                 if (component)
@@ -190,7 +190,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
             throw DivergedError(
                 fmt::format("{} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step", name,
                             iterations, history));
-        // Of the velocity, or with pressure, whose forces balance one another, of what they were before.
+        // The residual is relative to the velocity, or with pressure, whose forces balance one another, to its value at the start.
         if (withPressure_ ? now.rz <= sqr(settings.tolerance) * start : rr <= sqr(settings.tolerance) * vv) return true;
         const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
         if (iterations == settings.maxIter)

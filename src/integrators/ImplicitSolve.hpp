@@ -1,4 +1,4 @@
-/// Viscosity, and with `scheme implicit` pressure too, within a step instead of at its start: stable however stiff they are.
+/// Implicit solve for the velocities: viscosity, and with `scheme implicit` pressure too, acts within a step, not at its start, and is stable however stiff.
 ///
 ///   v_1 = v_0 + dt (a(v_0) + theta L (v_1 - v_0))                                a(v_0) all accelerations, L v = dv/dt by viscosity
 ///   v_1 = v_0 + dt (a(x_0 + theta dt v_0, v_0) + (theta L + theta^2 dt K)(v_1 - v_0))
@@ -12,8 +12,8 @@
 /// (walls that are curved make them so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i + theta^2 dt^2 kappa_i with
 /// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept.
 ///
-/// Of what remains of the residual r nothing may go to momentum. Viscosity alone: r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv
-/// before, a sum over pairs of forces that cancel. Beside the stiffness of pressure r would be a large velocity of single particles: its mean is
+/// The remaining residual r must not change the momentum. With viscosity alone r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv
+/// before, a sum over pairs of forces that cancel. With the stiffness of pressure r would be a large velocity of single particles: its mean is
 /// added. The momentum that a step gives is then that of its forces, in pairs and from walls, to round-off whatever the tolerance: without it a drop in gas
 /// between walls fell 2 to 5 % too fast.
 ///
@@ -42,14 +42,14 @@ private:
     const bool withPressure_, viscous_;
     int iterations_ = 0;
 
-    /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. Until |r| <= tolerance |v_1|, both in
+    /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. It iterates until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2), or with pressure until |r| <= tolerance times |dt a|, both in sqrt(sum_i m_i r_i^2/diagonal_i): forces that
     /// balance one another are larger than any velocity. Throws DivergedError after `maxIter` iterations and where nothing is finite. Particles
-    /// that are held, whose dU/dt is 0, keep their velocities.
+    /// in a buffer, whose dU/dt is 0, keep their velocities.
     void solve(Particles<dim>&, double deltaT);
-    /// v_1 of creeping flow in place of v_0. Until |r/lambda| <= tolerance |v_1|.
+    /// Replaces v_0 by v_1 of creeping flow. It iterates until |r/lambda| <= tolerance |v_1|.
     void solveSteady(Particles<dim>&);
-    /// What remains of the residual: a step by it makes all forces what they are at dv, in pairs that cancel.
+    /// Adds the remaining residual to dv: all forces are then those at dv, in pairs that cancel.
     void addResidual(const Particles<dim>&);
     void addMeanResidual(const Particles<dim>&);
     void solveForChange(Particles<dim>&, double inertia, double deltaT);

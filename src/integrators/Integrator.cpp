@@ -18,7 +18,7 @@ const Integrator& semiImplicitIntegrator();
 const Integrator& implicitIntegrator();
 const Integrator& quasiSteadyIntegrator();
 const Integrator& verletIntegrator();
-/// The increments of what evolves, and the steps that use them.
+/// Declares the increments of all fields that evolve (TwoLevels.hpp), and the steps that use them.
 void readVerlet(Settings&);
 
 const std::vector<const Integrator*>& integrators()

@@ -32,7 +32,7 @@ public:
     Schedule& correct();
     Schedule& kick();
     Schedule& kickOnceAStep();
-    /// What models show or limit steps by, beyond an evaluation.
+    /// Computes the fields that models show or limit steps by, beyond an evaluation.
     Schedule& complete();
     /// The largest speed, the account of energy; how far particles may have moved in the last drift.
     Schedule& measure();
@@ -40,7 +40,7 @@ public:
     void run(const Substep&, bool middle);
     /// Stages with the passes and operations of the groups that they evaluate, numbered through.
     void print(std::ostream&) const;
-    /// How often each stage has run, by name.
+    /// Number of runs of each stage, by name.
     const std::map<std::string, long>& counts() const { return counts_; }
 
 private:

@@ -22,7 +22,7 @@ void advance(Particles<dim>& particles, const StateField& field, const std::stri
         for (std::size_t i = 0; i < n; ++i) t[i] = f[i] + deltaT * r[i];
     }
 }
-/// All that a kick acts on.
+/// Calls f for all fields that a kick acts on.
 template<int dim> void forEachKicked(Particles<dim>& particles, const auto& f)
 {
     for (const auto& evolving : particles.settings().state)

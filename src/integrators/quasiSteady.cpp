@@ -1,4 +1,4 @@
-/// For flows that change only as what they carry does: particles stay where they are, velocities are those of creeping flow, solved for, and time
+/// Quasi-steady step, for flows that change only as what they carry does: particles stay in place, velocities are those of creeping flow, solved for, and time
 /// is that of the powder's migration, or of what diffuses.
 #include "Integrator.hpp"
 #include "moves.hpp"

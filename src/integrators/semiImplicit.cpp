@@ -1,4 +1,4 @@
-/// As symplecticEuler, but viscosity acts with v(t + dt), solved for (ImplicitSolve.hpp): no viscous limit of the step.
+/// Semi-implicit step: as symplecticEuler, but viscosity acts with v(t + dt), solved for (ImplicitSolve.hpp): no viscous limit of the step.
 #include "Integrator.hpp"
 
 namespace sph

@@ -1,3 +1,4 @@
+/// Default support of each kernel.
 #pragma once
 #include <string>
 

@@ -1,3 +1,4 @@
+/// Skin of the neighbour lists, beyond the kernel's support.
 #pragma once
 
 namespace sph

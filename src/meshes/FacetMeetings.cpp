@@ -49,7 +49,7 @@ class Search
         return dot(x - at(e[0]), d) / dot(d, d);
     }
     double distanceToLine(const Vector<3>& x, const EdgeKey& e) const { return mag(x - at(e[0]) - along(x, e) * (at(e[1]) - at(e[0]))); }
-    /// Beside the segment within the tolerance, its ends excluded.
+    /// Whether a point lies beside the segment within the tolerance, its ends excluded.
     bool isOn(int point, const EdgeKey& e) const
     {
         const double t = along(at(point), e);

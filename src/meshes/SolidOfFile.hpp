@@ -1,4 +1,4 @@
-/// Whether a point lies in the solid that a file of triangles bounds, by rays of CGAL: nothing of the distances that the solver keeps particles off walls by.
+/// Test whether a point lies in the solid that a file of triangles bounds, by rays of CGAL, not by the distances that the solver keeps particles off walls by.
 #pragma once
 #include "triSurface.hpp"
 #include <filesystem>
@@ -16,7 +16,7 @@ public:
     SolidOfFile(SolidOfFile&&) noexcept;
     ~SolidOfFile();
 
-    /// What lies on the surface is not in the solid.
+    /// Whether a point lies in the solid; its surface does not belong to it.
     bool contains(const Vector<3>&) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// Of a surface that outlives it. Distances and rays in plain doubles: what is measured decides nothing.
+/// Tree of a surface, which must outlive it. Distances and rays are plain doubles: no decision rests on them.
 class TriangleTree
 {
 public:

@@ -1,4 +1,4 @@
-/// From loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
+/// Conversion of loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
 #pragma once
 #include "NumberedMesh.hpp"
 #include <string>
@@ -10,7 +10,7 @@ namespace sph
 /// Points within `tolerance` [m] of each other become one (the first of them); facets with a corner twice go.
 void weldPoints(NumberedMesh&, double tolerance, std::vector<std::string>& repairs);
 
-/// Of equal facets one remains; none where each has its opposite: what separated two bodies is within one.
+/// Removes equal facets but one, and all where each has its opposite: a face that separated two bodies lies within one.
 void removeDuplicates(NumberedMesh&, std::vector<std::string>& repairs);
 
 /// Parts the bodies that meet in an edge of four facets or more, so that each has its own: facets that bound one solid wedge there belong

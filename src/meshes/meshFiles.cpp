@@ -56,7 +56,7 @@ public:
         cells("Polys", triangles);
         text_ += "<CellData>\n";
     }
-    /// Of lines, then of triangles.
+    /// Values of cells: those of lines, then those of triangles.
     template<class T> void cellArray(const std::string& name, const std::vector<T>& values) { array(name, 1, values); }
     std::string end()
     {

@@ -1,4 +1,4 @@
-/// What a mesh is, in the words of OpenFOAM's surfaceCheck, and what the kernel makes of it.
+/// Statistics of a mesh, in the words of OpenFOAM's surfaceCheck, and of what the kernel makes of it.
 #pragma once
 #include "NumberedMesh.hpp"
 #include "Shape.hpp"
@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// Of any triangles, closed or not.
+/// Statistics of any triangles, closed or not.
 struct MeshStatistics
 {
     std::size_t triangles = 0, points = 0;
@@ -35,14 +35,14 @@ struct DihedralEdge
     int a, b; ///< points
     double angle;
 };
-/// Of a closed surface with normals into the fluid.
+/// Dihedral angles at the edges of a closed surface with normals into the fluid.
 std::vector<DihedralEdge> dihedralEdges(const FacetSurface&);
 
 /// Angle of a groove [degrees] from which on mirror images fill what lies behind its edge: the sum of W over particles and images is 0.83 of
 /// that in the fluid at 15 degrees, 0.60 at 10, 0.32 at 5 (test MeshImages).
 constexpr double leastFilled = 20;
 
-/// Of a closed surface with normals into the fluid.
+/// Edges and angles of a closed surface with normals into the fluid.
 struct MeshFeatures
 {
     std::size_t convex = 0, concave = 0; ///< sharp edges: those that turn by more than the feature angle
@@ -78,7 +78,7 @@ struct MeshClearances
     Place thinnest;  ///< of the solid
     Place narrowest; ///< of the fluid
 };
-/// In `samples` points spread evenly over the area, and in the centroids of as many facets, or of all.
+/// Clearances in `samples` points spread evenly over the area, and in the centroids of as many facets, or of all.
 MeshClearances meshClearances(const FacetSurface&, std::size_t samples = 20000);
 
 }

@@ -1,4 +1,4 @@
-/// Which side of each closed surface of a mesh is fluid.
+/// Orientation of the closed surfaces of a mesh: which side of each is fluid.
 #pragma once
 #include "NumberedMesh.hpp"
 #include "Shape.hpp"
@@ -18,7 +18,7 @@ Shells findShells(const NumberedMesh&);
 /// Each with the points that it has.
 std::vector<NumberedMesh> apart(const NumberedMesh&, const Shells&);
 
-/// By the divergence theorem, 1/3 of the flux of x through the surface [m^3].
+/// Enclosed volume by the divergence theorem, 1/3 of the flux of x through the surface [m^3].
 double enclosedVolume(const NumberedMesh&);
 
 /// Turns shells so that all normals point into the fluid, which is on the given side of those that lie in no other; deeper down solid and

@@ -17,7 +17,7 @@ namespace sph
 namespace
 {
 
-/// Of a mesh's extent over the domain's, or of a spacing over the mesh's extent, from which a wrong unit is meant: mm for m makes 1000.
+/// Ratio of a mesh's extent to the domain's, or of a spacing to the mesh's extent, from which a wrong unit is meant: mm for m makes 1000.
 constexpr double wrongUnit = 100;
 
 /// Single precision far from the origin of a file has lost the digits that say where a point is.

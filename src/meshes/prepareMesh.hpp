@@ -1,4 +1,4 @@
-/// From a file of triangles to a wall: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
+/// Preparation of a wall from a file of triangles: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
 #pragma once
 #include "meshStatistics.hpp"
 #include "triSurface.hpp"
@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// What of the scene a mesh must fit.
+/// Part of the scene into which a mesh must fit.
 struct MeshSpace
 {
     Vector<3> low, high; ///< the domain

@@ -18,7 +18,7 @@ namespace sph
 namespace
 {
 
-/// How often each closed surface (by its number) winds around a point; those that do not are left out.
+/// Number of turns of each closed surface (by its number) around a point; those without any are left out.
 using Windings = std::map<int, int>;
 
 void add(Windings& w, int shell, int times)

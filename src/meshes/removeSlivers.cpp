@@ -22,7 +22,7 @@ class Slivers
     Vector<3> at(WorkingMesh::Vertex_index v) const { return toVector(w_.point(v)); }
     double length(Halfedge h) const { return mag(at(w_.target(h)) - at(w_.source(h))); }
 
-    /// Of a face over its longest edge, and that edge.
+    /// Height of a face over its longest edge, and that edge.
     std::pair<double, Halfedge> height(FaceOf f) const
     {
         auto longest = w_.halfedge(f);
@@ -52,7 +52,7 @@ public:
         : w_(toWorkingMesh(m)), region_(regionOf(w_)), number_(numberOf(w_)), tolerance_(tolerance)
     {}
 
-    /// Their number.
+    /// Collapses needles, and returns their number.
     std::size_t collapseNeedles()
     {
         std::vector<Edge> edges;
@@ -72,7 +72,7 @@ public:
         return collapsed;
     }
 
-    /// Their number. A flip makes no cap unless the neighbour is one as well.
+    /// Flips caps, and returns their number. A flip makes no cap unless the neighbour is one as well.
     std::size_t flipCaps()
     {
         std::vector<FaceOf> caps;

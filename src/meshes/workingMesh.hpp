@@ -18,9 +18,9 @@ inline Vector<3> toVector(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z(
 inline NumberOfFace regionOf(WorkingMesh& w) { return w.add_property_map<FaceOf, int>("f:region", 0).first; }
 inline NumberOfFace numberOf(WorkingMesh& w) { return w.add_property_map<FaceOf, int>("f:number", -1).first; }
 
-/// Of facets that are manifold and oriented; face i is triangle i.
+/// Working mesh of facets that are manifold and oriented; face i is triangle i.
 WorkingMesh toWorkingMesh(const NumberedMesh&);
-/// With the names of the regions of `m`, into which it goes. Faces that carry none, as a repair makes them, have number -1.
+/// Puts a working mesh into `m`, whose names of regions stay. Faces that carry none, as a repair makes them, have number -1.
 void fromWorkingMesh(WorkingMesh&, NumberedMesh& m);
 
 }

@@ -17,7 +17,7 @@ namespace sph
 template<int dim> class CellList
 {
 public:
-    /// Of `count` points; keeps the capacity of earlier builds.
+    /// Sorts `count` points into cells; keeps the capacity of earlier builds.
     void build(const std::array<const double*, dim>& x, std::size_t count, double side);
 
     /// Points by cell; the order within a cell is that of the indices.
@@ -37,7 +37,7 @@ private:
     std::array<int, dim> n_{};
     std::vector<int> begin_, order_;
     std::vector<long> filled_; ///< numbers of the cells that hold points, to which begin_ then belongs; empty where every cell is kept
-    /// Of a row by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
+    /// Numbers of a row, by its place in the second direction: where the first plane has it, and how many rows on the next plane has its own.
     struct Row
     {
         int first, stride;

@@ -1,4 +1,4 @@
-/// How the value of an image beyond a wall follows from that of its source, where the field's tag says that there is a rule: one for each field,
+/// Rules for the values of wall ghosts: an image's value as a function of its source's, where the field's tag says that there is a rule. One for each field,
 /// of the field's type, for mirror images and particles of wall layers alike.
 #pragma once
 #include "values.hpp"
@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// Where an image was mirrored: `distance` of the source from the wall [m], `normal` into the fluid at the foot point, `weight` the volume factor of
+/// One reflection in a wall: `distance` of the source from the wall [m], `normal` into the fluid at the foot point, `weight` the volume factor of
 /// this one reflection.
 template<int dim> struct Reflection
 {
@@ -18,12 +18,12 @@ template<int dim> struct Reflection
     double ratio = 1; ///< distance of the ghost from the wall over that of the source: not 1 where it is no mirror image (WallLayers.hpp)
 };
 
-/// What all rules have in common, whatever they act on.
+/// The interface that all rules share, whatever the type of their field.
 class AnyGhostRule
 {
 public:
     virtual ~AnyGhostRule() = default;
-    /// After each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
+    /// Called after each change of the arrays that the rule may read; and at the end of each step, for rules that keep a state.
     virtual void bind() {}
     virtual void filter() {}
 };
@@ -31,9 +31,9 @@ public:
 template<class Value, int dim> class GhostRule : public AnyGhostRule
 {
 public:
-    /// q: value of what is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
+    /// q: value of the particle or ghost that is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
     virtual Value operator()(Value q, std::size_t source, const Reflection<dim>&, bool once) const = 0;
-    /// By how much the ghost's value changes with that of what is mirrored: the rule's linear part.
+    /// Change of the ghost's value for a change dq of the mirrored value: the rule's linear part.
     virtual Value change(Value dq, const Reflection<dim>&) const = 0;
 };
 template<int dim> using GhostVelocity = GhostRule<Vector<dim>, dim>;

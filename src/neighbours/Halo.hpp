@@ -1,5 +1,5 @@
-/// Where ranks share the particles: the box of space that this one owns, the particles that it takes over and gives away, and copies of those of others
-/// that its own see, directly or in a wall or through a periodic face.
+/// The halo of a rank, where ranks share the particles: the box of space that it owns, the particles that it takes over and gives away, and copies of those of
+/// others that its own see, directly or in a wall or through a periodic face.
 ///
 ///   owned | copies | images of both | null particle
 ///
@@ -24,7 +24,7 @@ public:
     Halo(const Ranks& all, double reach) : all_(all), reach_(reach) {}
 
     const Ranks& all() const { return all_; }
-    /// What each owned particle costs, in any unit: only ratios count.
+    /// Costs of the owned particles, in any unit: only ratios count.
     using Costs = std::function<std::vector<float>()>;
     /// Boxes in which the particles cost the same: at first as many of them, and whenever it pays (WhenToCut) by the processor time that each rank's have lately
     /// taken, which `costs` shares out among them.

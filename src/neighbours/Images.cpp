@@ -22,7 +22,7 @@ constexpr double leastShare = 0.01;
 
 /// Products of the normals of two walls, 8 and 20 degrees between them: what is narrower is a gap, which no spacing resolves, and is filled by one image of an image.
 constexpr double ofGap = -0.99, ofWedge = -0.94;
-/// By how much their product may change until lists are built anew.
+/// Largest change of their product until lists are built anew.
 constexpr double mostTurn = 0.03;
 
 /// Share of what is mirrored again in a wall of normal n after one of normal m: all of it in a wedge, nothing in a gap.
@@ -65,8 +65,8 @@ template<int dim> Foot Images<dim>::footOf(Mirror& mirror, int reflection, const
     return reflection == 0 ? geometry_->foot(p, x) : geometry_->footOfGhost(p, x, source);
 }
 
-/// How many times as far as what is mirrored its image moves, until the lists are built anew: meanwhile the distance grows by half the skin
-/// at most, and beyond the support it matters no more.
+/// Speed of the image over that of its source, until the lists are built anew: meanwhile the distance grows by half the skin
+/// at most, and an image beyond the support does not matter.
 template<int dim> double Images<dim>::speedOf(const Foot& f) const
 {
     const double k = std::max({f.k1, f.k2, 0.0}), d = std::max(f.distance, std::min(f.distance + 0.5 * skin_, reach_ - skin_));
@@ -100,7 +100,7 @@ template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors
     {
         const Foot f = footOf(mirrors[r], r, in3D(x), source);
         const double factor = volumeFactor(f);
-        // It may have moved beyond a centre of curvature since images were made, and what was mirrored once behind the next face.
+        // The source may have moved beyond a centre of curvature since images were made, and a ghost that was mirrored once behind the next face.
         const bool exists = factor > 0 && std::isfinite(factor) && (r == 0 || f.distance > 0);
         feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1, geometry_->patches[std::size_t(mirrors[r].patch)].wallAt(f.region)};
         if (share) *share *= exists ? faceShare(f, spacing_) : 0;
@@ -240,7 +240,7 @@ template<int dim> void Images<dim>::reflect(int source, const Vector<dim>& x, Ma
     }
 }
 
-/// In each wall that the chain has not used yet, as often as there are dimensions.
+/// Mirrors a ghost in each wall that the chain has not used yet, as often as there are dimensions.
 template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, const Vector<3>& source, std::vector<Ghost>& ghosts) const
 {
     const int before = from.entry.reflections;
@@ -266,7 +266,7 @@ template<int dim> void Images<dim>::reflectInShape(const Ghost& from, int p, con
     if (!twin) ghosts.push_back(next);
 }
 
-/// Of two surfaces alone, not both planes, that do not meet at right angles: there images have shares of what is behind both, in either order.
+/// Whether a ghost is one of two surfaces alone, not both planes, that do not meet at right angles: their images have shares of what is behind both.
 template<int dim> bool Images<dim>::isOfWedge(const Ghost& ghost) const
 {
     const std::size_t last = std::size_t(ghost.entry.reflections) - 1;
@@ -297,7 +297,7 @@ template<int dim> bool Images<dim>::isTwin(const Ghost& next, const std::vector<
                        });
 }
 
-/// In every face that owns the place where the image comes to lie, or soon will: in one body as often as it takes to fill its edges and corners.
+/// Mirrors a ghost in every face that owns the place where the image comes to lie, or soon will: in one body as often as it takes to fill its edges and corners.
 template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std::vector<Ghost>& ghosts) const
 {
     const int before = from.entry.reflections;
@@ -318,7 +318,7 @@ template<int dim> void Images<dim>::reflectInMesh(const Ghost& from, int p, std:
                                    next.x = in<dim>(mirrorImage(in3D(from.x), f));
                                    next.faces[std::size_t(before)] = {f.normal, in3D(from.x) - f.distance * f.normal};
                                    ++next.entry.reflections;
-                                   // In small hollows an image is faster still; lists would be built anew at every step for it.
+                                   // An image in a small hollow is faster still; lists would be built anew at every step for it.
                                    if (before < dim) next.speed *= std::min(speedOf(f), 2.0);
                                    next.share *= shareSoon(next, f);
                                    if (next.share < leastShare && next.isOfSeveral()) return;
@@ -446,7 +446,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     move(store);
 }
 
-/// Of meshes that no cache holds, what the first reflections of these images are about to read. (To gcc a function that only prefetches does nothing.)
+/// Prefetches, of meshes that no cache holds, what the first reflections of these images will read. (To gcc a function that only prefetches does nothing.)
 template<int dim> [[gnu::noipa]] void Images<dim>::prefetchFacets(std::size_t begin, std::size_t end) const
 {
     for (const bool corners : {false, true})

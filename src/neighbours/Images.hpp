@@ -39,9 +39,9 @@ public:
     /// support and the `skin` [m] of the lists.
     Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr);
 
-    /// How images beyond walls get the values of a field.
+    /// Sets the rule by which images beyond walls get the values of a field.
     template<class F> void setRule(F, std::unique_ptr<GhostRule<FieldValue<F, dim>, dim>> rule) { rules_[F::info.name] = std::move(rule); }
-    /// Null where images have their sources' values.
+    /// The rule of a field; null where images have their sources' values.
     template<class Value> const GhostRule<Value, dim>* rule(const char* field) const
     {
         return dynamic_cast<const GhostRule<Value, dim>*>(anyRule(field));
@@ -51,26 +51,26 @@ public:
         const auto found = field ? rules_.find(field) : rules_.end();
         return found == rules_.end() ? nullptr : found->second.get();
     }
-    /// From now on particles of layers have one value of this field each, a fit to the fluid's, and not what each pair makes of it.
+    /// Gives particles of layers one value of this field each from now on, a fit to the fluid's, and not the one that the rule makes of each pair.
     template<class F> void interpolateInLayers(F) { interpolated_.insert(F::info.name); }
     bool interpolates(const FieldInfo& info) const { return info.inLayers == InLayers::extrapolated || interpolated_.contains(info.name); }
-    /// At the end of a step, for rules that keep a state.
+    /// Ends a step for the rules that keep a state.
     void filterRules() const
     {
         for (const auto& [_, rule] : rules_) rule->filter();
     }
-    /// From now on walls are these particles, and mirror nothing.
+    /// Makes walls of these particles, in layers; they mirror nothing from now on.
     void setLayers(WallLayers<dim> layers) { layers_.emplace(std::move(layers)); }
-    /// Null where walls mirror.
+    /// The layers of wall particles; null where walls mirror.
     const WallLayers<dim>* layers() const { return layers_ ? &*layers_ : nullptr; }
-    /// After the lists have been built.
+    /// Lists the layers' particles, after the neighbour lists have been built.
     void listLayers(const NeighbourLists<dim>& lists)
     {
         if (layers_) layers_->list(lists, owned_);
     }
-    /// From now on interfaces go straight on behind walls; else they are mirrored, and meet every wall at 90 degrees.
+    /// Lets interfaces go straight on behind walls from now on; else they are mirrored, and meet every wall at 90 degrees.
     void continueInterfaces() { continuesInterfaces_ = true; }
-    /// After each change of the arrays.
+    /// Binds the rules to the arrays, after each change of them.
     void bindRules()
     {
         for (const auto& [_, rule] : rules_) rule->bind();
@@ -78,27 +78,27 @@ public:
 
     /// Makes the images of the first `owned` particles and resizes the store.
     void build(FieldStore<dim>& store, std::size_t owned);
-    /// Forgets images that no list names, NeighbourLists::seen(): from now on their values in the arrays are nobody's. The others stay where they are.
+    /// Forgets images that no list names, NeighbourLists::seen(): nobody reads their values in the arrays any more. The others stay in place.
     void keepSeen(std::span<const char> seen);
 
-    /// Positions of the images, their volume factors and walls where the store has them, and the null particle's position.
+    /// Updates the positions of the images, their volume factors and walls where the store has them, and the null particle's position.
     void move(FieldStore<dim>& store);
 
-    /// Its value in one array: it has W = 0, but is computed with, and must be finite.
+    /// Sets the null particle's value in one array: it has W = 0, but enters the arithmetic, and must be finite.
     void setNullParticle(double* array) const { array[nullParticle()] = owned_ > 0 ? array[0] : 1.0; }
 
-    /// Values of one field, by the rule that its tag states; `name` is the field's in this scene.
+    /// Refreshes the images' values of one field, by the rule that its tag states; `name` is the field's in this scene.
     template<class F> static void refresh(const Images& images, FieldStore<dim>& store, const std::string& name = F::info.name);
 
-    /// By how much faster than any particle a particle and an image may part, over twice its speed. 1 but for images inside concave walls,
+    /// Largest speed at which a particle and an image may part, over twice the largest speed of a particle. It is 1 but for images inside concave walls,
     /// which move along them (R + d)/(R - d) times as far as their sources.
     double closingSpeed() const { return 0.5 * (1 + fastest_); }
 
     std::size_t owned() const { return owned_; }
-    /// Copies of other ranks' particles among them.
+    /// Number of images, copies of other ranks' particles among them.
     std::size_t count() const { return sources_ - owned_ + entries_.size(); }
     std::size_t nullParticle() const { return sources_ + made_ + (layers_ ? layers_->count() : 0); }
-    /// f(source) of each image; of copies, too.
+    /// Calls f(source) for each image, images of copies included.
     void forEachSource(const auto& f) const
     {
         for (const auto& entry : entries_) f(entry.source);
@@ -132,7 +132,7 @@ private:
         int source;
         std::array<signed char, dim> shift;
         unsigned char reflections = 0;
-        int place = 0; ///< in the arrays, behind the owned particles and the copies of others'
+        int place = 0; ///< place in the arrays, behind the owned particles and the copies of other ranks'
         bool ghost() const { return reflections > 0; }
     };
     static_assert(sizeof(Entry) <= 12);
@@ -163,9 +163,9 @@ private:
         Entry entry;
         Mirrors mirrors;
         Vector<dim> x;
-        double speed; ///< over that of its source
+        double speed; ///< speed of the image over that of its source
         Faces faces = {};
-        double share = 1; ///< at most, until lists are built anew
+        double share = 1; ///< largest share until lists are built anew
         bool isOfSeveral() const
         {
             return std::any_of(mirrors.begin(), mirrors.begin() + entry.reflections,
@@ -192,20 +192,20 @@ private:
     Halo<dim>* halo_;
     PatchGrid grid_;
     double reach_, spacing_, skin_, fastest_ = 1;
-    std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_; ///< by field
+    std::map<std::string, std::unique_ptr<AnyGhostRule>, std::less<>> rules_; ///< rules by field
     std::set<std::string, std::less<>> interpolated_; ///< fields of which particles of layers have values of their own
     bool continuesInterfaces_ = false;
     std::optional<WallLayers<dim>> layers_;
     std::size_t owned_ = 0, sources_ = 0; ///< owned particles, and copies of others' behind them
     std::size_t made_ = 0;                ///< images that the arrays have room for
-    std::vector<Entry> entries_;          ///< of those that some list names
-    std::vector<Vector<dim>> places_;     ///< while images are made
-    std::vector<Mirror> mirrors_;         ///< of all ghosts, as many for each as it has reflections, in order
-    std::vector<Feet> feet_;              ///< likewise
+    std::vector<Entry> entries_;          ///< images that some list names
+    std::vector<Vector<dim>> places_;     ///< positions, while images are made
+    std::vector<Mirror> mirrors_;         ///< mirrors of all ghosts, as many for each as it has reflections, in order
+    std::vector<Feet> feet_;              ///< feet of all ghosts, likewise
     std::vector<unsigned> firstFoot_;
 
     const TriangleMesh* meshOf(int patch) const { return geometry_->patches[std::size_t(patch)].mesh; }
-    /// Where the image of x lies. Multiplies `share` by that of the image in each face that it was mirrored in.
+    /// Position of the image of x. Multiplies `share` by that of the image in each face that it was mirrored in.
     Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
     void prefetchFacets(std::size_t begin, std::size_t end) const;
     Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
@@ -217,13 +217,13 @@ private:
     double shareSoon(const Ghost&, Foot) const;
     bool goesOnInWedge(const Mirror* mirrors, int last) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
-    /// Images of these sources, appended.
+    /// Makes the images of these sources, and appends them.
     void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
     void reflect(int source, const Vector<dim>& x, Made&) const;
     void reflectInShape(const Ghost& from, int patch, const Vector<3>& source, std::vector<Ghost>& ghosts) const;
     void reflectInMesh(const Ghost& from, int patch, std::vector<Ghost>& ghosts) const;
     bool isTwin(const Ghost&, const std::vector<Ghost>&) const;
-    /// What was mirrored in two planes that meet at an acute angle is mirrored in the first again: at 60 degrees, five images fill the wedge.
+    /// Whether a ghost of two planes that meet at an acute angle is mirrored a third time, in the first of them: at 60 degrees, five images fill the wedge.
     bool mirrorsAgain(const Mirrors& twice, int patch) const;
     void shift(int source, const Vector<dim>& x, int axis, std::size_t first, std::size_t firstMirror, Made&) const;
     void keepNear();
@@ -231,7 +231,7 @@ private:
     Vector<dim> period(const Entry&) const;
 };
 
-/// The image's value: mirrored in every wall it was reflected in, shifted by nothing.
+/// Computes the image's value: mirrored in every wall that it was reflected in, and not changed by periodic shifts.
 template<int dim> template<class F> void Images<dim>::refresh(const Images& images, FieldStore<dim>& store, const std::string& name)
 {
     if (F::info.image == Image::placed) return;
@@ -255,7 +255,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         if constexpr (F::info.image != Image::copied)
         {
             const Feet* feet = images.feet_.data() + images.firstFoot_[k];
-            [[maybe_unused]] Vector<dim> x; // of what is mirrored: the source, then its ghost
+            [[maybe_unused]] Vector<dim> x; // position of the source, then of its ghost
             constexpr bool turned = F::info.image == Image::mirrored || F::info.image == Image::interface;
             const bool straight = turned ? F::info.image == Image::interface && images.continuesInterfaces_ : !rule;
             const int reflections = straight ? 0 : e.reflections;
@@ -276,7 +276,7 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
         }
         sph::store(q, [&](int c, double a) { p[c][sources + std::size_t(e.place)] = a; });
     }
-    // All else of wall particles is seen pair by pair.
+    // All other fields of wall particles are computed pair by pair.
     if (images.layers_ && images.interpolates(F::info))
         images.layers_->extrapolate(store, name, rule,
                                     F::info.inLayers == InLayers::extrapolated ? Extrapolation::mean : Extrapolation::fit);

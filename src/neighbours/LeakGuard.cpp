@@ -144,7 +144,7 @@ template<int dim> void LeakGuard<dim>::refuse(std::size_t i, const Vector<3>& x,
                           : fmt::format("has left the domain {} {}{}", at(geometry_.low), at(geometry_.high), faceBehind(geometry_, x))));
 }
 
-/// Of two as deep always the same, whichever comes first.
+/// Notes the deepest leak; among leaks of the same depth always the same one, whatever their order.
 template<int dim> void LeakGuard<dim>::note(const Found& found, const Vector<3>& at)
 {
     const auto key = [](const Vector<3>& a) { return std::array{a.x, a.y, a.z}; };

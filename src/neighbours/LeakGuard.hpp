@@ -1,6 +1,6 @@
-/// Keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
+/// Guard that keeps particles out of the solid: at every rebuild of the lists each lies in the domain, and off the union of all solids.
 ///
-/// Wraps across periodic faces. A particle nearer to a wall than `closestInSpacings` is put there, and loses what velocity it has into
+/// It wraps positions across periodic faces. A particle nearer to a wall than `closestInSpacings` is put there, and loses what velocity it has into
 /// the wall. One deeper in a solid than that has leaked: it is counted, and put back, removed or the end of the run, as the dictionary says. One more
 /// than half a spacing deep or outside the domain is removed or an error: from there the way back may lead out on the other side.
 #pragma once
@@ -24,7 +24,7 @@ enum class Leaked
 Leaked readLeakGuard(const Dictionary& sphSchemes);
 EntryList leakGuardEntries();
 
-/// What has leaked since the start of the run.
+/// Account of leaked particles since the start of the run.
 struct Leaks
 {
     long putBack = 0, removed = 0;
@@ -34,7 +34,7 @@ struct Leaks
     int patch = -1;         ///< likewise; -1 of what was removed for being outside the domain
 
     long count() const { return putBack + removed; }
-    /// Those of another rank.
+    /// Adds the leaks of another rank.
     Leaks& operator+=(const Leaks& other)
     {
         const auto& deeper = other.deepest > deepest ? other : *this;
@@ -72,7 +72,7 @@ public:
     LeakGuard(const Geometry& geometry, double spacing, double support, Leaked leaked)
         : geometry_(geometry), spacing_(spacing), support_(support), leaked_(leaked)
     {}
-    /// Of the first `owned` particles, of which it returns how many are left; throws CaseError where one is beyond help.
+    /// Guards the first `owned` particles, and returns how many are left; throws CaseError where one is beyond help.
     std::size_t operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
     const Leaks& leaks() const { return leaks_; }
 };

@@ -32,7 +32,7 @@ template<int dim> int NeighbourLists<dim>::find(Vector<dim> x, const std::vector
     return n;
 }
 
-/// By several threads at once. Chooses a place, not a way: in a bed owned particles and images take turns in a list.
+/// Marks the particles of a list as seen, by several threads at once. No branch: in a bed owned particles and images take turns in a list.
 template<int dim> bool NeighbourLists<dim>::see(std::span<const int> list)
 {
     char ofOwned = 0;

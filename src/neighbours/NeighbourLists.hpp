@@ -33,7 +33,7 @@ public:
     void build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius, Stored stored = Stored::yes,
                std::span<double> room = {});
 
-    /// For one list; uninitialised.
+    /// Memory of one list; uninitialised.
     struct Room
     {
         alignas(64) int entries[mostNeighbours + 2 * lanes];
@@ -49,16 +49,16 @@ public:
         else std::copy_n(c.wide.data() + begin, n, room.entries);
         return padded(room, n);
     }
-    /// Of each particle that is not owned, whether some stored list names it.
+    /// Whether some stored list names a particle that is not owned, for each of those.
     std::span<const char> seen() const { return seen_; }
-    /// Of a stored list, without padding.
+    /// Length of a stored list, without padding.
     std::size_t sizeOf(std::size_t i) const
     {
         const Chunk& c = chunks_[i / chunkSize];
         return c.begin[i % chunkSize + 1] - c.begin[i % chunkSize];
     }
-    /// What a pass found within the support, kept for the passes behind it: they need not look at the skin again. `makeRoom` once before a
-    /// loop of `keep`s; j holds a multiple of the lanes.
+    /// Neighbours within the support that a pass found, kept for later passes: they need not look at the skin again. `makeRoomWithin` is called once before
+    /// a loop of `keepWithin`; j holds a multiple of the lanes.
     void makeRoomWithin();
     void keepWithin(std::size_t i, const long* j, int n)
     {
@@ -73,12 +73,12 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
-    /// From now on each build of stored lists parts the owned particles into those whose neighbours are all owned, and the others, both ascending: what ranks
-    /// can compute before they have heard of one another, and what not.
+    /// Each build of stored lists from now on divides the owned particles into those whose neighbours are all owned, and the others, both ascending: the former
+    /// are those that a rank can compute before it has heard of the others.
     void partInterior() { partsInterior_ = true; }
     std::span<const int> interior() const { return interior_; }
     std::span<const int> border() const { return border_; }
-    /// Without padding, self included.
+    /// Number of pairs without padding, self included.
     std::size_t pairs() const { return pairs_; }
     std::size_t bytes() const;
 

@@ -22,7 +22,7 @@ public:
     /// f(rank) of each whose box lies within `reach` [m] of x.
     template<class F> void forEachNear(const Vector<3>& x, double reach, const F& f) const { visit(x, reach * reach, f, 0, 0, count_); }
     const RankBox& of(int rank) const { return nodes_[leafOf(rank)]; }
-    /// In whose box x lies, lower faces included; -1 where it is NaN.
+    /// Rank in whose box x lies, lower faces included; -1 where x is NaN.
     int owner(const Vector<3>& x) const;
 
     /// Zero within the box.

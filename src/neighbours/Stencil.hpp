@@ -1,4 +1,4 @@
-/// What one particle shares with its neighbours, computed once and held in the first-level cache.
+/// The stencil of one particle: geometry and fields of its neighbours, computed once and held in the first-level cache.
 ///
 ///   x_ij = x_i - x_j [m],  r = |x_ij|,  W_ij [1/m^dim],  gradW_ij = (dW/dr) x_ij/r [1/m^(dim + 1)]   (gradient with respect to x_i)
 ///

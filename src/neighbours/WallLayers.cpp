@@ -105,7 +105,7 @@ WallLayers<dim>::WallLayers(const Geometry& geometry, const Kernel<dim>& kernel,
     firstPair_.assign(originals + 1, 0);
 }
 
-/// Of each wall that has layers, the first and the last: the one lies half a layer deep, and behind the other there is place for no more, in the support, in the solid or in the domain.
+/// Checks the first and the last layer of each wall: the one lies half a layer deep, and behind the other is no place for more, in the support, solid or domain.
 template<int dim> void WallLayers<dim>::checkDepth(double spacing) const
 {
     const double H = std::visit([](const auto& kernel) { return kernel.H; }, kernel_.choice());

@@ -41,14 +41,14 @@
 namespace sph
 {
 
-/// How a particle of a layer gets a value of its own from those of the fluid: with weights W, or w as above.
+/// Extrapolation of a layer particle's own value from those of the fluid: with weights W, or w as above.
 enum class Extrapolation
 {
     mean,
     fit
 };
 
-/// What a column of a stencil holds in particles of layers: what the rule, of the field's own type, makes of a pair; or, `interpolated`, a value of their own.
+/// Source of a stencil column's values in particles of layers: the rule, of the field's own type, for each pair; or, `interpolated`, a value of their own.
 struct InLayersOf
 {
     const AnyGhostRule* rule;
@@ -62,7 +62,7 @@ public:
     /// CaseError where one does not lie in a wall, or where layers end within the support or are of another spacing.
     WallLayers(const Geometry&, const Kernel<dim>&, double reach, double spacing);
 
-    /// From now on those alone that this rank's particles may see. The halo must outlive them.
+    /// Keeps the particles of layers alone that this rank's particles may see. The halo must outlive them.
     void keepNear(const Halo<dim>&);
     std::size_t count() const { return placed().size(); }
     /// Whether some particle differs from the fluid's in volume.
@@ -70,7 +70,7 @@ public:
 
     /// Writes positions, and walls and volume factors where the store has them, from place `first` on.
     void place(FieldStore<dim>&, std::size_t first);
-    /// After the lists have been built: which pairs each particle's pressure is made of.
+    /// Lists the pairs of which each particle's pressure is made, after the neighbour lists have been built.
     void list(const NeighbourLists<dim>&, std::size_t owned);
 
     /// Values of a field of their own, of those within the support of the fluid. Without a rule of the fluid's values as they are.
@@ -225,7 +225,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
         };
         const auto seen = [&](auto q, Image image, const AnyGhostRule* any)
         {
-            // What changes or is a gradient follows the velocity's.
+            // A change or a gradient follows the rule of the velocity.
             [[maybe_unused]] const auto* const rule = static_cast<const GhostVelocity<dim>*>(any);
             if constexpr (std::same_as<decltype(q), Vector<dim>>)
             {

@@ -20,10 +20,10 @@ namespace sph
 
 namespace detail
 {
-/// Of codes of indices (IndexPages.hpp): the upper 4 bits name a page, the lower 12 a place in it.
+/// Layout of the codes of indices (IndexPages.hpp): the upper 4 bits name a page, the lower 12 a place in it.
 inline constexpr int pageBits = 12, pageSize = 1 << pageBits, pageCount = 16;
 
-/// Of any width; what an instruction set does better hides it by the same name.
+/// Vectors of any width; a better form of an instruction set hides one of these functions by the same name.
 template<int lanes> struct AnyLanes
 {
     typedef double Doubles __attribute__((vector_size(8 * lanes)));
@@ -59,7 +59,7 @@ private:
     }
 };
 
-/// For each set of kept lanes the lanes in the order in which a compress leaves them; a lane has so many `parts`.
+/// Order in which a compress leaves the lanes, for each set of kept ones; a lane has so many `parts`.
 template<int lanes, int parts> constexpr auto compressOrders()
 {
     std::array<std::array<int, lanes * parts>, 1 << lanes> orders{};

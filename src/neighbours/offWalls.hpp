@@ -1,4 +1,4 @@
-/// How a place is kept off walls: by the solver at each step and by its leak guard, and by packings.
+/// Correction of positions and velocities that keeps particles off walls: for the solver at each step, its leak guard, and packings.
 #pragma once
 #include "Images.hpp"
 
@@ -20,7 +20,7 @@ template<int dim, class F> Vector<dim> offWalls(const Images<dim>& images, Vecto
     return x;
 }
 
-/// Without what of it points against n; where a wall moves at `speed` [m/s] along n, beside it.
+/// Velocity without its part that points against n; where a wall moves at `speed` [m/s] along n, relative to it.
 template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<dim>& n, double speed = 0)
 {
     return v - std::fmin(0.0, dot(v, n) - speed) * n;
@@ -30,7 +30,7 @@ template<int dim> Vector<dim> withoutInward(const Vector<dim>& v, const Vector<d
 /// keeps what it has along their edge, nothing in 2-D.
 template<int dim> class HeldVelocity
 {
-    /// What is put off a wall may lie a rounding short of it and touch it again: less than this of the velocity towards a wall is none.
+    /// Share of the velocity below which the part towards a wall is none: a position put off a wall may lie a rounding short of it and touch it again.
     static constexpr double rounding = 1e-9;
     Vector<dim> v_, last_{};
     double speed_; ///< at first

@@ -37,7 +37,7 @@ template<int dim, class L> struct Differences
 };
 }
 
-/// Of the listed particles (a multiple of 8 indices) writes those within the radius to `kept`, which needs room for 8 more. Returns their
+/// Selects, of the listed particles (a multiple of 8 indices), those within the radius; `kept` needs room for 8 more. Returns their
 /// number.
 template<int dim, class L = WidestLanes>
 inline int selectRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, int* kept)

@@ -1,4 +1,4 @@
-/// Keeps of a run of candidates those within a radius: the inner loop of list building.
+/// Selection of the candidates within a radius from a run of them: the inner loop of list building.
 ///
 /// GCC 12 does not vectorise a loop that appends; a compress in registers does it (the form of AVX-512 that writes to memory is slow on some
 /// machines).

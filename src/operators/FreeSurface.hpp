@@ -1,4 +1,4 @@
-/// Where the fluid ends: free surfaces by the moment tensor of the kernel's slope, Marrone et al. (2010).
+/// Free surfaces, found by the moment tensor of the kernel's slope, Marrone et al. (2010).
 ///
 ///   B_i = -sum_j V_j x_ij gradW_ij,    lambda_i = least eigenvalue of B_i,    n_i = sum_j V_j (lambda_i - lambda_j) gradW_ij
 ///

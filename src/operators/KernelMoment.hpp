@@ -1,4 +1,4 @@
-/// How far the kernel's slope is from its continuum value in the arrangement at hand:
+/// Moment of the kernel's slope, which tells how far the slope is from its continuum value in the arrangement at hand:
 ///
 ///   M_i = -1/d sum_j W'_ij r_ij,    N_i = M_i V_i      -> 1 in the continuum
 ///

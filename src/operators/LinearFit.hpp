@@ -1,4 +1,4 @@
-/// How far a value is off the straight line through those around it: moving least squares of first order, its own particle left out.
+/// Deviation of a value from the straight line through those around it: moving least squares of first order, its own particle left out.
 ///
 ///   off_i = sum_j w_ij (q_i - z_i . x_ji) (f_j - f_i),    q = 1/(m_0 - y . m_1),    z = q y,    y = M_2^-1 m_1
 ///   w_ij = -V_j W'(r_ij)/r_ij,    m_0 = sum_j w_ij,    m_1 = sum_j w_ij x_ji,    M_2 = sum_j w_ij x_ji (x) x_ji,    x_ji = x_j - x_i

@@ -22,7 +22,7 @@ struct StressDivergence : DivergenceOf<Stress>
     static constexpr auto name = "stressDivergence";
 };
 
-/// Of differences where the kernel is whole, and the symmetric form at surfaces, whose natural boundary condition S n = 0 is:
+/// Acceleration by a stress: the form of differences where the kernel is whole, and the symmetric form at surfaces, with its natural boundary condition S n = 0:
 ///
 ///   dv_i/dt = w_i V_i/m_i sum_j V_j (S_j - S_i) . L_i gradW_ij + (1 - w_i)/m_i sum_j (S_i V_i^2 + S_j V_j^2) . gradW_ij
 ///

@@ -26,7 +26,7 @@ struct CorrectedFrom
     static constexpr double blending = 0.1;
     double share(double leastEigenvalue) const { return std::clamp(1 + (leastEigenvalue - lambda) / blending, 0.0, 1.0); }
 };
-/// That of the scene.
+/// The scene's lambda_c, or the default.
 inline CorrectedFrom correctedFrom(const Coefficients& c) { return c.has<CorrectedFrom>() ? c.of<CorrectedFrom>() : CorrectedFrom{}; }
 
 /// B and G of one pass.

@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// In 2-D the grid is one layer of cells at z = 0, without extent along z.
+/// The grid of cells; in 2-D one layer at z = 0, without extent along z.
 struct RegularCells
 {
     Vector<3> low, step; ///< [m]

@@ -73,7 +73,7 @@ double fluidIn(const Geometry& g, const Vector<3>& centre, const Vector<3>& edge
                          [&](const Foot& f, int)
                          {
                              if (f.distance < -halfDiagonal) return;
-                             // On average over the cell the surface bends away from its tangent plane by (k1 + k2)/2 h^2/12.
+                             // The surface bends away from its tangent plane by (k1 + k2)/2 h^2/12 on average over the cell.
                              const double h2 = dot(edge, edge) / g.dimension;
                              fraction *= fractionAbove(f.distance - (f.k1 + f.k2) * h2 / 24, f.normal, edge, g.dimension);
                          });

@@ -38,7 +38,7 @@ void checkSpacing(const PackingPlan& plan, const Box& box)
 
 /// Places that are relaxed around what is filled [spacings]: what lies farther off has no part in it.
 constexpr double relaxedAround = 10;
-/// Where filled boxes are less than this share of the lattice, places elsewhere are counted only.
+/// Share of the lattice in filled boxes below which places elsewhere are counted only.
 constexpr double sparse = 0.125;
 
 /// The cells of the lattice that fill rules put particles in.
@@ -169,7 +169,7 @@ Occupation occupy(const PackingPlan& plan, const Points& places)
     return o;
 }
 
-/// What holds a third phase keeps it: the share is one of the whole void space all the same.
+/// Places of a third phase stay with it: the share is one of the whole void space all the same.
 void share(Saturation saturation, const Geometry& g, const Points& places, Occupation& o)
 {
     const auto shared = [&](int phase) { return phase == saturation.phase || phase == saturation.gas; };

@@ -1,4 +1,4 @@
-/// From the dictionaries of a case to particles with phase, mass and velocity: what packParticles does.
+/// Packing of a scene: particles with phase, mass and velocity from the dictionaries of a case. It is what packParticles does.
 #pragma once
 #include "Case.hpp"
 #include "Cloud.hpp"
@@ -31,7 +31,7 @@ struct FillRule
     std::optional<double> p;
 };
 
-/// All that the dictionaries say, checked.
+/// Plan of a packing: all that the dictionaries say, checked.
 struct PackingPlan
 {
     Geometry geometry;
@@ -47,14 +47,14 @@ struct PackingPlan
     bool allowEmpty = false;
     Location spacingAt, latticeAt, relaxAt;
 
-    /// For the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
+    /// Numbers for the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
     double bedPeriod = 0, g = 0, surfaceTension = 0;
 };
 
 /// Reads constant/geometry, constant/phaseProperties, constant/g, system/sphSchemes (`resolution`) and system/packParticlesDict
 /// (every entry has a default, and the file may be missing). Throws CaseError with all mistakes.
 PackingPlan readPackingPlan(const Case&);
-/// Those of system/packParticlesDict.
+/// Entries of system/packParticlesDict.
 EntryList packingEntries();
 
 struct PackedPhase
@@ -94,7 +94,7 @@ struct Packing
 /// surface does not spread. Throws CaseError where there are no particles, a phase has none, or two particles coincide.
 Packing pack(const PackingPlan&);
 
-/// What the user is told.
+/// Report of a packing to the user.
 std::string report(const PackingPlan&, const Packing&);
 
 /// Writes `<time>/lagrangian/sph/{positions U m p phase rho}`, constant/polyMesh and `<case>.foam`. With V in place of rho where the

@@ -31,7 +31,7 @@ constexpr double wallInset = 0.2;
 /// Particles stand on one line where their distances from one another across it are below this [spacings].
 constexpr double sameLine = 1e-6;
 
-/// Where the kernel itself lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
+/// Kernel of the repulsion. Where the scene's kernel lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
 template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
 {
@@ -47,7 +47,7 @@ std::vector<Group> groupsOf(bool moves)
     return groups;
 }
 
-/// Which particle an image is of.
+/// Number of the particle that an image is of.
 struct Source
 {
     static constexpr FieldInfo info{"source", "1"};
@@ -75,12 +75,12 @@ struct Sums
     {
         if (particles == 0) return {};
         const double mean = residual / double(particles), square = squares / double(particles);
-        // In this order the larger of a NaN and 0 is the NaN.
+        // This order makes NaN the larger of a NaN and 0.
         return {particles, mean, std::sqrt(square), max, std::sqrt(std::max(square - mean * mean, 0.0))};
     }
 };
 
-/// By cubes of edge `size`, x fastest: neighbours in space become neighbours in memory. Packings are written in this order.
+/// Points sorted by cubes of edge `size`, x fastest: neighbours in space become neighbours in memory. Packings are written in this order.
 Points sortedByCells(const Points& points, double size)
 {
     const std::size_t n = points.size();
@@ -150,7 +150,7 @@ public:
         rebuild();
     }
 
-    /// From now on particles that stand behind one another along this unit vector stay so, where they are along it.
+    /// Keeps particles that stand behind one another along this unit vector in lines from now on.
     void keepLines(const Vector<3>& along)
     {
         direction_ = in<dim>(along);
@@ -166,7 +166,7 @@ public:
         for (auto& [_, line] : lines) lines_.push_back(std::move(line));
     }
 
-    /// By which the centre of mass has moved [m].
+    /// Distance by which the centre of mass has moved [m].
     double drift() const { return mag(travelled_) / double(n_); }
 
     void updateDensity()
@@ -179,7 +179,7 @@ public:
 
     const KernelResidual& residual() const { return residual_; }
 
-    /// Of the particles near walls, or of all where there are no walls.
+    /// Scatter of the particles near walls, or of all where there are no walls.
     double scatter() const { return (residual_.nearWalls.particles ? residual_.nearWalls : residual_.overall).scatter; }
 
     /// One step; what it returns are the largest shift in spacings and the particles that walls held back.

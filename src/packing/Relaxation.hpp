@@ -1,4 +1,4 @@
-/// Moves particles until their number density is even, walls and periodic faces included.
+/// Relaxation that moves particles until their number density is even, walls and periodic faces included.
 ///
 /// Each step shifts every particle down the gradient of
 ///

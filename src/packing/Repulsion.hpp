@@ -1,4 +1,4 @@
-/// What pushes particles to even spacing: the gradient of a pressure without unit, in the antisymmetric form that leaves the centre of mass where
+/// Repulsion that spaces particles evenly: the gradient of a pressure without unit, in the antisymmetric form that leaves the centre of mass where
 /// it is.
 ///
 ///   f_i = V_0 sum_j w_j (P_i + P_j) gradW_ij     [1/m]

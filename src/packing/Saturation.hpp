@@ -1,4 +1,4 @@
-/// Gives a share of the void space to one phase, exact to one particle, where that phase would lie.
+/// Saturation of a void space: one phase gets a share of it, exact to one particle, where that phase would lie.
 #pragma once
 #include "EntryList.hpp"
 #include "Geometry.hpp"

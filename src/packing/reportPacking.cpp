@@ -93,7 +93,7 @@ std::string report(const PackingPlan& plan, const Packing& packing)
 
 namespace
 {
-/// All of a time folder but its particles and what a run has stored of them: fields of an earlier packing would have another length.
+/// Copies all of a time folder but its particles and what a run has stored of them: fields of an earlier packing would have another length.
 void copyOthers(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-/// The processes that share the particles of one run (MPI calls them ranks). The rule is one process: then `ranks()` is null, nothing communicates, and no
+/// Ranks: the processes that share the particles of one run (MPI's word). Most runs have one process: then `ranks()` is null, nothing communicates, and no
 /// library for it is loaded.
 #pragma once
 #include <array>
@@ -28,32 +28,32 @@ public:
     int rank() const { return rank_; }
     int count() const { return count_; }
 
-    /// Bytes for or from a rank.
+    /// A message: bytes for or from a rank.
     struct Message
     {
         int rank;
         std::span<std::byte> bytes;
     };
-    /// The same number of bytes from each rank, in their order, on all.
+    /// Gathers the same number of bytes from each rank, in the order of ranks, on all of them.
     virtual void gatherAll(std::span<const std::byte> part, std::span<std::byte> all) const = 0;
-    /// One number to each rank, and what each had for this one.
+    /// Sends one number to each rank, and returns the numbers that each had for this one.
     virtual std::vector<std::size_t> exchangeCounts(std::span<const std::size_t> toEach) const = 0;
-    /// Messages under way. Their bytes stay where they are until all have come and gone, which the destructor too waits for.
+    /// Messages under way. Their bytes must stay in place until all are sent and received, which the destructor waits for.
     class Exchange
     {
     public:
         virtual ~Exchange() = default;
-        /// Brings them on while there is something else to do; by the thread that has started them.
+        /// Advances the messages while there is something else to do; called by the thread that has started them.
         virtual void progress() = 0;
     };
-    /// Messages whose lengths both sides know.
+    /// Starts messages whose lengths both sides know.
     virtual std::unique_ptr<Exchange> start(std::span<const Message> send, std::span<const Message> receive) const = 0;
-    /// Waits until all have come and gone.
+    /// Sends and receives, and waits until all messages are through.
     void exchange(std::span<const Message> send, std::span<const Message> receive) const { start(send, receive); }
-    /// Cuts space so that each rank has about the same sum of weights. `x` three numbers a place, of this rank's particles.
+    /// Cuts space so that each rank has about the same sum of weights. `x`: positions of this rank's particles, three numbers each.
     virtual std::vector<RankBox> cut(int dimension, std::span<const double> x, std::span<const float> weights) const = 0;
     virtual void barrier() const = 0;
-    /// A file in which each rank writes where it likes; all close it. Throws std::runtime_error with the reason.
+    /// A file in which each rank writes at offsets of its own; all close it. Throws std::runtime_error with the reason.
     class SharedFile
     {
     public:
@@ -61,9 +61,9 @@ public:
         virtual void write(std::size_t at, std::string_view bytes) = 0;
         virtual void close() = 0;
     };
-    /// Makes one that is not there yet, on all ranks, or throws on all.
+    /// Creates a file that is not there yet, on all ranks, or throws on all.
     virtual std::unique_ptr<SharedFile> create(const std::filesystem::path&) const = 0;
-    /// In all that has been exchanged, gathered and waited for so far [s]: wall time, and processor time of this process.
+    /// Time spent in communication so far, waiting included [s]: wall time, and processor time of this process.
     struct Waited
     {
         double wall = 0, processor = 0;
@@ -80,24 +80,24 @@ protected:
 /// Null where one process is alone, and within the scope of an Alone.
 const Ranks* ranks();
 
-/// Joins those that mpirun has started. Throws std::runtime_error where a library is missing.
+/// Joins the processes that mpirun has started. Throws std::runtime_error where a library is missing.
 void startRanks();
 /// Whether this process reads, writes and speaks for all; also where it is alone.
 bool isFirstRank();
 bool isLastRank();
 /// Processor time of this process, all threads together, without what it spent in waiting for others [s].
 double busyTime();
-/// Reading the case in turns: the first rank brings about what it needs, and ends the run by what it throws, before the others look.
+/// Reading of the case in turns: the first rank prepares the case, and ends the run by what it throws, before the others read.
 void waitForFirst();
 void firstIsThrough();
 
-/// All ranks act. What one throws, the first of them where there are several, all throw, as a CaseError of the same words: they go on or end together.
+/// All ranks act. An exception of one, or of the first of several, is thrown on all, as a CaseError of the same words: they go on or end together.
 /// The act must not wait for other ranks.
 void allOrNone(const std::function<void()>& act);
 /// The first rank acts for all, who wait until it is through, or throw what it throws.
 void byFirst(const std::function<void()>& act);
 
-/// What this process does within its scope it does for itself: sums are of what it is given.
+/// While this object lives, reductions are local to the process.
 class Alone
 {
     const Ranks* before_;
@@ -109,7 +109,7 @@ public:
     Alone& operator=(const Alone&) = delete;
 };
 
-/// The parts of all ranks, of any lengths, behind one another on the first; elsewhere nothing.
+/// Gathers the parts of all ranks, of any lengths, behind one another on the first; the others return nothing.
 template<class T> std::vector<T> gatherOnFirst(const Ranks& all, std::span<const T> part)
 {
     std::vector<std::size_t> lengths(std::size_t(all.count()));
@@ -130,7 +130,7 @@ template<class T> std::vector<T> gatherOnFirst(const Ranks& all, std::span<const
     return whole;
 }
 
-/// To each rank its part; what each had for this one, in their order.
+/// Sends each rank its part, and returns the parts that each had for this one, in the order of ranks.
 template<class T> std::vector<std::vector<T>> exchangeParts(const Ranks& all, std::span<std::vector<T>> parts)
 {
     std::vector<std::size_t> lengths;

@@ -22,7 +22,7 @@ class Stretches
     std::vector<Stretch> stretches_;
 
 public:
-    /// Of the rounds 0 .. n - 1, `most` at a time at most; made outside of the parallel region, anew for each loop.
+    /// Divides the rounds 0 .. n - 1, in pieces of `most` at most; made outside of the parallel region, anew for each loop.
     Stretches(std::size_t n, std::size_t most) : stretches_(std::size_t(omp_get_max_threads()))
     {
         const std::size_t threads = stretches_.size();

@@ -25,7 +25,7 @@ bool WhenToCut::operator()(std::span<const Share> ofAll, std::size_t me, double 
     recent_ = kept * ofAll[me].recent + ofAll[me].busy;
     elapsed_ += mean;
     if (++times_ < fewestTimes || elapsed_ < shortest) return false;
-    // What was too early to be judged went as the window now says.
+    // Time that was too early to be judged counts as the window now says.
     const double judged = imbalance_ == 0 ? elapsed_ : mean;
     imbalance_ = largest / meanRecent;
     lost_ += (imbalance_ - 1) * judged;

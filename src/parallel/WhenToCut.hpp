@@ -1,6 +1,6 @@
-/// When ranks cut space anew: once one of them has for a while been busy for longer than the mean, and what the others have waited for it since the last cut exceeds
-/// what another cut costs. So a load that moves slowly is cut seldom and one that moves fast often, each when it pays; what cuts cost is at most what waiting would
-/// have cost, and 2 % of the time.
+/// Criterion for cutting space anew among ranks: one has for a while been busy for longer than the mean, and the others have waited for it since the last cut for
+/// longer than another cut costs. So a load that moves slowly is cut seldom and one that moves fast often, each when it pays; cuts cost at most what waiting
+/// would have cost, and 2 % of the time.
 ///
 /// Processor time it is that counts: other programs on the machine take wall time from one rank or another, and hardly that. What they do take of it, by the caches
 /// that they fill, the window smooths.
@@ -20,7 +20,7 @@ public:
         mostOfTime = 0.02;           ///< that cuts may take
     static constexpr long fewestTimes = 5; ///< that lists have been made since the last cut
 
-    /// Of one rank.
+    /// Load of one rank.
     struct Share
     {
         double busy,   ///< since the rule was last asked [s]
@@ -31,12 +31,12 @@ public:
 
     /// Whether to cut now, the same on all ranks, who ask at the same time with the shares of all; `me` is this one's place among them.
     bool operator()(std::span<const Share> ofAll, std::size_t me, double maxImbalance);
-    /// After a cut.
+    /// Restarts the window after a cut.
     void startAnew() { *this = {}; }
 
     /// The busiest rank over the mean in the window; 0 where that says nothing yet.
     double imbalance() const { return imbalance_; }
-    /// Of this rank in the window [s].
+    /// Busy time of this rank in the window [s].
     double recent() const { return recent_; }
 
 private:

@@ -20,7 +20,7 @@ std::size_t lengthOf(const std::function<void(OutputFile&)>& part)
     return length;
 }
 
-/// With the file's name in front of what goes wrong.
+/// Acts, and puts the file's name in front of the reason of a failure.
 void named(const std::filesystem::path& path, const auto& act)
 {
     try

@@ -32,7 +32,7 @@ template<class Further> struct ResidualSums
     }
 };
 
-/// From x = 0 until `done(sums, iterations)`, which throws where it gives up. `diagonal(i)` of A; `apply()` readies `applied(c, i)`, component c of (A p)_i;
+/// Iterates from x = 0 until `done(sums, iterations)`, which throws where it gives up. `diagonal(i)` is that of A; `apply()` readies `applied(c, i)`, (A p)_i;
 /// `further(i)` is summed over i for `done`. Returns the number of iterations.
 ///
 /// Throws DivergedError where A is not positive along a direction: a step along it leads away from the solution. To go on along the preconditioned residual, in

@@ -1,4 +1,4 @@
-/// From particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
+/// Reductions of particles to a number: the only way, and the same bits on any number of threads. Blocks of particles are taken by threads and
 /// combined in their order, and then those of all ranks in theirs: each rank has to ask, and all get the same. NaN and infinity go through it: `smaller` and
 /// `larger` keep a NaN that they meet.
 #pragma once
@@ -12,7 +12,7 @@
 namespace sph
 {
 
-/// What ranks have of a value, in their order: of numbers and structures of them, and of vectors of those that are as long on all.
+/// Values of all ranks, in their order: of numbers and structures of them, and of vectors of those that are as long on all.
 template<class T> struct OfRanks
 {
     static_assert(std::is_trivially_copyable_v<T>, "say how it goes from rank to rank: OfRanks<T>");
@@ -46,7 +46,7 @@ template<class T, class Combine> T ofAllRanks(const T& mine, T start, const Comb
     return start;
 }
 
-/// What the ranks before this one have, together.
+/// Sum of the values of the ranks before this one.
 inline std::size_t sumOfRanksBefore(std::size_t mine)
 {
     const auto* const all = ranks();
@@ -67,7 +67,7 @@ template<class T, class OfBlock, class Combine> T reduceBlocks(std::size_t n, T 
     return ofAllRanks(total, std::move(start), combine);
 }
 
-/// The same of single particles: `combine(total, value(i))` within blocks, and of blocks.
+/// Reduction of single particles: `combine(total, value(i))` within blocks, and of blocks.
 template<class T, class Value, class Combine> T reduce(std::size_t n, const T& start, const Value& value, const Combine& combine)
 {
     return reduceBlocks(
@@ -85,7 +85,7 @@ struct Add
 {
     void operator()(auto& total, const auto& q) const { total += q; }
 };
-/// The same of vectors of one length.
+/// Sum of vectors of one length, element by element.
 struct AddEach
 {
     template<class T> void operator()(std::vector<T>& total, const std::vector<T>& q) const

@@ -1,4 +1,4 @@
-/// Name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
+/// Catalogue of terms: name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
 #pragma once
 #include "terms.hpp"
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// What a term runs over. `advance`: a local law that sees the step.
+/// The loop that a term runs in: over particles, pairs of neighbours, or nearest places of walls.
 enum class Over
 {
     particles,

@@ -1,11 +1,11 @@
-/// From the selected terms to the passes of every evaluation of a scene: close, order, merge, allocate, print.
+/// The plan of a scene: it turns the selected terms into the passes of every evaluation. Close, order, merge, allocate, print.
 ///
 /// A plan has groups of passes. The first is an evaluation: all that follows from the state. Further ones run at the same positions, where a
-/// stage of the integrator asks for them: what acts once in a step of several, what a solver or a subcycle repeats. They find what the groups
+/// stage of the integrator asks for them: forces that act once in several substeps, terms that a solver or a subcycle repeats. They find what the groups
 /// before them have left there, images and pairs included.
 ///
-/// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. What the rule
-/// of an image reads counts as read by the term whose neighbours' values it makes.
+/// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. Fields that the
+/// rule of an image reads count as read by the term whose neighbours' values it makes.
 /// Where a term that provides gradientScale is selected, every pair term but those of the raw gradient waits for it, and its pass sees
 /// the normalised gradW.
 /// Order: wall laws and local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass; wall laws that
@@ -23,49 +23,49 @@ namespace sph
 /// A group of passes as a scene asks for it.
 struct Group
 {
-    std::string name; ///< of the stage that runs it
+    std::string name; ///< name of the stage that runs it
     std::vector<std::string> terms;
-    std::set<std::string> changed = {}; ///< fields that are not what they were in the groups before
-    Names names = {};                   ///< of results that are kept apart
-    std::set<std::string> given = {};   ///< what whoever runs the group writes before: the change that a solver tries
+    std::set<std::string> changed = {}; ///< fields whose values differ from those in the groups before
+    Names names = {};                   ///< other names of results that are summed separately
+    std::set<std::string> given = {};   ///< fields that the caller writes before the group runs: the change that a solver tries
 };
 
 template<int dim> class Plan
 {
 public:
-    /// `state`: names of the fields that the scene brings; `ruleReads`: what the rule of a field's images reads of their source. The catalogue must
+    /// `state`: names of the fields that the scene provides; `ruleReads`: fields that the rule of a field's images reads of their source. The catalogue must
     /// outlive the plan. Throws CaseError naming the term that lacks a provider, has several, or waits in a circle.
     Plan(const Catalogue<dim>&, const std::vector<Group>&, std::set<std::string> state,
          std::map<std::string, std::vector<FieldUse<dim>>> ruleReads = {});
-    /// Of one evaluation alone.
+    /// A plan of one evaluation alone.
     Plan(const Catalogue<dim>& catalogue, const std::vector<std::string>& terms, std::set<std::string> state)
         : Plan(catalogue, {{"evaluate", terms}}, std::move(state))
     {}
 
     void allocate(FieldStore<dim>&) const;
-    /// Positions, volume factors and what some pass gathers: all that images need values of.
+    /// Fields that images need values of: positions, volume factors and those that some pass gathers.
     std::set<std::string> readAtNeighbours() const;
-    /// What passes read of copies on other ranks: the same, and what rules of images read of their source.
+    /// Fields that passes read of copies of other ranks' particles: the same, and those that rules of images read of their source.
     std::set<std::string> readOfCopies() const;
-    /// Again after each change of the arrays or the coefficients.
+    /// Binds terms to their arrays; to be called again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
-    /// `deltaT` [s] is what laws that advance a state see.
+    /// Runs the passes of a group. `deltaT` [s] is the step of laws that advance a state.
     void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0);
 
     /// Index of the group of that name; throws std::logic_error where there is none.
     std::size_t group(const std::string& name) const;
     bool hasGroup(const std::string& name) const;
     int pairPasses(std::size_t group = 0) const;
-    /// How many have run since the start, of all groups.
+    /// Number of pair passes run since the start, of all groups.
     long pairPassesRun() const { return pairPassesRun_; }
-    /// Memory for whoever needs some between evaluations: the next one packs its records into it anew.
+    /// Scratch memory between evaluations: the next one packs its records into it anew.
     std::span<double> idle() { return records_; }
-    /// Of the packed records.
+    /// Memory of the packed records.
     std::size_t bytes() const { return records_.capacity() * sizeof(double); }
     bool has(const std::string& term) const;
     bool provides(const std::string& field) const;
 
-    /// How often each operation has run, by "group/term".
+    /// Number of runs of each operation, by "group/term".
     using Counts = std::map<std::string, long>;
     void countInto(Counts* counts) { counts_ = counts; }
 
@@ -74,7 +74,7 @@ public:
     void printGroup(std::ostream&, std::size_t group, int& pass, int& operation) const;
     /// Fields, bytes, and the terms of the catalogue that no group has.
     void printFields(std::ostream&, const FieldStore<dim>&) const;
-    /// All groups in order, and the fields.
+    /// Prints all groups in order, and the fields.
     void print(std::ostream&, const FieldStore<dim>&) const;
 
 private:
@@ -86,7 +86,7 @@ private:
         std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
         std::vector<std::unique_ptr<Operation<dim>>> operations;
-        typename Stencil<dim>::Factors factors;       ///< their columns, behind those of the terms
+        typename Stencil<dim>::Factors factors;       ///< columns of the factors, behind those of the terms
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
         bool pair() const { return entries[0]->over == Over::pairs; }
     };
@@ -96,7 +96,7 @@ private:
         std::vector<const Entry*> chosen;
         std::map<const Entry*, std::string> reason;
         std::vector<Pass> passes;
-        bool keepsPairs = false; ///< for passes behind its first pair pass, or groups behind it
+        bool keepsPairs = false; ///< pairs are kept for passes behind its first pair pass, or for later groups
         std::string resultName(const FieldUse<dim>& f) const { return nameIn(group.names, f.name.c_str()); }
     };
     const Catalogue<dim>& catalogue_;
@@ -117,7 +117,7 @@ private:
                        const Kernel<dim>&);
     /// Positions and columns of the particles [begin, end), eight doubles to a cache line.
     const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);
-    /// What a pass reads of copies on other ranks and was written since they were last refreshed.
+    /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };
 

@@ -102,7 +102,7 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
     from.resize(std::max<std::size_t>(from.size(), arrays * recordSize), from[0]);
     const std::size_t block = 512, images = std::clamp(store.owned(), begin, end);
-    // Of particles and of images each thread packs its share: those that it has computed, and gathers.
+    // Each thread packs its share of particles and of images: those that it has computed, and gathers.
 #pragma omp parallel
     for (int a = 0; a < arrays; ++a)
     {
@@ -136,7 +136,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const double* records = nullptr;
 
-    // Of so many particles, all owned ones unless it says which.
+    // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     const auto over = [&](std::size_t n, const int* which, const auto& k)
     {
         const auto gather = [&](std::size_t begin, std::size_t end)
@@ -167,7 +167,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
             if (halo)
             {
                 halo->start(store, copiedFor(pass, store));
-                // All that interior particles see: owned ones, and the null particle at the end of each list.
+                // Interior particles see these alone: owned ones, and the null particle at the end of each list.
                 for (const auto& f : pass.refresh)
                     for (int c = 0; f.info.image != Image::placed && c < f.type.components; ++c)
                         images.setNullParticle(store.component(f.name, c));

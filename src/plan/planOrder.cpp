@@ -135,7 +135,7 @@ template<int dim> void Plan<dim>::close(Passes& passes, const std::set<std::stri
                         if (candidates.empty())
                             throw CaseError(fmt::format("term \"{}\" reads \"{}\" [{}], which the scene does not give and no term provides",
                                                         reader->name, f.name, f.info.unit));
-                        // Where a group before has decided, so it is here.
+                        // A choice of a group before holds here too.
                         const auto before =
                             std::find_if(candidates.begin(), candidates.end(),
                                          [&](const Entry* e)

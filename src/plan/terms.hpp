@@ -1,4 +1,4 @@
-/// What a term is, and the loop that runs it. Physics is the functor; looping, vector lanes and memory are here, once.
+/// The concept of a term, and the loop that runs it. Physics is the functor; looping, vector lanes and memory are here, once.
 ///
 ///   pair term   operator()(ij, i, j)     summed over the stencil of i;   Reads at i and j, ReadsOwn at i alone (costs no gather)
 ///               finish(i, sum)           optional: what the sum means
@@ -103,7 +103,7 @@ template<class T> constexpr bool ofRawGradient = requires { T::ofRawGradient; };
 
 template<class T, int dim> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim>;
 template<class T, int dim> using NeighbourValues = Values<ReadsOf<T>, dim>;
-/// Of one result its value, of several Values<...>.
+/// Value of one result; Values<...> of several.
 template<class T, int dim> using ResultValue = typename detail::ValueOf<ResultsOf<T>, dim>::type;
 
 /// The nearest place of a patch of some wall.
@@ -157,7 +157,7 @@ struct SoFar<T, dim>
     using type = typename T::template SoFar<dim>;
 };
 }
-/// What a wall law carries from place to place: its result, unless it says otherwise.
+/// State that a wall law carries from place to place: its result, unless it says otherwise.
 template<class T, int dim> using SoFarOf = typename detail::SoFar<T, dim>::type;
 template<class T, int dim>
 concept WallLaw = atWalls<T> && requires(const T t, SoFarOf<T, dim> q, OwnValues<T, dim> i, WallFoot<dim> foot)
@@ -204,7 +204,7 @@ template<int dim, class... F> std::vector<FieldUse<dim>> uses(Fields<F...>, cons
     return {{F::info, nameIn(names, F::info.name), valueType<FieldValue<F, dim>>, &Images<dim>::template refresh<F>}...};
 }
 
-/// Where bound terms find their numbers: arrays of the store, and the stencil column of each component read at j. `adds`: something
+/// Arrays in which bound terms find their numbers: those of the store, and the stencil column of each component read at j. `adds`: something
 /// has written to the result before in this evaluation.
 template<int dim> struct Binding
 {

@@ -5,7 +5,7 @@
 namespace sph
 {
 
-/// What `system/controlDict.functions.errors` names: a file, a sub-dictionary, the entries that come with a word of a choice, or one
+/// Part of the reference that a path names, as `system/controlDict.functions.errors`: a file, a sub-dictionary, the entries of a word of a choice, or one
 /// entry. Freely named dictionaries (walls, functions) may be left out of the path.
 struct ReferencePart
 {
@@ -17,7 +17,7 @@ ReferencePart findPart(const EntryRegistry&, const std::string& path);
 
 /// Every entry with type, unit, default, choices and meaning; those of sub-dictionaries indented.
 std::string listText(const ReferencePart&);
-/// The same as tables in Markdown.
+/// The reference as tables in Markdown.
 std::string markdownText(const ReferencePart&);
 /// A dictionary that can be read: what is required with a value, all else commented out.
 std::string templateText(const ReferencePart&);

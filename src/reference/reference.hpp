@@ -1,3 +1,4 @@
+/// The reference of all files of a case and their entries.
 #pragma once
 #include "EntryList.hpp"
 

@@ -35,7 +35,7 @@ const SubDictionary region{"region", byScene("the domain"), "the bed"};
 namespace
 {
 
-/// Of a hat about a section [spacings].
+/// Half width of the hat function about a section [spacings].
 constexpr double halfWidth = 2;
 
 /// The direction of the largest component.

@@ -1,3 +1,4 @@
+/// Function object `bedHydrodynamics`: saturation, hold-up, flow and wetting of a packed bed.
 #pragma once
 #include "FunctionContext.hpp"
 #include <optional>
@@ -6,7 +7,7 @@ namespace sph
 {
 class SampledField;
 
-/// How liquid sits and moves in a packed bed
+/// Hydrodynamics of liquid in a packed bed
 ///
 ///   porosity = V_pore/V_bed,  saturation = V_liquid/V_pore,  hold-up = V_liquid/V_bed
 ///   superficial velocity of phase k = sum_k V_i u_i/V_bed,  interstitial = sum_k V_i u_i/sum_k V_i
@@ -48,7 +49,7 @@ class BedHydrodynamics : public FunctionObject
     bool inBed(const Vector<3>&) const;
     /// Unit vector along which the liquid is to flow.
     Vector<3> flowDirection(const ParticleView&) const;
-    /// Of each phase along `direction` through the bed's section at a coordinate [m/s].
+    /// Superficial velocity of each phase along `direction` through the bed's section at a coordinate [m/s].
     std::vector<double> superficialAt(double, const ParticleView&, const SampledField& U, std::size_t phases) const;
     double numberOf(const char* what, const ParticleView&) const;
 

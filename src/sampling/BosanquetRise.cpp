@@ -11,7 +11,7 @@ namespace sph
 
 double BosanquetRise::height(double t) const
 {
-    // In l^2 and the momentum P = rho l v (of both columns with a slip length) nothing is singular at l = 0.
+    // Nothing is singular at l = 0 in l^2 and the momentum P = rho l v (of both columns with a slip length).
     using State = std::array<double, 2>;
     const double sinks = reservoirWidth > 0 ? 1 + width / reservoirWidth : 1;
     const auto column = [](const State& q) { return std::sqrt(std::max(0.0, q[0])); };

@@ -1,3 +1,4 @@
+/// Exact solution: capillary rise in a slit by Bosanquet's equation.
 #pragma once
 
 namespace sph

@@ -1,3 +1,4 @@
+/// Exact solution: the shape of a liquid bridge at rest.
 #pragma once
 
 namespace sph
@@ -23,7 +24,7 @@ class CapillaryBridge
     double contactHeight(double beta) const;
     /// The curvature of the arc of a circle from contact to neck.
     double arc(double beta) const;
-    /// From the line of contact to z = 0, neck and volume on the way; the slope there.
+    /// Integrates the meridian from the line of contact to z = 0, with neck and volume on the way; returns its slope angle there [rad].
     double integrate(double beta, double curvature);
     bool solve(double volume);
 
@@ -35,7 +36,7 @@ public:
     double neck() const { return neck_; }           ///< r at z = 0 [m]; in 2-D half the width
     double curvature() const { return curvature_; } ///< (p_l - p_g)/gamma [1/m]
     double halfFilling() const { return beta_; }    ///< beta [rad]
-    /// What pulls the spheres together, over gamma: the tension of the neck less the pressure on its section,
+    /// Attraction of the spheres over gamma: the tension of the neck less the pressure on its section,
     /// 2 pi r - pi r^2 (p_l - p_g)/gamma [m]; in 2-D 2 - 2 r (p_l - p_g)/gamma [-].
     double force() const;
 };

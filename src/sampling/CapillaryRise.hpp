@@ -1,3 +1,4 @@
+/// Measure: the height of capillary rise in a slit.
 #pragma once
 #include "CaseError.hpp"
 #include "Geometry.hpp"

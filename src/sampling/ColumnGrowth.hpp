@@ -1,3 +1,4 @@
+/// Measure: the growth rate of a wave on a liquid column.
 #pragma once
 #include "Measurement.hpp"
 #include "ModeHistory.hpp"

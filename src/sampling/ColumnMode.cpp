@@ -8,7 +8,7 @@ namespace sph
 namespace
 {
 
-/// Of radial velocity u(r), u(R) = 1, with q u_0 = (r u)'/r at R; axial velocity and shear stress over i.
+/// Values at the interface of the solution with radial velocity u(r), u(R) = 1, and q u_0 = (r u)'/r at R; axial velocity and shear stress over i.
 AtInterface solution(double k, double R, double mu, Complex qu_0, Complex q, Complex p)
 {
     return {1, qu_0 / k, mu * (k + q * q / k), -p + 2 * mu * (qu_0 - 1 / R)};

@@ -1,3 +1,4 @@
+/// Exact solution: the rate of linear waves on a liquid column.
 #pragma once
 #include "NormalMode.hpp"
 

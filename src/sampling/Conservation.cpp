@@ -95,7 +95,7 @@ void Conservation::execute(const ParticleView& view)
     table_->row(view.time, cells);
 }
 
-/// Since the first sample.
+/// Supply since the first sample.
 Supply Conservation::given() const
 {
     if (!supply_ || !firstSupply_) return {};

@@ -1,3 +1,4 @@
+/// Function object `conservation`: mass, momentum and energy of a run.
 #pragma once
 #include "FunctionContext.hpp"
 #include <optional>
@@ -5,7 +6,7 @@
 namespace sph
 {
 
-/// What the motion should conserve, summed over the particles of the scene (not over those that openings hold beyond their planes)
+/// Conserved quantities of the motion, summed over the particles of the scene (not over those that openings hold beyond their planes)
 ///
 ///   m_k = sum m_i of each phase,  P = sum m_i u_i,  E_kin = 1/2 sum m_i u_i^2,  E_pot = -sum (m_i g + V_i f).x_i,
 ///   L = sum m_i (x_i - x_0) x u_i
@@ -33,7 +34,7 @@ class Conservation : public FunctionObject
     std::optional<OutputTable> table_;
 
 public:
-    /// Of all phases together.
+    /// Momentum and energy of all phases together.
     struct Motion
     {
         Vector<3> momentum, angularMomentum;

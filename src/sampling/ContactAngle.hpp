@@ -1,3 +1,4 @@
+/// Measure: the contact angle of a drop on a wall.
 #pragma once
 #include "Measurement.hpp"
 

@@ -1,3 +1,4 @@
+/// Exact solution: plane Couette flow started from rest.
 #pragma once
 #include "EntryList.hpp"
 

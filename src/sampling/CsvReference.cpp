@@ -173,7 +173,7 @@ std::optional<double> CsvReference::at(double coordinate, double t) const
         if (x.size() < 2) return {};
         if (over_ == Over::time && (coordinate < x.front() || coordinate > x.back())) return {};
         if (coordinate < 2 * x[0] - x[1] || coordinate > 2 * x.back() - x[x.size() - 2]) return {};
-        // Beyond the ends a straight line: a cubic may overshoot there.
+        // The curve is a straight line beyond the ends: a cubic may overshoot there.
         const bool outside = coordinate < x.front() || coordinate > x.back();
         return interpolate(x, profile.value, coordinate, outside ? 2 : points);
     };

@@ -53,7 +53,7 @@ public:
     std::optional<double> at(double coordinate, double t) const;
     std::optional<double> operator()(const Vector<3>& x, double t) const;
 
-    /// Where the rows lie: origin + coordinate axis, each place once.
+    /// Positions of the rows: origin + coordinate axis, each place once.
     std::vector<Vector<3>> rows() const;
 };
 

@@ -1,3 +1,4 @@
+/// Measure: the drag factor of a periodic array of spheres.
 #pragma once
 #include "Measurement.hpp"
 

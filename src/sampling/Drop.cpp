@@ -27,7 +27,7 @@ struct Positions
 
 Drop::Drop(const ParticleView& view, std::size_t phase_, bool ofOthers_) : phase(phase_), ofOthers(ofOthers_)
 {
-    // In a periodic direction the mean of positions depends on where the domain begins; the mean of angles on a circle does not.
+    // The mean of positions in a periodic direction depends on where the domain begins; the mean of angles on a circle does not.
     // It only serves to unfold the drop: the mean of displacements from it is the centre of volume.
     const auto* geometry = view.geometry;
     const auto isPeriodic = [&](int k) { return geometry && geometry->periodic[k]; };

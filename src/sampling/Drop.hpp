@@ -14,9 +14,9 @@ struct Drop
 
     Drop(const ParticleView&, std::size_t phase, bool ofOthers = false);
     bool has(const ParticleView&, std::size_t particle) const;
-    /// Of a ball, in 2-D a disc, of its volume [m].
+    /// Radius of the ball, in 2-D the disc, of the drop's volume [m].
     double radius(int dimension) const;
-    /// How far its particles are from its centre, at the most [m].
+    /// Largest distance of its particles from its centre [m].
     double reach(const ParticleView&) const;
 };
 

@@ -8,7 +8,7 @@ namespace sph
 namespace
 {
 
-/// Of the stream function f(r) exp(i n theta), f(R) = 1, with slope f'(R) = `slope`; velocities and stresses over i where they need it.
+/// Values at the interface of the stream function f(r) exp(i n theta), f(R) = 1, with slope f'(R) = `slope`; velocities and stresses over i where they need it.
 /// `curl` [1/m^2] is kappa^2 of a vortical solution, 0 of a potential one, whose pressure over i is `p`.
 AtInterface solution(int n, double R, double mu, Complex slope, Complex curl, Complex p)
 {

@@ -1,3 +1,4 @@
+/// Exact solution: the rate of the linear modes of a two-dimensional drop.
 #pragma once
 #include "NormalMode.hpp"
 

@@ -1,3 +1,4 @@
+/// Measures: period and decay rate of an oscillating drop.
 #pragma once
 #include "Measurement.hpp"
 #include "ModeHistory.hpp"

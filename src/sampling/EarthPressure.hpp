@@ -1,3 +1,4 @@
+/// Measures: stresses of a layer of soil at rest.
 #pragma once
 #include "Measurement.hpp"
 #include "SymmTensor.hpp"
@@ -13,7 +14,7 @@ class SoilLayer
     Location where_;
 
 protected:
-    /// Of a particle's stress, its vertical stress, compression positive, and rho g times its depth [Pa].
+    /// Value from a particle's stress, its vertical stress, compression positive, and rho g times its depth [Pa].
     using Value = std::function<double(SymmTensor<3>, double vertical, double weight)>;
     Measurement compare(const ParticleView&, double reference, const Value&) const;
 

@@ -1,3 +1,4 @@
+/// Function object `errors`: errors of fields and measures against references.
 #pragma once
 #include "FieldComparison.hpp"
 #include "Measurement.hpp"

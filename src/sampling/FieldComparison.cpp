@@ -145,7 +145,7 @@ std::vector<FieldComparison::Sample> FieldComparison::atRows(const ParticleView&
     return samples;
 }
 
-/// In place of the values those of the mean over time, with them.
+/// Replaces the values by their means over time, present values included.
 void FieldComparison::takeMean(std::vector<Sample>& samples) const
 {
     auto& sums = *sums_;

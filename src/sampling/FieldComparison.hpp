@@ -59,7 +59,7 @@ public:
     /// Nothing where no point has a reference at this time, or before `meanFrom`. Throws CaseError if the view has no such field. NaN where there is no
     /// particle around a row.
     std::optional<ErrorRow> operator()(const ParticleView&) const;
-    /// What a restart goes on from; shared by all copies.
+    /// Sums that a restart goes on from; shared by all copies.
     std::vector<double>& history() const { return *sums_; }
 };
 

@@ -1,3 +1,4 @@
+/// Function object `filling`: the filled share of a cavity.
 #pragma once
 #include "FunctionContext.hpp"
 #include <limits>
@@ -6,7 +7,7 @@
 namespace sph
 {
 
-/// How far a cavity is filled, and with how much powder.
+/// Filled share of a cavity, and the powder in it.
 ///
 ///     type filling;  min (0 -1e-3 0);  max (1e-3 1e-3 2e-4);  level 0.99;      // the box: all of the domain unless given
 ///

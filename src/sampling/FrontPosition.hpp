@@ -1,3 +1,4 @@
+/// Measure: the position of a front, against a table.
 #pragma once
 #include "CsvReference.hpp"
 #include "Measurement.hpp"
@@ -5,7 +6,7 @@
 namespace sph
 {
 
-/// How far a fluid has come along a direction, against a table over time
+/// Position of the front of a fluid along a direction, against a table over time
 ///
 ///   Z = max_i (x_i - origin).direction + Delta_x/2
 ///

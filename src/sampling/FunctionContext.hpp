@@ -1,4 +1,4 @@
-/// What every function object is given when it is made. Geometry, and what `output` refers to, must outlive it.
+/// Context that every function object gets when it is made. Geometry, and what `output` refers to, must outlive it.
 #pragma once
 #include "FunctionObject.hpp"
 #include "OutputTable.hpp"

@@ -19,7 +19,7 @@ public:
     virtual void execute(const ParticleView&) = 0;
     /// One or more lines for the solver's log, "" where there is nothing to say.
     virtual std::string report() const { return ""; }
-    /// What later rows depend on beside what they look at: a restarted run begins with it.
+    /// History that later rows depend on beside the particles: a restarted run begins with it.
     virtual Histories histories() const { return {}; }
     virtual void restore(const Histories&) {}
 };
@@ -66,10 +66,10 @@ public:
     bool due(const RunTime&, bool writeTime, bool end) const;
     /// Runs those that are due; returns their reports.
     std::vector<std::string> execute(const ParticleView&, const RunTime&, bool writeTime, bool end);
-    /// Those of all objects, "<name>.<list>", to be stored with a time folder; what the run starts from has been restored.
+    /// Histories of all objects, "<name>.<list>", to be stored with a time folder; those of the start have been restored.
     Histories histories() const;
 
-    /// For stored times: those of `only` (all where it is empty), due or not. An unknown name is an error.
+    /// Function objects for stored times: those of `only` (all where it is empty), due or not. An unknown name is an error.
     FunctionObjects(const Dictionary& functions, const Geometry&, const std::vector<std::string>& phases, const OutputPlace&,
                     const std::vector<std::string>& only);
     std::vector<std::string> executeAll(const ParticleView&);

@@ -1,3 +1,4 @@
+/// Exact solution: hydrostatic pressure of layers.
 #pragma once
 #include "EntryList.hpp"
 

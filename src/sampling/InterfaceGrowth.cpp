@@ -34,7 +34,7 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     const double k = 2 * std::numbers::pi * double(waves_) / size.x, area = size.x * (view.dimension == 3 ? size.z : 1);
     Measurement result;
     const auto phase = [&](std::size_t i) { return phaseOf(view, i); };
-    // Of the first phase alone.
+    // The wave is measured on the first phase alone.
     const auto wave =
         groupSums(view.n, 1, phase,
                   [&](std::size_t i) { return VolumeMean<>::of(view.mass[i] / view.restDensity[0], std::cos(k * view.x[i])); })[0];

@@ -1,3 +1,4 @@
+/// Measure: the pressure jump across the surface of a drop or bubble.
 #pragma once
 #include "Measurement.hpp"
 

@@ -1,3 +1,4 @@
+/// Measures: neck and pressure of a liquid bridge.
 #pragma once
 #include "CapillaryBridge.hpp"
 #include "CaseError.hpp"

@@ -1,3 +1,4 @@
+/// Measures: the shape of a liquid lens between two phases.
 #pragma once
 #include "Measurement.hpp"
 #include <array>

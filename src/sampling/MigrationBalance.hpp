@@ -1,10 +1,11 @@
+/// Measure: the balance of the fluxes of powder.
 #pragma once
 #include "Measurement.hpp"
 
 namespace sph
 {
 
-/// How far powder is from the state in which it no longer migrates, whatever the geometry: by Phillips' fluxes
+/// Distance of powder from the state in which it no longer migrates, whatever the geometry, by Phillips' fluxes
 ///
 ///   J = -D_c a^2 phi^2 gammaDot grad ln(phi gammaDot mu^r),    r = D_eta/D_c
 ///

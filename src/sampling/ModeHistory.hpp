@@ -1,3 +1,4 @@
+/// History of the amplitude of a mode, to which rates are fitted.
 #pragma once
 #include "EntryList.hpp"
 #include <vector>

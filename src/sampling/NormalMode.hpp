@@ -10,7 +10,7 @@ namespace sph
 
 using Complex = std::complex<double>;
 
-/// What a solution of one fluid does at the interface, all in units of its own amplitude.
+/// Values of a solution of one fluid at the interface, all in units of its own amplitude.
 struct AtInterface
 {
     Complex normalVelocity, tangentialVelocity; ///< [m/s]

@@ -1,4 +1,4 @@
-/// Where function objects write: below postProcessing/ of a running case, or of one whose stored times are looked at.
+/// Folder in which function objects write: below postProcessing/ of a running case, or of one whose stored times are looked at.
 #pragma once
 #include "RunTime.hpp"
 #include <filesystem>
@@ -19,7 +19,7 @@ struct OutputPlace
 /// `time` must outlive the result.
 OutputPlace outputOf(const RunTime& time);
 
-/// For stored times, of which `first` is the first to be looked at; `current` must outlive the result.
+/// Place of output for stored times, of which `first` is the first to be looked at; `current` must outlive the result.
 OutputPlace outputOf(const std::filesystem::path& caseFolder, const std::string& first, const std::string& current);
 OutputPlace outputOf(const std::filesystem::path& caseFolder, const std::string& first, std::string&& current) = delete;
 

@@ -1,4 +1,4 @@
-/// What a function object sees of a running or stored case: read-only arrays, names and numbers, nothing of the solver.
+/// View of a running or stored case for function objects: read-only arrays, names and numbers, nothing of the solver.
 #pragma once
 #include "Cloud.hpp"
 #include "Geometry.hpp"
@@ -10,7 +10,7 @@
 namespace sph
 {
 
-/// What forces have given the fluid since the start of the run, and what it stores beside motion.
+/// Energy and impulse that forces have given the fluid since the start of the run, and the energy that it stores beside motion.
 struct Supply
 {
     Vector<3> impulse; ///< of gravity and body force [kg m/s]
@@ -43,7 +43,7 @@ struct ParticleView
     double time = 0, deltaT = 0, executionTime = 0;
     long step = 0;
 
-    /// Not held by an opening: part of what means and extremes are of. Sums over neighbours take all particles.
+    /// Whether a particle is part of the scene, and not of an opening's buffer: means and extremes are of those. Sums over neighbours take all particles.
     bool inScene(std::size_t i) const { return !heldBy || heldBy[i] == 0; }
     /// Null where there is no such field.
     const FieldView* find(const std::string& name) const

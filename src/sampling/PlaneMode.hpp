@@ -1,3 +1,4 @@
+/// Exact solution: the rate of linear waves on a plane interface.
 #pragma once
 #include "NormalMode.hpp"
 

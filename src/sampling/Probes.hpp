@@ -1,3 +1,4 @@
+/// Function object `probes`: values of fields at fixed points.
 #pragma once
 #include "FunctionContext.hpp"
 #include <map>

@@ -1,3 +1,4 @@
+/// Function object `profile`: fields along a line.
 #pragma once
 #include "FunctionContext.hpp"
 

@@ -1,3 +1,4 @@
+/// Exact solution: dam break on a dry bed.
 #pragma once
 #include "EntryList.hpp"
 

@@ -26,7 +26,7 @@ double RotatingSquarePatch::pressure(const Vector<3>& x, double) const
     const double X = std::abs(r.x), Y = std::abs(r.y);
     if (X >= 0.5 || Y >= 0.5) return 0;
     double sum = X * X - 0.25;
-    // On the sides cosh/cosh is 1 and the terms fall as 1/n^3: to 1e-6 of the sum at n = 199.
+    // The ratio cosh/cosh is 1 on the sides and the terms fall as 1/n^3: to 1e-6 of the sum at n = 199.
     for (int n = 1; n < 200; n += 2)
     {
         const double k = n * std::numbers::pi;

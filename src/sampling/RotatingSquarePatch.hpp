@@ -1,3 +1,4 @@
+/// Exact solution: the initial pressure in a rotating square of fluid.
 #pragma once
 #include "EntryList.hpp"
 

@@ -28,7 +28,7 @@ namespace
 {
 constexpr int intervals = 4000; // of the tables: the sums by parts below are then good to 1e-7
 
-/// Where `f`, which falls from `low` to `high`, passes `value`.
+/// Argument at which `f`, which falls from `low` to `high`, passes `value`, by bisection.
 double bisect(double low, double high, double value, const auto& f)
 {
     for (int k = 0; k < 60; ++k)

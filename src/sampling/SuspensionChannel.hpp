@@ -1,3 +1,4 @@
+/// Exact solution: steady flow of a suspension in a channel or pipe.
 #pragma once
 #include "EntryList.hpp"
 
@@ -25,7 +26,7 @@ public:
     static EntryList entries();
     explicit SuspensionChannel(const Dictionary&);
 
-    /// At s = |y|/h from 0 (middle) to 1 (wall).
+    /// Volume fraction of powder at s = |y|/h from 0 (middle) to 1 (wall).
     double phi(double s) const;
     double wallPhi() const { return wall_; }
     /// [m/s]

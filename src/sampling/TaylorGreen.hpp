@@ -1,3 +1,4 @@
+/// Exact solution: Taylor and Green's decaying vortices.
 #pragma once
 #include "EntryList.hpp"
 

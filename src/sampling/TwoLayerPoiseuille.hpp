@@ -1,3 +1,4 @@
+/// Exact solution: plane Poiseuille flow of two layers.
 #pragma once
 #include "EntryList.hpp"
 

@@ -1,3 +1,4 @@
+/// Function object `volFieldValue`: one value of each field over a box.
 #pragma once
 #include "FunctionContext.hpp"
 #include <optional>

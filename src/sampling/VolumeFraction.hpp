@@ -1,3 +1,4 @@
+/// Volume fraction of a phase, sampled from particles.
 #pragma once
 #include "Interpolator.hpp"
 #include <optional>

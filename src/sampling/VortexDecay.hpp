@@ -1,3 +1,4 @@
+/// Measure: the decay rate of Taylor and Green's vortices.
 #pragma once
 #include "Measurement.hpp"
 #include "TaylorGreen.hpp"

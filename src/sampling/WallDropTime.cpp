@@ -36,7 +36,7 @@ double WallDropTime::wallValue(const ParticleView& view) const
 {
     const SampledField f(view, field_, where_);
     const auto distance = [&](std::size_t i) { return dot(position(view, i) - origin_, normal_); };
-    // In this order of arguments the first for a NaN, which then shows in the value.
+    // This order of arguments puts a NaN into the first row, where it shows in the value.
     const auto row = [&](std::size_t i) { return std::size_t(std::min(3.0, std::max(0.0, distance(i) / view.spacing))); };
     const auto distances = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, distance(i)); }),
                values = groupSums(view.n, 3, row, [&](std::size_t i) { return VolumeMean<>::of(1, f(0, i)); });

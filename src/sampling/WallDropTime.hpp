@@ -1,10 +1,11 @@
+/// Measure: the time in which a field at a wall changes.
 #pragma once
 #include "Measurement.hpp"
 
 namespace sph
 {
 
-/// When a field at a wall has gone a share of its way, against a reference: the time scale of migration, which no steady state tells.
+/// Time at which a field at a wall has gone a share of its way, against a reference: the time scale of migration, which no steady state tells.
 ///
 ///   t:  f_w(t) = start + share (f_w(now) - start),    f_w the parabola through the means of the three rows next to the wall, at the wall
 ///

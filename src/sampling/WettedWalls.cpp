@@ -14,10 +14,10 @@ namespace sph
 namespace
 {
 
-/// Above this sum_j V_j W_j a point of a wall lies in the fluid, whatever the shape of the wall: of a plane it is 1/2, of a convex edge more.
+/// Value of sum_j V_j W_j above which a point of a wall lies in the fluid, whatever the shape of the wall: of a plane it is 1/2, of a convex edge more.
 constexpr double surelyFilled = 0.3;
 
-/// Between two solids, in spacings: what is narrower counts as contact. Triangles of a curved wall lie less than that below it.
+/// Least gap between two solids, in spacings: a narrower one counts as contact. Triangles of a curved wall lie less than that below it.
 constexpr double narrowestGap = 0.1;
 
 /// Bisects longest edges until none is longer than `size` [m].
@@ -142,7 +142,7 @@ std::vector<WettedWall> wettedWalls(const ParticleView& view, std::size_t liquid
                     const auto n = cross(q - p, r - p);
                     const double area = 0.5 * mag(n) / (flat ? size : 1);
                     if (!(area > 0)) return WettedWall{};
-                    // Before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
+                    // The place before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
                     auto x = (p + q + r) / 3 + narrowestGap * view.spacing * unitVector(n);
                     if (flat) x.z = 0;
                     if (!(nearestFoot(geometry, x).foot.distance > 0)) return WettedWall{};

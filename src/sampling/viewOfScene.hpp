@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// Without particles, and without a time, but with the gravity of one. The geometry must outlive it.
+/// A view without particles, and without a time, but with the gravity of one. The geometry must outlive it.
 ParticleView viewOfScene(const Coefficients&, const Vector<3>& gravity, const std::string& kernel, const Geometry&);
 
 }

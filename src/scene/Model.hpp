@@ -9,14 +9,14 @@
 namespace sph
 {
 
-/// What limits of the step are made of.
+/// Measured values that limits of the step are made of.
 struct Measured
 {
     double maxSpeed = 0, maxAcceleration = 0, maxSlowAcceleration = 0;
     std::optional<double> leastViscosity, largestViscosity; ///< of the moment, where viscosity is a field of its own [Pa s]
 };
 
-/// What a model reads from, and what it fills.
+/// Input of a model while settings are read, and the settings that it fills.
 struct Reading
 {
     const Case& theCase;

@@ -1,5 +1,5 @@
-/// What a model does at run time beside its terms: stages of a step, what happens where lists are rebuilt, limits, lines of the log, numbers of
-/// a restart. Made at start-up; a model without such needs has none.
+/// A model at run time, beside its terms: stages of a step, actions where lists are rebuilt, limits of the step, lines of the log, numbers of
+/// a restart. It is made at start-up; a model without such needs has none.
 #pragma once
 #include <functional>
 #include <map>
@@ -21,7 +21,7 @@ using Numbers = std::map<std::string, double>;
 /// The part of a step that stages are run in.
 struct Substep
 {
-    double time, deltaT; ///< at its start, and its length [s]
+    double time, deltaT; ///< time at its start, and its length [s]
     double whole;        ///< length of the step that it is a part of [s]
 };
 
@@ -32,7 +32,7 @@ template<int dim> struct Stage
     std::string equation; ///< "x += dt/2 v"
     std::function<void(Particles<dim>&, const Substep&)> run;
     std::vector<std::string> groups;
-    bool onceAStep; ///< in the middle one of several parts
+    bool onceAStep; ///< the stage runs in the middle one of several substeps alone
 
     Stage(std::string called, std::string does, std::function<void(Particles<dim>&, const Substep&)> f,
           std::vector<std::string> evaluates = {}, bool once = false)
@@ -40,12 +40,12 @@ template<int dim> struct Stage
     {}
 };
 
-/// Where the stages of models join those of an integrator.
+/// Hooks of a step: the places at which stages of models join those of an integrator.
 enum class Place
 {
     beforeDrift,
     beforeEvaluation, ///< positions are those that forces are taken at, velocities still those of the start of the step
-    afterEvaluation,  ///< each one: also at the start, and before fields are written
+    afterEvaluation,  ///< after each evaluation: also at the start, and before fields are written
     solve,            ///< forces are there, velocities are not
     afterKick,        ///< velocities are those of the end of the step
     afterDrift,
@@ -57,48 +57,48 @@ struct StepLimit
 {
     double deltaT;
     std::string by;
-    bool ofPart = false;              ///< of what acts in each part of a step, with the most parts; else of what acts once
-    const FieldInfo* field = nullptr; ///< whose largest value, of one particle, sets the limit; none where constants of the scene do
+    bool ofPart = false;              ///< limit by what acts in each substep, with the most substeps; else by what acts once
+    const FieldInfo* field = nullptr; ///< field whose largest value, of one particle, sets the limit; none where constants of the scene do
 };
 
 template<int dim> class Part
 {
 public:
     virtual ~Part() = default;
-    /// What joins each place, in order.
+    /// Stages that join the step at a place, in order.
     virtual std::vector<Stage<dim>> stages(Place) { return {}; }
-    /// Once, when the particles of a time folder are there: before anybody takes away or adds.
+    /// Called once, when the particles of a time folder have been loaded, before any are removed or inserted.
     virtual void loaded(Particles<dim>&) {}
-    /// Before particles are sorted: takes away and adds, and returns how many there are now.
+    /// Removes and inserts particles before the sorting, and returns how many there are now.
     virtual std::size_t exchange(Particles<dim>&, std::size_t owned) { return owned; }
-    /// Positions are new and particles have not been sorted: before an evaluation between two of those.
+    /// Called at new positions before an evaluation between two sortings.
     virtual void moved(Particles<dim>&) {}
-    /// After they have been sorted and lists are there.
+    /// Called after particles have been sorted and lists have been built.
     virtual void sorted(Particles<dim>&) {}
-    /// After each change of the arrays.
+    /// Called after each change of the arrays.
     virtual void bind(Particles<dim>&) {}
-    /// What fields and the log show beyond an evaluation, at the present state; and the groups that it evaluates.
+    /// Computes the fields that output, log and limits need beyond an evaluation, at the present state; and the groups that it evaluates.
     virtual void complete(Particles<dim>&) {}
     virtual std::vector<std::string> completes() const { return {}; }
-    /// What an observation must leave as it was, and its return.
+    /// A number that an observation must leave as it was, and its return.
     virtual double memory() const { return 0; }
     virtual void recall(double) {}
-    /// A rate is about to act for `deltaT` [s] by a model's own step: takes from it what would change particles that are held.
+    /// Sets to 0, at buffer particles, a rate that is about to act for `deltaT` [s] by a model's own step.
     virtual void holdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
     /// Further limits of the step.
     virtual std::vector<StepLimit> limits() const { return {}; }
     /// Numbers of the log's columns, by name.
     virtual Numbers columns(const Particles<dim>&) const { return {}; }
-    /// What the log says once before the first step, and at each report: lines that end with one.
+    /// Text of the log, once before the first step and at each report: lines, each with its line end.
     virtual std::string introduction() const { return ""; }
     virtual std::string report(const Particles<dim>&) const { return ""; }
     /// A few words on the line of the step.
     virtual std::string note() const { return ""; }
-    /// What the present state is not good enough for, asked before each time folder; said once.
+    /// Warning of a state that the resolution or the model does not bear, asked for before each time folder and given once; "" where there is none.
     virtual std::string warning(const Particles<dim>&) { return ""; }
-    /// What a restart needs.
+    /// Adds the numbers of a restart.
     virtual void save(Numbers&) const {}
-    /// Done upon the fluid since it was asked last [W].
+    /// Power of the model upon the fluid in the last step [W].
     virtual double power() const { return 0; }
     virtual std::size_t bytes() const { return 0; }
 };

@@ -47,7 +47,7 @@ std::vector<Group> groupsOf(const Settings& settings)
     return groups;
 }
 
-/// What no term provides: the state, what images say of themselves, and what a group is asked about (the change that a solver tries).
+/// Fields that no term provides: the state, those of images themselves, and those that the caller of a group writes (the change that a solver tries).
 std::set<std::string> givenOf(const Settings& settings)
 {
     std::set<std::string> given{GhostWall::info.name};
@@ -193,7 +193,7 @@ template<int dim> void Particles<dim>::rebuild()
 
 template<int dim> std::vector<float> Particles<dim>::costs() const
 {
-    // In sums over one neighbour; estimates, which a rank's measured time then scales.
+    // Costs in sums over one neighbour; they are estimates, which a rank's measured time then scales.
     constexpr float ofParticle = 20, ofImage = 12;
     std::vector<float> costs(owned_);
     for (std::size_t i = 0; i < owned_; ++i) costs[i] = ofParticle + float(lists_.sizeOf(i));
@@ -271,12 +271,12 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
     plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
 }
 
-/// Of what an evaluation writes, state alone outlives the next one: rates that predict the next step.
+/// An evaluation overwrites every derived field. Only state survives it: rates kept for the next predictor count as state, and are put back here.
 template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 {
     using Component = std::pair<std::string, int>;
     const auto values = [this](const Component& a) { return store_.component(a.first, a.second); };
-    // Between steps the values at the start of one are nobody's: they make room.
+    // Values at the start of a step are not needed between steps: they make room.
     std::vector<Component> idle;
     for (const auto& evolving : settings_.state)
         for (int c = 0; !predicted_ && store_.has(evolving.startName()) && c < evolving.value.in(dim); ++c)

@@ -1,4 +1,4 @@
-/// The particles with their images, lists, plan and the parts of models: everything that stages move, and nothing of time.
+/// The particles with their images, lists, plan and the parts of models: everything that stages change, and nothing of time.
 #pragma once
 #include "Images.hpp"
 #include "LeakGuard.hpp"
@@ -14,7 +14,7 @@
 namespace sph
 {
 
-/// Of MovingWalls, in the numbers of a restart.
+/// Name of the time of MovingWalls in the numbers of a restart.
 inline constexpr const char* wallTime = "wallTime";
 
 template<int dim> class Particles
@@ -23,18 +23,18 @@ public:
     /// Settings and catalogue must outlive the particles. Throws CaseError where particles do not fit the scene.
     Particles(const Settings&, const Geometry&, const Catalogue<dim>&, Cloud, const Numbers& restored);
 
-    /// Rates and derived fields at the present state. A pure function of the state.
+    /// Evaluates rates and derived fields at the present state: a pure function of the state.
     void evaluate();
-    /// A further group of the plan, after an evaluation and at the same positions. `deltaT` [s] for laws that advance a state.
+    /// Evaluates a further group of the plan, after an evaluation and at the same positions. `deltaT` [s] is the step of laws that advance a state.
     void evaluate(const std::string& group, double deltaT = 0);
     /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so
     /// the bytes of a run, stay as they are.
     void observe();
-    /// What each operation that accelerates does by itself to the present state, sum_i m_i v_i.a_i [W], by name; leaves no trace.
+    /// Power of each operation that accelerates, sum_i m_i v_i.a_i of its acceleration alone [W], by name; leaves no trace.
     std::map<std::string, double> powers();
-    /// The same after the particles have been sorted: what is written is what a restart begins with.
+    /// Observes after the particles have been sorted: a restart begins with what is then written.
     void settle();
-    /// Wraps, sorts, makes images and lists anew.
+    /// Wraps and sorts the particles, and makes images and lists anew.
     void rebuild();
     /// Tells how far any particle may have moved since; lists are rebuilt when that may matter.
     void moved(double distance) { travelled_ += distance * images_.closingSpeed(); }
@@ -44,12 +44,12 @@ public:
     const MovingWalls& movingWalls() const { return movingWalls_; }
 
     std::size_t size() const { return owned_; }
-    /// Those of all ranks.
+    /// Number of particles of all ranks.
     std::size_t total() const;
     const Settings& settings() const { return settings_; }
     const Geometry& geometry() const { return geometry_; }
     const Coefficients& coefficients() const { return coefficients_; }
-    /// Of the evaluations from now on [m/s^2].
+    /// Sets the gravity of the evaluations from now on [m/s^2].
     void setGravity(const Vector<3>& g) { coefficients_.g = g; }
     FieldStore<dim>& store() { return store_; }
     const FieldStore<dim>& store() const { return store_; }
@@ -60,13 +60,13 @@ public:
     Plan<dim>& plan() { return plan_; }
     const Kernel<dim>& kernel() const { return kernel_; }
     const std::vector<std::unique_ptr<Part<dim>>>& parts() const { return parts_; }
-    /// All stages that parts join a place with.
+    /// Stages with which all parts join a place.
     std::vector<Stage<dim>> stages(Place) const;
 
     /// Particles whose state is prescribed: rates leave them alone.
     std::span<const int> held() const { return held_; }
     void hold(std::vector<int> held) { held_ = std::move(held); }
-    /// Whether any rank holds some: all ask.
+    /// Whether any rank has buffer particles; all ranks must ask.
     bool holdsAny() const;
     void holdRate(const std::string& field, double deltaT)
     {
@@ -76,7 +76,7 @@ public:
     {
         for (const auto& part : parts_) part->complete(*this);
     }
-    /// Between prediction and correction: then what particles have is in q_0 (Evolving::startName).
+    /// Whether the state is one between prediction and correction: the values at the start of the step are then in q_0 (Evolving::startName).
     bool predicted() const { return predicted_; }
     void setPredicted(bool predicted) { predicted_ = predicted; }
     /// Largest speed, as last measured [m/s].
@@ -85,7 +85,7 @@ public:
 
     /// Largest acceleration when last observed [m/s^2].
     double observedAcceleration() const { return observedAcceleration_; }
-    double skin() const { return skin_; } ///< of the lists [m]
+    double skin() const { return skin_; } ///< skin of the lists [m]
     double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
     const Leaks& leaks() const { return leakGuard_.leaks(); }
@@ -93,12 +93,12 @@ public:
 
 private:
     const Settings& settings_;
-    Geometry geometry_; ///< as it is now: some walls move
+    Geometry geometry_; ///< present geometry: some walls move
     MovingWalls movingWalls_;
     const Catalogue<dim>& catalogue_;
     Coefficients coefficients_;
     Plan<dim> plan_;
-    /// By operation that accelerates: an evaluation of it and what it reads; empty until asked for.
+    /// Plans by operation that accelerates: an evaluation of it and what it reads; empty until asked for.
     std::map<std::string, std::unique_ptr<Plan<dim>>> alone_;
     FieldStore<dim> store_;
     std::unique_ptr<Halo<dim>> halo_; ///< null where one process is alone
@@ -115,7 +115,7 @@ private:
     long rebuilds_ = 0;
     bool predicted_ = false;
 
-    /// What each particle costs, by its neighbours and the images that it is the source of: where there are walls and interfaces, more.
+    /// Cost of each particle, from the number of its neighbours and of the images that it is the source of.
     std::vector<float> costs() const;
     void allocateState();
     void load(Cloud, bool restarted);
@@ -123,11 +123,11 @@ private:
     Vector<dim> position(std::size_t i) const;
     void normaliseDensity();
     void bind();
-    /// The first group and what joins it, for positions and images as they are.
+    /// Evaluates the first group and the stages that join it, for the present positions and images.
     void evaluateFirst();
-    /// Images and lists for the present positions.
+    /// Makes images and lists for the present positions.
     void makeLists();
-    /// Runs what looks at the present state, with images and lists for it, and restores what of the state that has changed.
+    /// Runs an observation of the present state, with images and lists for it, and restores the state that the observation has changed.
     void look(const std::function<void()>& at);
     void planAlone();
 };

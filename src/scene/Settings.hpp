@@ -1,4 +1,4 @@
-/// What a case chooses, in words and numbers, before any particle is read. Models fill it (Model.hpp).
+/// Settings of a case, in words and numbers, before any particle is read. Models fill them (Model.hpp).
 #pragma once
 #include "Case.hpp"
 #include "Coefficients.hpp"
@@ -24,29 +24,29 @@ struct StepFactors
     double sound = 0.4, flow = 0.2, dampedSound = 0.25, stiffness = 1.2, viscous = 0.125, diffusive = 0.125, capillary = 0.5, force = 0.25;
 };
 
-/// How time passes: the words of `integration`.
+/// Settings of the time integration: the words of `integration`.
 struct Integration
 {
     std::string scheme = "predictorCorrector";
     bool predicts = true;               ///< values half a step on are predicted, for the rates there
     bool keepsRates = false;            ///< the rates of a step predict those of the next
-    bool solves = false;                ///< for velocities, of which viscosity is a linear force (ImplicitSolve.hpp)
-    bool solvesPressure = false;        ///< and pressure too
-    bool moves = true;                  ///< particles; else time is that of what they carry
-    int maxSubSteps = 1;                ///< parts of a step at most, an odd number
-    double theta = 1, tolerance = 1e-6; ///< of the solve
+    bool solves = false;                ///< a step solves for velocities, with viscosity as a linear force (ImplicitSolve.hpp)
+    bool solvesPressure = false;        ///< a step solves for pressure too
+    bool moves = true;                  ///< particles move; else time is that of the fields that they carry
+    int maxSubSteps = 1;                ///< most substeps of a step, an odd number
+    double theta = 1, tolerance = 1e-6; ///< theta and relative tolerance of the solve
     int maxIter = 1000;
     StepFactors factors;
-    std::vector<double StepFactors::*> factorsOfParts; ///< those of the limits that parts give (Part.hpp), beside the models' own
-    std::vector<std::string> responses; ///< terms: what forces make of a change in velocity; selected with the rates of a particle alone
-    double dampingRate = 0, dampedUntil = 0; ///< dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium
+    std::vector<double StepFactors::*> factorsOfParts; ///< factors of the limits that parts give (Part.hpp), beside the models' own
+    std::vector<std::string> responses;      ///< terms: response of forces to a change in velocity; those of the diagonal go with them
+    double dampingRate = 0, dampedUntil = 0; ///< dv/dt = -rate v [1/s] until a time [s], for a start far from equilibrium
 };
 
-/// Density over rest density outside which a solution is rubbish, neither read nor written. Weakly compressible flow keeps within a few per cent,
+/// Bounds of density over rest density; a solution outside them is neither read nor written. Weakly compressible flow keeps within a few per cent,
 /// the start of a crude packing within two.
 inline constexpr double leastCompression = 1e-3, mostCompression = 4;
 
-/// Which of the names of groups in a plan are whose.
+/// Names of the groups in a plan: the evaluation, the forces that act once a step, the solver's response.
 inline constexpr const char *ofEvaluation = "evaluate", *onceAStep = "evaluate what acts once a step", *ofSolver = "response";
 
 struct Settings
@@ -54,44 +54,44 @@ struct Settings
     Resolution resolution;
     Coefficients coefficients;
     Integration integration;
-    std::string shaking; ///< what is added to gravity, an expression of `$t` (Shaking.hpp); empty where nothing is
+    std::string shaking; ///< acceleration added to gravity, an expression of `$t` (Shaking.hpp); empty where there is none
 
     bool hasGravity() const { return mag(coefficients.g) > 0 || !shaking.empty(); }
 
-    State state;                                              ///< all that evolves
-    std::vector<std::string> terms;                           ///< of an evaluation, names in the catalogues
-    std::vector<std::string> slowTerms;                       ///< those that act once in a step of several parts, in its middle
+    State state;                                              ///< all fields that evolve
+    std::vector<std::string> terms;                           ///< terms of an evaluation, by their names in the catalogues
+    std::vector<std::string> slowTerms;                       ///< terms that act once in a step of several substeps, in its middle
     std::vector<Group> groups;                                ///< further groups of the plan
-    std::map<std::string, std::vector<StateField>> ruleReads; ///< by field: what the rule of its images reads of their source
-    Catalogue<2> terms2;                                      ///< of models that come in any number: entries beside those of the catalogues
+    std::map<std::string, std::vector<StateField>> ruleReads; ///< by field: fields that the rule of its images reads of their source
+    Catalogue<2> terms2;                                      ///< terms of models that come in any number, beside the catalogues
     Catalogue<3> terms3;
     std::vector<std::pair<std::string, std::string>> shown;         ///< derived fields in time folders: name, and that on disk
-    std::vector<PartMaker> parts;                                   ///< of models that do more than terms can say
-    std::vector<std::string> reasons;                               ///< what was chosen for the user, and why: one line each for the log
-    std::string energyAdvice = "a smaller factor in `integration`"; ///< where a run gains energy
+    std::vector<PartMaker> parts;                                   ///< models that do more at run time than terms can say
+    std::vector<std::string> reasons;                               ///< choices made for the user, and why: one line each for the log
+    std::string energyAdvice = "a smaller factor in `integration`"; ///< advice where a run gains energy
 
-    std::map<std::string, std::string> chosen;              ///< words of entries, where a model has chosen one
+    std::map<std::string, std::string> chosen;              ///< by entry: the word that a model has chosen
     std::vector<std::string> carriers{Velocity::info.name}; ///< fields that particles drift by
-    std::map<std::string, FieldClass> fieldClasses;         ///< of all fields that the models know, in this scene or not
-    Names apart; ///< where forces add to another field than the whole acceleration: somebody wants their sum by itself
-    /// Fields of models that the scene does not have, and what to say where a dictionary gives one.
+    std::map<std::string, FieldClass> fieldClasses;         ///< classes of all fields that the models know, in this scene or not
+    Names apart; ///< separate sums: fields into which some forces are summed besides the acceleration (the force on a wall, say)
+    /// Fields of models that the scene does not have, and the message where a dictionary gives one.
     std::map<std::string, std::string> absent;
 
-    Leaked leaked = Leaked::putBack;                     ///< what becomes of particles in a solid
-    std::vector<std::optional<Location>> automaticSound; ///< of each phase: where the choice of its sound speed is left to the suite
-    bool variableViscosity = false;                      ///< viscosity is a field
-    bool integratedDensity = false;                      ///< density evolves
+    Leaked leaked = Leaked::putBack;                     ///< action on a particle found in a solid
+    std::vector<std::optional<Location>> automaticSound; ///< by phase: entry that leaves the sound speed to the suite
+    bool variableViscosity = false;                      ///< viscosity is a field of the particles
+    bool integratedDensity = false;                      ///< density is integrated
     bool normaliseDensity = true;
     bool stiffnessLimit = false;      ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
-    bool surfaceTension = false;      ///< acts between phases
+    bool surfaceTension = false;      ///< surface tension acts between phases
     bool continuesInterfaces = false; ///< interfaces go straight on behind walls
-    bool endsInside = false;          ///< some particles lack neighbours: beyond a free surface, or where those end that openings hold
+    bool endsInside = false;          ///< some particles lack neighbours: at a free surface, or at the end of an opening's buffer
     bool weighted = false;            ///< some wall is curved or has edges: images carry volume factors
-    bool needsParticles = true;       ///< at the start; else they come in
-    double maxImbalance = 1.02;       ///< of ranks: processor time of the busiest over the mean, lately
+    bool needsParticles = true;       ///< particles must be there at the start; else they come in
+    double maxImbalance = 1.02;       ///< of ranks: recent processor time of the busiest over the mean
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
-    /// Rates that the next step begins with: as much state as what they change.
+    /// Rates that the next step begins with: they are state, as the fields that they change.
     std::vector<StateField> keptRates() const
     {
         std::vector<StateField> rates;
@@ -115,7 +115,7 @@ struct Settings
         for (const auto& [name, onDisk] : shown) add(name, onDisk);
         return all;
     }
-    /// Their classes, by the names on disk.
+    /// Classes of the written fields, by the names on disk.
     std::map<std::string, FieldClass> writtenClasses() const
     {
         auto classes = fieldClasses;
@@ -136,7 +136,7 @@ struct Settings
         if constexpr (dim == 2) return terms2;
         else return terms3;
     }
-    /// The name by which to select a term of these catalogues, as an entry of its own where what it adds is kept apart.
+    /// The name by which to select a term of these catalogues: an entry of its own where its sum is separate (`apart`).
     std::string force(const std::string& term, const Catalogue<2>& in2, const Catalogue<3>& in3)
     {
         if (apart.empty()) return term;

@@ -1,5 +1,5 @@
-/// What evolves in a scene: one declaration for each field. Allocating, loading, sorting, predicting, kicking, correcting, what an inlet brings,
-/// what is held, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
+/// State of a scene: one declaration for each field that evolves. Allocating, loading, sorting, predicting, kicking, correcting, inlets,
+/// buffer particles, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
 #pragma once
 #include "Cloud.hpp"
 #include "Coefficients.hpp"
@@ -28,7 +28,7 @@ template<class F> StateField stateField(F, const std::string& name = F::info.nam
     return {F::info, name, {valueType<FieldValue<F, 2>>, valueType<FieldValue<F, 3>>}};
 }
 
-/// What a field is loaded from.
+/// Source from which a field is loaded.
 struct Loading
 {
     const Cloud& cloud;

@@ -5,7 +5,7 @@
 /// Of second order where steps change their length smoothly; a sudden change leaves (dt^2 - dt_0^2)/2 d^2q/dt^2 between odd and even steps, once. The first step, and each `every`-th, is the
 /// re-coupling step q^n + dt dq/dt^n, dt_0 = 0.
 ///
-/// Nothing but re-coupling damps what alternates: odd and even steps hang together by rates alone. What decays by a rate lambda makes it grow by
+/// Nothing but re-coupling damps what alternates: odd and even steps hang together by rates alone. A field that decays by a rate lambda makes it grow by
 ///
 ///   r = lambda dt + sqrt(1 + (lambda dt)^2)
 ///
@@ -19,7 +19,7 @@
 namespace sph
 {
 
-/// Of the field of q^n - q^(n-1), which is state: what models change at the end of a step so changes both levels alike.
+/// Name of the field of q^n - q^(n-1), which is state: what models change at the end of a step so changes both levels alike.
 inline std::string incrementOf(const StateField& q) { return q.name + "Increment"; }
 
 class TwoLevels

@@ -4,7 +4,7 @@
 namespace sph
 {
 
-/// Of the density diffusion: delta, and whether it takes off what a linear density would diffuse.
+/// Number of the density diffusion: delta, and whether it leaves out what a linear density would diffuse.
 struct DiffusionNumber
 {
     double delta = 0;

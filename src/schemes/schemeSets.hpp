@@ -13,7 +13,7 @@ extern const Choice scheme;
 
 /// Adds the words of the set that `scheme` names. Every program that reads system/sphSchemes begins with it (readResolution).
 void addSchemeSet(const Dictionary& sphSchemes);
-/// Those of another set.
+/// Adds the words of another set.
 void addSchemeSet(const Dictionary& sphSchemes, const std::string& set);
 /// Whether the file gives a word of a set itself, but for `integration`: somebody has chosen.
 bool givesWordsOf(const std::string& set, const Dictionary& sphSchemes);

@@ -1,4 +1,4 @@
-/// What a constitutive law of soil is: a value with a few constants, and pure functions of the stress.
+/// The concept of a constitutive law of soil: a value with a few constants, and pure functions of the stress.
 ///
 /// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
 /// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own

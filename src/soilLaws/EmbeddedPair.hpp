@@ -49,7 +49,7 @@ inline constexpr EmbeddedPair bogackiShampine{"bogackiShampine",
                                               {{{}, {1. / 2}, {0, 3. / 4}, {2. / 9, 1. / 3, 4. / 9}}},
                                               {-5. / 72, 1. / 12, 1. / 9, -1. / 8}};
 
-/// What an integration took; not resolved: substeps became too short, or too many.
+/// Number of substeps of an integration; not resolved: substeps became too short, or too many.
 struct SubSteps
 {
     int accepted = 0, rejected = 0;

@@ -16,7 +16,7 @@
 namespace sph
 {
 
-/// What becomes of a particle of a tensionless law whose mean pressure falls below floorPressure. Nothing brings a stress of 0 back: it is a fixed point of the law.
+/// Fate of a particle of a tensionless law whose mean pressure falls below floorPressure. Nothing brings a stress of 0 back: it is a fixed point of the law.
 enum class StressFree
 {
     floor,   ///< the stress is scaled to floorPressure; what acts on its neighbours is sigma + floorPressure I

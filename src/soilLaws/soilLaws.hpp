@@ -28,7 +28,7 @@ struct Soil
 };
 
 inline const std::string soilProperties = "constant/soilProperties";
-/// What models that move soil read from there.
+/// Entries that models which move soil read from that file.
 inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure";
 
 /// The friction angles that act, in words, of laws that have some; else "".

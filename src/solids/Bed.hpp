@@ -28,7 +28,7 @@ struct SolidShape
 /// Throws CaseError where the file is missing, or the surface is open, inside out or empty.
 SolidShape readSolidShape(const Case&, const ShapeToPack&);
 
-/// In the frame of the container: z against gravity, the origin at its base.
+/// A solid in the frame of the container: z against gravity, the origin at its base.
 struct Body
 {
     int shape = 0;
@@ -71,7 +71,7 @@ void settle(const SolidsPlan&, Bed&, const Progress&);
 /// Spheres at their final places and sizes. Throws CaseError where the porosity cannot be reached.
 void packRandomly(const SolidsPlan&, Bed&, const Progress&);
 
-/// All of it: what packParticles -solids does, but for the files.
+/// Packs solids: all that packParticles -solids does, but for the files.
 Bed packSolids(const Case&, const SolidsPlan&, const Progress&);
 
 /// The difference of two places as the periodic directions make it shortest.

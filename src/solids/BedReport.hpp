@@ -1,4 +1,4 @@
-/// What the user is told of a bed, and its files.
+/// Report of a bed to the user, and its files.
 #pragma once
 #include "Bed.hpp"
 

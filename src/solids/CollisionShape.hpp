@@ -1,4 +1,4 @@
-/// What a solid collides as in Bullet.
+/// Collision shape of a solid in Bullet.
 #pragma once
 #include "Bed.hpp"
 #include <btBulletDynamicsCommon.h>

@@ -27,7 +27,7 @@ inline Rotation randomRotation(Noise& noise)
     return {std::sqrt(u) * std::cos(b), {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b)}};
 }
 
-/// Whose matrix has these columns: a right-handed system of unit vectors (Shepperd 1978, with the largest of the four)
+/// Rotation whose matrix has these columns: a right-handed system of unit vectors (Shepperd 1978, with the largest of the four)
 inline Rotation rotationTo(const Vector<3>& ex, const Vector<3>& ey, const Vector<3>& ez)
 {
     const double trace = ex.x + ey.y + ez.z;

@@ -9,7 +9,7 @@ namespace sph
 namespace
 {
 
-/// Of the unit mesh or sphere below its own height z, as the body is turned; for a mesh by the divergence theorem,
+/// Volume of a body below a height z [m] of the container, from the unit mesh, turned as the body is, or the sphere; for a mesh by the divergence theorem,
 ///
 ///     V(z) = int x n_x dA over the facets below z, since the cut itself has n_x = 0.
 double volumeBelow(const Bed& bed, const Body& b, const TriangleSurface& turned, double z)

@@ -77,7 +77,7 @@ Box common(const Box& a, const Box& b)
 
 bool isEmpty(const Box& b) { return b.low.x > b.high.x || b.low.y > b.high.y || b.low.z > b.high.z; }
 
-/// Where the segment p + t (q - p) goes through the triangle, if it does.
+/// Point at which the segment p + t (q - p) goes through the triangle, if it does.
 std::optional<double> crossing(const Vector<3>& p, const Vector<3>& q, const Vector<3>& a, const Vector<3>& b, const Vector<3>& c)
 {
     const auto d = q - p, u = b - a, v = c - a, h = cross(d, v);
@@ -150,7 +150,7 @@ double meshAndSphere(const PlacedSolid& a, const Vector<3>& centre, double radiu
     return std::max(0.0, isInside(a.surface, centre) ? radius + distance : radius - distance);
 }
 
-/// How far points beyond `radius` about them reach out of the container, whose top is open unless solids repeat there.
+/// Distance by which points beyond `radius` about them reach out of the container, whose top is open unless solids repeat there.
 double outside(const SolidContainer& c, std::span<const Vector<3>> points, double radius)
 {
     double most = 0;

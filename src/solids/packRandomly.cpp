@@ -195,7 +195,7 @@ void compress(SoftSpheres& spheres, double volume, const Progress& progress)
 
 void packRandomly(const SolidsPlan& plan, Bed& bed, const Progress& progress)
 {
-    // As many as come nearest to the porosity; all sizes change by the rest. Random close packing of equal spheres has 0.36.
+    // The number is that which comes nearest to the porosity; all sizes change by the rest. Random close packing of equal spheres has 0.36.
     constexpr double closest = 0.36, start = 0.5;
     const double porosity = plan.porosity.value_or(closest), solid = (1 - porosity) * plan.container.volume();
     constexpr int quantiles = 1000, most = 1'000'000;

@@ -12,7 +12,7 @@ namespace
 
 /// Lengths are in mean sizes and g is 9.81, for which Bullet's tolerances are made.
 constexpr double g = 9.81;
-/// Of meshes contacts are found anew where points move along faces: at half the substep they overlap a third as much.
+/// Substeps: contacts of meshes are found anew where points move along faces, and at half the substep they overlap a third as much.
 constexpr double substepOfSpheres = 1.0 / 120, substepOfMeshes = 1.0 / 240;
 constexpr int iterations = 40;
 /// Surfaces nearer than this are looked at, and touch where they are nearer than `touching`.
@@ -250,7 +250,7 @@ public:
     }
 };
 
-/// In layers of cells, each as wide as the largest body is long, from the bottom up.
+/// Places bodies in layers of cells, each as wide as the largest body is long, from the bottom up.
 void placeInCells(const SolidsPlan& plan, const SolidContainer& c, Bed& bed, double unit)
 {
     double reach = 0;
@@ -347,7 +347,7 @@ void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
     const bool hasMeshes = std::ranges::any_of(bed.shapes, [](const auto& s) { return !s.isSphere(); });
     const double substep = hasMeshes ? substepOfMeshes : substepOfSpheres;
     const int most = int(plan.longest / perUnit / substep);
-    // Not before the highest has come down: at first all are slow.
+    // The test waits until the highest has come down: at first all are slow.
     double highest = 0;
     for (const auto& b : bed.bodies) highest = std::max(highest, b.centre.z);
     const double fallen = 2 * std::sqrt(2 * highest);

@@ -1,4 +1,4 @@
-/// What a run holds in energy against all that its scene can have given it. A scheme whose pressure and tension are gradients of an energy
+/// Energy balance of a run: its energy against all that its scene can have supplied. A scheme whose pressure and tension are gradients of an energy
 /// gains none; others may, and do where nothing takes it up (tutorials/stiff/dropOnFilm).
 ///
 ///   held       K(t) + S(t)
@@ -37,12 +37,12 @@ template<int dim> class EnergyBalance
 
     double interfaces(const Particles<dim>&) const;
     double compression(const Particles<dim>&) const;
-    /// What a lattice may yield under the background pressure, and sound that any start makes.
+    /// Energy that a lattice may yield under the background pressure, and that of the sound that any start makes.
     double allowance(const Particles<dim>&, const Summary&) const;
     double walls(const Particles<dim>&, const Geometry&, const Summary&) const;
 
 public:
-    /// At the start of a run. The settings must outlive it.
+    /// The balance at the start of a run. The settings must outlive it.
     EnergyBalance(const Particles<dim>&, const Settings&, const Geometry&, const Summary&);
     void addWork(double work);
     void addImpulse(const Vector<3>& impulse) { impulse_ += impulse; }

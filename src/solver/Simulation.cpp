@@ -16,7 +16,7 @@ namespace sph
 
 namespace
 {
-/// Of a number that was measured in the last step, in the state that a restart begins with: "lastPower".
+/// Name of a number that was measured in the last step, in the state that a restart begins with: "lastPower".
 std::string lastName(std::string name)
 {
     name[0] = char(std::toupper(name[0]));
@@ -34,7 +34,7 @@ template<int dim> class Simulation final : public AnySimulation
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
 
-    /// Those of all models, and those of a name of their own that the scene defines.
+    /// Terms of all models, and those that the scene defines under names of their own.
     static Catalogue<dim> termsOf(const Settings& settings)
     {
         auto terms = allTerms<dim>();
@@ -42,8 +42,8 @@ template<int dim> class Simulation final : public AnySimulation
         terms.insert(terms.end(), own.begin(), own.end());
         return terms;
     }
-    /// At a restart that of the last step: what was measured at its middle cannot be seen at its end. Not where the forces at its end have changed
-    /// since it was written: then some dictionary has, and what is seen now counts.
+    /// Summary at the start; at a restart that of the last step, whose values were measured at its middle and cannot be seen at its end. Where the forces
+    /// at its end have changed since it was written some dictionary has, and present values count.
     Summary firstSummary(const Numbers& restored)
     {
         if (!settings_.integration.moves && restored.empty())
@@ -99,7 +99,7 @@ public:
         integratorOf(settings.integration.scheme).stages(schedule_);
     }
 
-    /// Of a step in several parts each is a step of its own, but what acts once a step does so by the whole of it and at the middle of the middle
+    /// A step in several substeps makes each a step of its own, but what acts once a step does so by the whole of it and at the middle of the middle
     /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
     void step(double time, double deltaT) override
     {

@@ -13,7 +13,7 @@
 namespace sph
 {
 
-/// What the log prints of a state, and what tells whether it is still physical. Sums are over owned particles in a fixed order.
+/// Summary of a state, which the log prints and which tells whether the state is still physical. Sums are over owned particles in a fixed order.
 struct Summary
 {
     double maxSpeed = 0, maxAcceleration = 0,
@@ -23,7 +23,7 @@ struct Summary
     Vector<3> momentum, force;                                    ///< [kg m/s]; of gravity and body force [N]
     std::vector<double> mass, minDensity, maxDensity, maxSpeedOf; ///< of each phase
     std::vector<std::size_t> count;
-    /// What openings hold beyond their planes; all else is of the scene alone.
+    /// Buffer particles, which openings hold beyond their planes; all else is of the scene alone.
     struct Held
     {
         std::vector<double> mass, minDensity, maxDensity; ///< of each phase
@@ -32,7 +32,7 @@ struct Summary
     Numbers columns; ///< of the models, by name
     bool finite = true;
 
-    /// Those that openings hold among them.
+    /// Number of particles of a phase, buffer particles among them.
     std::size_t allOf(std::size_t phase) const { return count[phase] + held.count[phase]; }
     double maxSpeedOfScene() const { return maxSpeedOf.empty() ? 0 : *std::ranges::max_element(maxSpeedOf); }
 };
@@ -48,7 +48,7 @@ struct Energy
     double held() const { return kinetic + interfaces; }
 };
 
-/// What an application sees of a simulation, whatever its dimension.
+/// A simulation as an application sees it, whatever its dimension.
 class AnySimulation
 {
 public:
@@ -57,23 +57,23 @@ public:
     /// Takes a step of `deltaT` [s] from `time` [s] with the scheme of the settings. Throws CaseError where a particle has left the scene.
     virtual void step(double time, double deltaT) = 0;
     virtual StepLimit stepLimit() const = 0;
-    /// All that apply, of which the least binds.
+    /// All limits that apply to the step, of which the least binds.
     virtual std::vector<StepLimit> stepLimits() const = 0;
     virtual Summary summary() const = 0;
     /// Gravity that acts at present [m/s^2]: `shaking` of constant/g included.
     virtual Vector<3> gravity() const = 0;
-    /// Of the present state, by a look at all pairs across interfaces.
+    /// Energy of the present state, by a look at all pairs across interfaces.
     virtual Energy energy() const = 0;
 
-    /// Of each operation that accelerates, by name [W]; leaves no trace in the run.
+    /// Power of each operation that accelerates, by name [W]; leaves no trace in the run.
     virtual std::map<std::string, double> powers() = 0;
 
     /// Evaluates all fields at the present state, for whoever looks at them; leaves no trace in the run.
     virtual void observe() = 0;
-    /// The same after the particles have been sorted and lists rebuilt: before writing.
+    /// Observes after the particles have been sorted and lists rebuilt: before writing.
     virtual void settle() = 0;
     virtual std::size_t total() const = 0; ///< particles of all ranks
-    /// Of this rank, as are positions and fields; WholeCloud.hpp has those of all.
+    /// Number of particles of this rank; positions and fields are this rank's too, and WholeCloud.hpp has those of all.
     virtual std::size_t size() const = 0;
     virtual FieldView positions() const = 0;
     /// Fields of the time folder: U rho p phase, m where it is not one value, and what the models show or need for a restart.
@@ -83,25 +83,25 @@ public:
 
     /// Stages of a step with the passes and operations that they run, numbered through; fields; what was left out.
     virtual void printPlan(std::ostream&) const = 0;
-    /// How often each stage, and each operation as "group/term", has run since the counting began.
+    /// Counts how often each stage, and each operation as "group/term", has run since the counting began.
     virtual void count() = 0;
     virtual std::map<std::string, long> counts() const = 0;
-    /// What models say of themselves: at the start; at a report; on the line of the step.
+    /// Texts of the models: at the start; at a report; on the line of the step.
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;
     virtual std::string note() const = 0;
-    /// What models warn of in the present, settled state: each once.
+    /// Warnings of the models about the present, settled state: each once.
     virtual std::vector<std::string> warnings() = 0;
-    /// Since the start: of all evaluations, of what acts once a step, and of solvers.
+    /// Number of pair passes since the start: of all evaluations, of what acts once a step, and of solvers.
     virtual long pairPassesRun() const = 0;
     virtual double meanNeighbours() const = 0;
     virtual std::size_t images() const = 0;
-    /// What each rank has had to do, a line each, and how evenly; "" of one process alone.
+    /// Load of each rank, a line each, and how evenly it is shared; "" with one process alone.
     virtual std::string reportRanks() const = 0;
     virtual long rebuilds() const = 0;
-    /// What was put back out of the solid, or removed, since the start of the run, by all ranks.
+    /// Particles put back out of the solid, or removed, since the start of the run, by all ranks.
     virtual Leaks leaks() const = 0;
-    /// Of all arrays but the neighbour lists, per owned particle.
+    /// Bytes of all arrays but the neighbour lists, per owned particle.
     virtual double bytesPerParticle() const = 0;
 };
 

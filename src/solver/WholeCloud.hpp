@@ -1,4 +1,4 @@
-/// What all ranks have, behind one another on the first of them, for function objects. One process alone shows what it has.
+/// The particles of all ranks, behind one another on the first of them, for function objects. One process alone shows its own.
 #pragma once
 #include "Cloud.hpp"
 #include "Ranks.hpp"

@@ -5,9 +5,9 @@
 namespace sph
 {
 
-/// In the order in which their terms add to a rate, and their stages join a place.
+/// All models, in the order in which their terms add to a rate, and their stages join a place.
 const std::vector<const Model*>& models();
-/// Of all models, and of the operators that they share.
+/// Terms of all models, and of the operators that they share.
 template<int dim> const Catalogue<dim>& allTerms();
 
 }

@@ -1,4 +1,4 @@
-/// constant/phaseProperties and constant/g: the materials of a case.
+/// Materials of a case, from constant/phaseProperties and constant/g.
 #pragma once
 #include "EntryList.hpp"
 #include "Settings.hpp"
@@ -14,7 +14,7 @@ namespace sph
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
 /// says why.
 void readPhases(const Case&, Settings&);
-/// Where that is too slow for the pressures of an interface; once all models have read.
+/// Warns of a phase whose sound speed is too low for the pressures of an interface; to be called once all models have read.
 void warnOfSoftPhases(const Case&, const Settings&);
 EntryList phaseEntries();
 EntryList gravityEntries();

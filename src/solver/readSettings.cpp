@@ -16,7 +16,7 @@ namespace sph
 
 namespace
 {
-/// What every scene has: positions, velocities, masses, and phases where there are several.
+/// State that every scene has: positions, velocities, masses, and phases where there are several.
 State stateOfAll(const Settings& settings)
 {
     const auto& c = settings.coefficients;
@@ -59,7 +59,7 @@ void readRanks(const Case& theCase, Settings& settings)
             fmt::format("boxes for the ranks: the method of {} is that of decomposeParticles", decompositionDictionary));
 }
 
-/// Where one liquid leaves a part of its space empty it has a free surface, for which the defaults of enclosed fluids are no choice at all.
+/// A liquid that leaves a part of its space empty has a free surface, for which the defaults of enclosed fluids are no choice at all.
 void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
 {
     if (entry::scheme.given(schemes)) return;

@@ -1,4 +1,4 @@
-/// From the dictionaries of a case to what all models make of them.
+/// Reading of the settings: the dictionaries of a case, and what all models make of them.
 #pragma once
 #include "EntryList.hpp"
 #include "Settings.hpp"

@@ -11,7 +11,7 @@ namespace sph
 
 namespace
 {
-/// Of the first time folder that has some: of the case or, where it has none, of all its processor folders.
+/// Number of particles in the first time folder that has some: of the case or, where it has none, of all its processor folders.
 std::size_t particlesAtStart(const Case& theCase)
 {
     const auto count = [&](const std::string& time)

@@ -1,3 +1,4 @@
+/// Share of the space between the walls that particles fill at the first time.
 #pragma once
 #include "Case.hpp"
 #include "Geometry.hpp"

@@ -20,7 +20,7 @@ bool PhaseParticles::hasOtherPhase() const { return std::find(inPhase.begin(), i
 namespace
 {
 
-/// Below this part of a whole kernel the quotient of two small sums says little: the node takes its value from its neighbours.
+/// Part of a whole kernel below which the quotient of two small sums says little: the node takes its value from its neighbours.
 constexpr double leastCover = 0.05;
 
 struct Sample

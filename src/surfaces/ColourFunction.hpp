@@ -7,7 +7,7 @@
 namespace sph
 {
 
-/// What the colour function needs to know of the particles.
+/// Particles as the colour function needs them.
 struct PhaseParticles
 {
     std::vector<Vector<3>> position;
@@ -20,7 +20,7 @@ struct PhaseParticles
     bool hasOtherPhase() const;
 };
 
-/// What the sum over the phase is divided by.
+/// Divisor of the sum over the phase.
 enum class Normalisation
 {
     none,      ///< nothing: the sum as it stands; the surface bends away from walls, where half the kernel is empty

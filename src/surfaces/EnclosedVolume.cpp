@@ -18,7 +18,7 @@ struct Corner
     double colour, wall;
 };
 
-/// Where `colour` vanishes between two corners of opposite sign.
+/// Point at which `colour` vanishes between two corners of opposite sign.
 Corner crossing(const Corner& a, const Corner& b)
 {
     const double t = a.colour / (a.colour - b.colour);

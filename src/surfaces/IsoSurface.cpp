@@ -54,7 +54,7 @@ Mesh contourInSteps(const std::array<int, 3>& nodes, const std::vector<double>& 
     return contour->GetOutput();
 }
 
-/// From steps to metres, as double precision; `firstNode` is the number of the grid's first node in the contour's image, points
+/// Converts steps to metres, in double precision; `firstNode` is the number of the grid's first node in the contour's image, points
 /// outside the grid are moved onto its faces.
 void toMetres(vtkPolyData* mesh, const RegularGrid& grid, int firstNode)
 {

@@ -1,4 +1,4 @@
-/// What surfaces and pictures take from a cloud on disk.
+/// Particles of a cloud on disk, as surfaces and pictures need them.
 #pragma once
 #include "CaseError.hpp"
 #include "Cloud.hpp"

@@ -135,7 +135,7 @@ void addContour(vtkRenderer* renderer, const Scene& scene)
     auto actor = actorOf(scene.contour, ink);
     flat(actor);
     actor->GetProperty()->SetLineWidth(2.0 * oversampling);
-    // In front of the discs, which lie in the plane z = 0.
+    // The lines lie in front of the discs, which are in the plane z = 0.
     actor->SetPosition(0, 0, 1e-3 * mag(scene.high - scene.low));
     renderer->AddActor(actor);
 }
@@ -300,7 +300,7 @@ void setPasses(vtkRenderer* renderer, const Scene& scene)
     renderer->SetPass(steps);
 }
 
-/// From above the front right corner; nearly straight at a plane that the scene is cut by.
+/// View from above the front right corner; nearly straight at a plane that the scene is cut by.
 Vector<3> viewDirection(const Camera& wish)
 {
     const auto up = wish.up / mag(wish.up);

@@ -29,7 +29,7 @@ struct Points
     std::vector<std::string> phases; ///< names where `value` is the number of a phase; else a continuous scale
 };
 
-/// What is drawn; an empty mesh or list is left out.
+/// Contents of a picture; an empty mesh or list is left out.
 struct Scene
 {
     int dimension = 3;

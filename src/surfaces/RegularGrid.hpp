@@ -9,7 +9,7 @@
 namespace sph
 {
 
-/// In a periodic direction the last node is the image of the first. A 2-D grid is one layer of nodes in the plane z = 0.
+/// The grid: in a periodic direction the last node is the image of the first. In 2-D it is one layer of nodes in the plane z = 0.
 struct RegularGrid
 {
     int dimension = 3;

@@ -1,4 +1,4 @@
-/// What system/reconstructSurfaceDict says; every entry has a default, so that the file may be missing.
+/// Settings of system/reconstructSurfaceDict; every entry has a default, so that the file may be missing.
 #pragma once
 #include "ColourFunction.hpp"
 #include "Cuts.hpp"
@@ -11,7 +11,7 @@
 namespace sph
 {
 
-/// What a case tells of itself, on which the defaults rest.
+/// Facts of a case on which the defaults rest.
 struct SurfaceCase
 {
     double spacing = 0;              ///< of the particles [m]

@@ -50,7 +50,7 @@ public:
     _exit(errno == ENOENT ? notInstalled : 1);
 }
 
-/// What Xvfb writes until the end of the line; empty where it ends or takes too long.
+/// Text that Xvfb writes until the end of the line; empty where it ends or takes too long.
 std::string firstLine(int fd)
 {
     std::string line;

@@ -1,4 +1,4 @@
-/// What a VTK object complains of, collected instead of printed.
+/// Errors of a VTK object, collected instead of printed.
 #pragma once
 #include "CaseError.hpp"
 #include <fmt/format.h>

@@ -26,7 +26,7 @@ public:
     {
         for (const unsigned char c : bytes) value_ = (value_ ^ c) * 0x100000001b3u;
     }
-    /// With an end, so that "ab" "c" differs from "a" "bc".
+    /// Adds a word with its end, so that "ab" "c" differs from "a" "bc".
     void addWord(std::string_view word)
     {
         add(word);

@@ -13,7 +13,7 @@ void copyInputs(const std::filesystem::path& from, const std::filesystem::path& 
 /// A dictionary that is missing is added. An entry that cannot be set is recorded at its place in workPrecisionDict.
 void apply(const std::vector<Override>&, const std::filesystem::path& caseFolder, Diagnostics&);
 
-/// Where an override stands in the copy; file without line where it does not.
+/// Location of an override in the copy; file without line where it is not there.
 Location placeOf(const Override&, const std::filesystem::path& caseFolder);
 
 /// 16 hexadecimal digits that change with any byte of the files below a folder, their names, or `more`; files `without` apart.

@@ -25,7 +25,7 @@ constexpr double secondsToEnd = 5; ///< from TERM to KILL: time to write a time 
 
 std::string reasonOf(int error) { return std::generic_category().message(error); }
 
-/// Between fork and exec only calls that POSIX permits there; what fails is told to the parent through the pipe.
+/// Becomes the program, with calls alone that POSIX permits between fork and exec; a failure is told to the parent through the pipe.
 [[noreturn]] void becomeProgram(const ProcessTask& task, char* const* arguments, int pipe)
 {
     const auto giveUp = [pipe]

@@ -1,4 +1,4 @@
-/// Runs a program on one core and measures what it takes.
+/// Child process: runs a program on one core and measures its time and memory.
 #pragma once
 #include <filesystem>
 #include <functional>

@@ -36,7 +36,7 @@ struct WordColumn
     const std::vector<std::string>& (*words)() = nullptr; ///< those possible; any where there is no such list
 };
 
-/// In the order of the file.
+/// Names of the columns, in the order of the file.
 const std::vector<std::string>& columnNames()
 {
     static const std::vector<std::string> names{"variant",    "resolution",  "spacing",    "nParticles", "steps",
@@ -72,7 +72,7 @@ const std::vector<WordColumn>& wordColumns()
     return columns;
 }
 
-/// What is wrong with a number, "" where nothing is.
+/// Mistake in a number, "" where there is none.
 std::string mistakeIn(Range range, double value)
 {
     if (range == Range::positive && !(value > 0)) return "must be greater than 0";

@@ -36,14 +36,14 @@ struct ResultRow
 const std::vector<std::string>& resultStatuses();
 const std::vector<std::string>& errorNorms();
 
-/// What a file that somebody else made must give in every row: variant, spacing, cpuSeconds, field, norm and error.
+/// Completeness of a file's rows: one that somebody else made must give in each variant, spacing, cpuSeconds, field, norm and error.
 enum class Completeness
 {
     ownRows,
     wholeRows
 };
 
-/// Reads a table; columns in any order, lines that begin with '#' are notes. What is malformed becomes an error with file and line.
+/// Reads a table; columns in any order, lines that begin with '#' are notes. A malformed row becomes an error with file and line.
 std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, const std::string& file, Completeness, Diagnostics&);
 
 /// The table as text, all columns.

@@ -144,7 +144,7 @@ std::vector<ErrorChoice> readErrors(const Dictionary& d)
     return choices;
 }
 
-/// All but the ladder; adds the runs at the resolution `n`.
+/// Reads all but the ladder; adds the runs at the resolution `n`.
 void readPass(const Dictionary& d, const Case& c, double n, SweepPlan& plan)
 {
     plan.baseCase = c.folder() / entry::baseCase(d);

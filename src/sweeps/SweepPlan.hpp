@@ -1,4 +1,4 @@
-/// What system/workPrecisionDict asks for.
+/// Plan of a sweep, as system/workPrecisionDict states it.
 ///
 ///     baseCase        ".";                        // default: the case itself
 ///     resolutions     (8 16 32);                  // $n below is one of these at a time
@@ -45,7 +45,7 @@ struct Override
     std::string entry() const;
 };
 
-/// Which error to take of a run.
+/// Choice of the error of a run.
 struct ErrorChoice
 {
     std::string function, field, norm;
@@ -71,7 +71,7 @@ struct SweepPlan
     std::filesystem::path baseCase;
     std::vector<double> resolutions;
     std::vector<std::string> variants;
-    /// All variants of the coarsest resolution first: what a finer one costs is then known before it starts.
+    /// Runs, all variants of the coarsest resolution first: the cost of a finer one is then known before it starts.
     std::vector<PlannedRun> runs;
     std::vector<std::string> steps;
     Location whereSteps;

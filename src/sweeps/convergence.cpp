@@ -18,7 +18,7 @@ constexpr double leastCostPower = 1, largestCostPower = 6;
 
 using Rows = std::vector<const ResultRow*>;
 
-/// Those of a variant that ended well, coarse first.
+/// Rows of a variant that ended well, coarse first.
 Rows ladderOf(std::span<const ResultRow> rows, const std::string& variant)
 {
     Rows ladder;

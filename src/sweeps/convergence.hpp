@@ -1,4 +1,4 @@
-/// What a table of errors and costs says: order of convergence, the best at each cost, what a finer run will cost.
+/// Conclusions from a table of errors and costs: order of convergence, the best at each cost, the expected cost of a finer run.
 #pragma once
 #include "ResultTable.hpp"
 #include <optional>
@@ -20,7 +20,7 @@ struct PowerLaw
 /// Least squares in log y over log x; nothing with fewer than two different x. All numbers must be positive.
 std::optional<PowerLaw> fitPowerLaw(std::span<const double> x, std::span<const double> y);
 
-/// For each row, whether it belongs to the Pareto front: it ended well, and no other row has less error at no more processor time,
+/// Whether each row belongs to the Pareto front: it ended well, and no other row has less error at no more processor time,
 /// or as little error at less.
 std::vector<bool> paretoFront(std::span<const ResultRow>);
 

@@ -38,7 +38,7 @@ std::vector<Curve> curvesOf(const Diagram& diagram)
     return curves;
 }
 
-/// Of an axis, with room beside the outermost points; whole decades, gnuplot's own choice, leave most of a plot empty.
+/// Range of an axis, with room beside the outermost points; whole decades, gnuplot's own choice, leave most of a plot empty.
 std::string rangeOf(const std::vector<Curve>& curves, double ResultRow::*value)
 {
     constexpr double room = 1.6;
@@ -52,7 +52,7 @@ std::string rangeOf(const std::vector<Curve>& curves, double ResultRow::*value)
     return fmt::format("[{:.4g}:{:.4g}]", low / room, high * room);
 }
 
-/// Within single quotes gnuplot reads everything as it is, but for the quote itself.
+/// Text in single quotes, in which gnuplot reads everything as it is, but for the quote itself.
 std::string quoted(const std::string& text)
 {
     std::string inner;
@@ -71,7 +71,7 @@ std::optional<PowerLaw> slopeOf(const Curve& curve)
     return fitPowerLaw(x, y);
 }
 
-/// By the curve's number: ours filled and joined, those of other codes open and dotted.
+/// Line style by the curve's number: ours filled and joined, those of other codes open and dotted.
 std::string lineStyle(std::size_t k, const Curve& curve)
 {
     static const char* colours[] = {"#0060ad", "#dd181f", "#1a8a34", "#8e44ad", "#e08214", "#16a0b0", "#7f4f24", "#555555"};

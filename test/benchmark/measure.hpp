@@ -19,7 +19,7 @@ using Figures = std::vector<Figure>;
 
 /// Wall clock [s].
 double now();
-/// Of one call [s].
+/// Duration of one call [s].
 template<class F> double secondsOf(F&& f)
 {
     const double start = now();

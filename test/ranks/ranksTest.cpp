@@ -54,7 +54,7 @@ struct CopyOf : TestCase
     }
 };
 
-/// With a folder for each of so many ranks.
+/// A copy of a case, with a folder for each of so many ranks.
 struct Decomposed : CopyOf
 {
     Decomposed(const TestCase& c, int parts, const std::string& method = "rcb") : CopyOf(c) { decompose(parts, method); }
@@ -231,7 +231,7 @@ TEST_P(Ranks, DoSoFromFoldersOfTheirOwn)
 class RanksOfARestart : public testing::TestWithParam<Scene>
 {};
 
-// From one process to three, to two, and back.
+// The number of processes changes from one to three, to two, and back.
 TEST_P(RanksOfARestart, AreAsManyAsOneLikes)
 {
     const Prepared c(GetParam().files());

@@ -71,7 +71,7 @@ TEST(ExtremeScenes, OneParticleFallsFreely)
     EXPECT_NEAR(cloud.fields.at("rho").component[0][0], 1000, 1e-9);
 }
 
-// Above a floor it meets nothing but its own image, and bounces without gaining energy.
+// A particle above a floor meets nothing but its own image, and bounces without gaining energy.
 TEST(ExtremeScenes, OneParticleOnAFloor)
 {
     auto files = channelCase();
@@ -147,7 +147,7 @@ TEST(ExtremeScenes, ZeroSurfaceTension)
     EXPECT_LT(kineticEnergy(lastCloud(a)), 1e-20);
 }
 
-// Which pressure a real density ratio wants: a block of solution of 12 by 9 spacings falls through gas of a thousandth of its density on
+// A real density ratio wants a pressure with an energy: a block of solution of 12 by 9 spacings falls through gas of a thousandth of its density on
 // two rows of cylinders. By the default, huAdams, it has come to rest but for a tenth of the fall's kinetic energy after 0.1 s (8.3e-5 of
 // 8.3e-4 J/m measured), and holds less than it was given. By densityWeighted, at the same sound speed in both phases, it holds 29 times as
 // much: what is at rest sets itself in motion, and the log warns of the choice. A factor of 10 is asked for.

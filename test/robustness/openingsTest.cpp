@@ -20,7 +20,7 @@ const TestCase& goodDuct()
     return *made;
 }
 
-/// With one entry of constant/openings another.
+/// Expects an error from the duct with one entry of constant/openings replaced by another.
 void isRefusedWith(const std::string& from, const std::string& to, const std::vector<std::string>& words)
 {
     SCOPED_TRACE(from + " -> " + to);

@@ -256,7 +256,7 @@ TEST(Solids, ThatAParticleHasBeenPutIntoAreFound)
                 {"\n  0 +[0-9]+ +1 +0\n", "\n  0.01 +[0-9]+ +0 +0\n", "\n  0.02 +[0-9]+ +0 +0\n", "In solids: 1 of [0-9]+ positions"});
 }
 
-// From two spacings deep no way leads back: the run ends, or goes on without the particle and accounts for its mass.
+// No way leads back from two spacings deep: the run ends, or goes on without the particle and accounts for its mass.
 TEST(Solids, RemoveAParticleOnRequest)
 {
     const auto back = withAParticleInABlock(0.05, "putBack")->run("sphFoamLike");

@@ -264,7 +264,7 @@ TEST(Runs, OfAPhaseWithoutParticles)
     EXPECT_EQ(log.find("inf"), std::string::npos) << log;
 }
 
-// What cannot be written whole leaves what was there: the particles of the start, the walls, a dictionary.
+// A file that cannot be written whole leaves the former one: the particles of the start, the walls, a dictionary.
 TEST(Disk, FullForEveryProgramThatWrites)
 {
     Damaged c;

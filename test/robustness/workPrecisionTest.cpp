@@ -116,7 +116,7 @@ TEST(WorkPrecision, NeedsItsDictionary)
     EXPECT_EQ(c.run("workPrecision", "-help").code, 0);
 }
 
-// What stands in the dictionary never reaches a shell.
+// No word of the dictionary reaches a shell.
 TEST(WorkPrecision, RunsNoShell)
 {
     const TestCase c(sweepCase());

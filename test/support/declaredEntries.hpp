@@ -13,7 +13,7 @@ namespace sph::test
 
 using Entries = std::vector<ListedEntry>;
 
-/// What stands for freely chosen names, of walls, phases, fields ...
+/// A name in place of freely chosen ones, of walls, phases, fields ...
 inline const std::string freeName = "someName";
 
 inline std::string exampleOf(const ParameterInfo& i)

@@ -107,7 +107,7 @@ inline Files fillingCase()
     return files;
 }
 
-/// With walls of particles in layers.
+/// The same case with walls of particles in layers.
 inline Files inLayers(Files files)
 {
     auto& schemes = files["system/sphSchemes"];

@@ -40,7 +40,7 @@ constexpr int tracedForEnergy = 200; // some periods of the sound of a few spaci
 /// A dry run takes steps for so long [s], and goes on from the last third of them: steps change as a scene sets itself in motion.
 constexpr double burstTime = 3;
 
-/// Of the run's span: shorter steps than this would not reach its end in a user's lifetime.
+/// Shortest step over the run's span: shorter ones would not reach its end in a user's lifetime.
 constexpr double shortestStep = 1e-12;
 
 /// Particles of a thread or a rank below which it costs more than it brings.

@@ -65,7 +65,7 @@ private:
     [[noreturn]] void notWeaklyCompressible(std::size_t phase, double density, const std::string& where) const;
     /// Throws DivergedError where the step has collapsed; warns once where a fixed one is beyond the limit.
     double nextDeltaT(const StepLimit&);
-    /// Once a phase.
+    /// Warns of a speed or a density beyond weak compressibility, once for each phase.
     void warnOfCompression();
     /// Warns once of more energy than the scene can have supplied; throws DivergedError where it is far more.
     void checkEnergy();
@@ -80,7 +80,7 @@ private:
     /// All ranks into the case together or, of a decomposed one, each into its folder.
     void write();
     void sample(bool writeTime, bool end);
-    /// Of all ranks, on the first.
+    /// View of the particles of all ranks, on the first.
     ParticleView view(WholeCloud&) const;
 };
 

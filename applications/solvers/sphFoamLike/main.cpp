@@ -36,7 +36,7 @@ int main(int argc, char** argv)
             }
             catch (...)
             {
-                // What all ranks find out the first says, and ends them.
+                // An error that all ranks find is reported by the first, which ends them.
                 if (!first) std::this_thread::sleep_for(std::chrono::seconds(2));
                 throw;
             }

@@ -14,9 +14,9 @@ struct NumberedMesh : FacetSurface
     double rounding = 0;     ///< by which single precision in the file may have moved a coordinate, in its lengths; 0: double precision
 };
 
-/// The mesh cannot be used. Facets and edges that are to blame are there to be looked at.
 struct Box;
 
+/// The error of a mesh that cannot be used, with the facets and edges that are to blame, to be looked at.
 struct UnusableMesh : std::runtime_error
 {
     TriangleSurface facets;
@@ -25,7 +25,7 @@ struct UnusableMesh : std::runtime_error
     explicit UnusableMesh(const std::string& why) : runtime_error(why) {}
     /// Names the first of the facets, with their coordinates, behind `why`.
     UnusableMesh(const std::string& why, const NumberedMesh&, const std::vector<int>& facets, const std::string& remedy = "");
-    /// The same of edges, given by the numbers of their points.
+    /// An error with the places of edges, given by the numbers of their points.
     UnusableMesh(const std::string& why, const NumberedMesh&, const std::vector<std::array<int, 2>>& edges, const std::vector<int>& facets,
                  const std::string& remedy = "");
 };

@@ -13,7 +13,7 @@ namespace
 
 using Reader = NumberedMesh (*)(const std::filesystem::path&, std::string_view bytes, Notes&);
 
-/// Of a format that is one file.
+/// Reader of a format that is one file.
 template<NumberedMesh (*read)(std::string_view, Notes&)>
 NumberedMesh ofBytes(const std::filesystem::path&, std::string_view bytes, Notes& notes)
 {

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 31> ignored{"vt",  "vn",    "vp",       "
                                                    "mg",  "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "cstype",
                                                    "deg", "bmat",  "step",     "parm",     "trim",   "hole",       "scrv",      "sp",
                                                    "end", "con",   "ctech",    "stech",    "curv",   "curv2",      "csh"};
-/// What bounds a body, or may, and is no polygon.
+/// Elements that bound a body, or may, and are no polygons.
 constexpr std::array<std::string_view, 2> unread{"surf", "call"};
 
 bool isOneOf(const auto& words, std::string_view word) { return std::find(words.begin(), words.end(), word) != words.end(); }
@@ -34,7 +34,7 @@ class Obj
     std::size_t thinFaces_ = 0, curves_ = 0, dots_ = 0;
     Notes& notes_;
 
-    /// Without its comment: a # may be part of a name, but not of a number.
+    /// The line without its comment: a # may be part of a name, but not of a number.
     static std::string_view withoutComment(std::string_view line)
     {
         const auto first = trimmed(line).substr(0, 1);

@@ -176,7 +176,7 @@ class Ply
     std::vector<int> corners_;
     Notes& notes_;
 
-    /// What stands behind it. Lines end as the first one does, since the first byte of data may look like the end of a line.
+    /// Reads the header, and returns the bytes behind it. Lines end as the first one does, since the first byte of data may look like the end of a line.
     std::string_view readHeader(std::string_view bytes, std::size_t& lines)
     {
         if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);

@@ -106,7 +106,7 @@ class AsciiStl
         lines_.fail(fmt::format("facet {}: expected {}, found {}", mesh_.triangles.size(), expected, quoted(found)));
     }
 
-    /// From its normal on, which may be anything, or missing.
+    /// Reads a facet from its normal on, which may be anything, or missing.
     void readFacet(int region)
     {
         constexpr int normalWords = 4;

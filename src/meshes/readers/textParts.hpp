@@ -31,7 +31,7 @@ public:
 
 /// Takes it from `line`, with the blanks before it; empty at the end.
 std::string_view nextWord(std::string_view& line);
-/// Without the blanks at both ends.
+/// The text without the blanks at both ends.
 std::string_view trimmed(std::string_view);
 /// Whether they are the same but for capitals; `lowerCase` has none.
 bool isWord(std::string_view word, std::string_view lowerCase);
@@ -40,7 +40,7 @@ std::string quoted(std::string_view);
 
 /// The whole word as a number; none where it is none, or not finite.
 std::optional<double> toFinite(std::string_view word);
-/// The same, but nan where it says nan or inf.
+/// The whole word as a number, nan where it says nan or inf.
 std::optional<double> toFiniteOrNan(std::string_view word);
 /// A whole number, before which a + may stand.
 std::optional<std::int64_t> toWhole(std::string_view word);

@@ -31,7 +31,7 @@ Vector<3> areaVector(std::span<const Vector<3>> corners)
     return a;
 }
 
-/// That, or of what cancels itself, as of a bow, the normal of the largest triangle that its first corner makes with an edge.
+/// Normal of a polygon, or of one that cancels itself, as a bow, the normal of the largest triangle that its first corner makes with an edge.
 Vector<3> normalOf(std::span<const Vector<3>> corners)
 {
     constexpr double rounding = 1e-12;

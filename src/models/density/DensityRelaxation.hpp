@@ -1,6 +1,6 @@
-/// What an integrated density forgets: how far apart the particles lie. After a splash a liquid keeps its density and has more volume, for the particles
-/// around it have been torn apart and come together as they may. Inside the fluid the density follows that of the particles' places, where the two differ
-/// by more than e:
+/// Relaxation of an integrated density, which forgets how far apart the particles lie. After a splash a liquid keeps its density and has more volume, for
+/// the particles around it have been torn apart and come together as they may. Inside the fluid the density follows that of the particles' places, where the
+/// two differ by more than e:
 ///
 ///   drho_i/dt += c/(n h) (rho_g - rho_i),    rho_g = m_i sum_j W_ij, brought nearer to rho_i by e rho_i
 /// inside: |sum_j V_j gradW_ij| < 0.2/H and m_i sum_j W_ij > 0.5 rho_i, which leaves spray out, half of the latter by the fluid itself, which leaves out what is

@@ -16,7 +16,7 @@
 namespace sph
 {
 
-/// What the gradient at a particle is made of.
+/// Sums of which the gradient at a particle is made.
 template<int dim> struct LinearFit
 {
     SymmTensor<dim> B;

@@ -57,7 +57,7 @@ void densityAtStart(const Loading& loading)
         loading.values[0][i] = loading.coefficients.restDensity[loading.phaseOf(i)] * compressionAtStart(i, loading);
 }
 
-/// Where the positions decide the density, masses make the pressure at the start: of a folder without rho, which packParticles writes.
+/// Masses make the pressure at the start where the positions decide the density: of a folder without rho, which packParticles writes.
 void massesAtStart(const Loading& loading)
 {
     if (loading.restarted || loading.cloud.fields.contains("rho")) return;

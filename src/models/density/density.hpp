@@ -1,3 +1,4 @@
+/// The model of density and volume: number density, or the continuity equation with diffusion.
 #pragma once
 #include "Model.hpp"
 

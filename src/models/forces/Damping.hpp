@@ -1,4 +1,4 @@
-/// dv/dt = -rate v [1/s] until a time [s]: a start from far off equilibrium. Velocities of both levels decay, where there are two.
+/// Damping dv/dt = -rate v [1/s] until a time [s], for a start far off equilibrium. Velocities of both levels decay, where there are two.
 #pragma once
 #include "Particles.hpp"
 #include "TwoLevels.hpp"

@@ -35,7 +35,7 @@ template<int dim> class Shaking final : public Part<dim>
     std::string a_;
 
     static std::string nameOf(int k) { return std::string("gravity") + char(std::toupper(coordinateNames[k])); }
-    /// At a share of the step.
+    /// A stage that sets gravity to its value at a share of the step.
     Stage<dim> shake(const char* name, const char* equation, double share)
     {
         return {name, equation,

@@ -1,4 +1,4 @@
-/// The terms of this room by name.
+/// Terms of gravity and body force by name.
 #pragma once
 #include "Catalogue.hpp"
 

@@ -1,3 +1,4 @@
+/// The model of gravity, body force, shaking and damping.
 #pragma once
 #include "Model.hpp"
 

@@ -1,4 +1,4 @@
-/// Gives labels to particles that have none yet: those that came in since the lists were built last.
+/// Part that labels particles which have no label yet: those that came in since the lists were built last.
 #pragma once
 #include "Particles.hpp"
 #include "labelEntries.hpp"

@@ -14,7 +14,7 @@ template<class F> Evolving label(F field)
     return evolving;
 }
 
-/// By the place of each in the time folder, of which every rank has read a part.
+/// Number of a particle by its place in the time folder, of which every rank has read a part.
 Evolving number()
 {
     auto evolving = label(ParticleNumber{});
@@ -35,7 +35,7 @@ void prepare(const Reading& reading)
 void read(const Reading& reading)
 {
     const auto isLabel = [](const Evolving& e) { return e.value.name == origId || e.value.name == origProcId; };
-    // Not when preparing: what openings bring must be there first.
+    // The part is made after all models have prepared: what openings bring must be there first.
     if (std::ranges::any_of(reading.settings.state, isLabel)) reading.settings.parts.push_back(partOf<LabelsPart>());
 }
 }

@@ -1,3 +1,4 @@
+/// The model of labels that particles keep for life.
 #pragma once
 #include "Model.hpp"
 

@@ -1,4 +1,4 @@
-/// Where a scene ends at its openings, for whoever looks at stored particles: pictures, volumes and means are of the scene alone, and not of what openings hold.
+/// Planes at which a scene ends at its openings, for users of stored particles: pictures, volumes and means are of the scene alone, without buffer particles.
 /// Positions alone say who is held. Verified by test/unit/openings and test/unit/sampling.
 #pragma once
 #include "Opening.hpp"
@@ -22,7 +22,7 @@ public:
     OpenPlanes(const Case&, const Geometry&, const Resolution&, const std::vector<std::string>& phases);
 
     bool none() const { return openings_.empty(); }
-    /// From the nearest plane, of those that are open where x stands before or behind them [m]: < 0 beyond it, endless where there is none.
+    /// Distance from the nearest plane, of those that are open where x stands before or behind them [m]: < 0 beyond it, infinite where there is none.
     double distance(const Vector<3>& x) const;
     bool beyond(const Vector<3>& x) const { return distance(x) < 0; }
 };

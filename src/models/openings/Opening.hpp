@@ -11,11 +11,11 @@
 namespace sph
 {
 
-/// What comes in.
+/// Incoming fluid: its phase, and the values that its particles get.
 struct Stream
 {
     std::size_t phase = 0;
-    std::map<std::string, double> values = {}; ///< by field
+    std::map<std::string, double> values = {}; ///< values by field
 };
 /// A part of an inlet through which another phase comes in.
 struct Layer
@@ -32,7 +32,7 @@ struct Opening
     Box extent;                     ///< the plane is open within it alone
     double margin = 0;              ///< beside the extent, where what passes the plane leaves all the same [m]
     std::optional<double> radius;   ///< and this near to `point` [m]
-    std::vector<Opening> without;   ///< others in the same plane, which have their parts of it
+    std::vector<Opening> without;   ///< other openings in the same plane, which have their parts of it
     std::optional<double> velocity; ///< mean over the section, along the normal [m/s]
     std::optional<double> flowRate; ///< [m^3/s], per metre of depth [m^2/s] in 2-D
     std::optional<double> pressure; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
@@ -74,7 +74,7 @@ struct EntryTime
 /// does not have, and what to say to it.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
                                   const std::map<std::string, std::string>& absent = {});
-/// The same for who asks for the planes alone: what models make of the other entries is left unread.
+/// Reads the planes alone: what models make of the other entries is left unread.
 std::vector<Opening> readOpeningPlanes(const Case&, const Geometry&, const Coefficients&);
 EntryList openingEntries();
 

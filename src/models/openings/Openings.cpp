@@ -15,11 +15,11 @@ namespace sph
 
 namespace
 {
-/// Room beyond twice the support, and beyond the support on either side of a plane, for what particles travel before lists are rebuilt [spacings].
+/// Margin beyond twice the support, and beyond the support on either side of a plane, for the way of particles before lists are rebuilt [spacings].
 constexpr double spareDepth = 1;
-/// Of (rho/rho_0)^n, which a pressure far below 0 would make negative.
+/// Lower bound of (rho/rho_0)^n, which a pressure far below 0 would make negative.
 constexpr double leastRatio = 1e-3;
-/// Between what is put behind an outlet and what stands there [spacings].
+/// Least distance of a new buffer particle behind an outlet from those that stand there [spacings].
 constexpr double leastGap = 0.8;
 
 /// A particle that lies so near to a plane is on it, and in the scene [spacings].
@@ -38,7 +38,7 @@ std::optional<Opening> planeOf(const Opening& opening, const std::vector<Opening
     return plane;
 }
 
-/// Of a line of an outlet.
+/// Whether a line of an outlet moves inwards, so that it brings fluid back.
 bool comesBack(double velocity) { return velocity > 0 && std::isfinite(velocity); }
 
 /// The rate that an inlet is to let in [m^3/s]; none where a pressure alone drives it.
@@ -159,7 +159,7 @@ template<int dim> std::map<std::string, double> Openings<dim>::state() const
     return numbers;
 }
 
-/// At rest, of what comes in: the mean over the section [kg/m^3].
+/// Rest density of the incoming fluid, the mean over the section [kg/m^3].
 template<int dim> double Openings<dim>::densityOf(const Opening& opening, const Section& section) const
 {
     const auto& rho = coefficients_.restDensity;
@@ -395,7 +395,7 @@ template<int dim> std::vector<bool> Openings<dim>::linesToFill(FieldStore<dim>& 
     return filled;
 }
 
-/// At the first start what is packed beyond an inlet gives way to the inlet's own lattice, which continues the rows of the scene: a packing that is cut by
+/// An inlet's own lattice, which continues the rows of the scene, replaces what is packed beyond it at the first start: a packing that is cut by
 /// the plane fits neither its section nor its rate, and two lattices in one another are compressed.
 template<int dim> void Openings<dim>::fillFirst(FieldStore<dim>& store, std::size_t& owned)
 {
@@ -544,7 +544,7 @@ template<int dim> void Openings<dim>::follow(FieldStore<dim>& store, bool predic
     list(store);
 }
 
-/// On a line that moves inwards all is what comes back in: what else has left is gone.
+/// Turns a particle on a line that moves inwards into the phase that comes back: what else has left is gone.
 template<int dim> void Openings<dim>::replace(FieldStore<dim>& store, std::size_t i, const Gate& gate, const Vector<3>& x_i) const
 {
     const int line = gate.section.lineAt(x_i);

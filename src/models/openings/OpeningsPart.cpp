@@ -11,7 +11,7 @@ namespace
 {
 double sumOf(const std::vector<double>& q) { return std::accumulate(q.begin(), q.end(), 0.0); }
 
-/// How far a force reaches through the sums that it is made of (Openings.hpp) [supports of the kernel].
+/// Reach of a force through the sums that it is made of (Openings.hpp) [supports of the kernel].
 int supportsOfSums(const Settings& settings) { return !settings.surfaceTension ? 2 : settings.has("surfaceTension", "curvature") ? 4 : 3; }
 }
 

@@ -18,9 +18,9 @@ constexpr double leastClearance = 0.25;
 constexpr double onWall = 1e-6;
 /// Areas of a section and of the lattice that fits it agree to this.
 constexpr double fits = 1e-6;
-/// Of the lattice on which the profile over lines that are on none is found.
+/// Refinement of the lattice on which the profile is found over lines that are on none.
 constexpr int finerForProfile = 4;
-/// By which a sample's distance to an edge is halved: 1e-12 of a spacing are left.
+/// Number of halvings of a sample's distance to an edge: 1e-12 of a spacing are left.
 constexpr int halvings = 40;
 
 /// The edge between a place that is open and one that is not.
@@ -132,7 +132,7 @@ std::vector<Vector<3>> Section::oneToASquare(const Extents& whole, double spacin
 
 Section::Extents Section::extentsOf(const auto& open, const Geometry& geometry, double spacing) const
 {
-    // What the domain can hold of the plane, as seen from the opening's point.
+    // Extents that the domain can hold of the plane, as seen from the opening's point.
     double from[2] = {0, 0}, to[2] = {0, 0};
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -262,7 +262,7 @@ void Section::developProfile(const auto& isFluid, int finer, const Location& whe
         const int at = site(i, k, finer);
         return at >= 0 && fluid[std::size_t(at)] ? at : -1;
     };
-    // Without walls nothing holds the flow back.
+    // Nothing holds the flow back without walls.
     bool walls = false;
     for (int i = -1; i <= n[0]; ++i)
         for (int k = dimension_ == 3 ? -1 : 0; k < (dimension_ == 3 ? n[1] + 1 : 1); ++k) walls = walls || fluidAt(i, k) < 0;

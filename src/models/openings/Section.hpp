@@ -31,7 +31,7 @@ public:
     Section(const Opening&, const Geometry&, double spacing, const Opening* plane = nullptr);
 
     const std::vector<Line>& lines() const { return lines_; }
-    /// Between particles of one line [m].
+    /// Distance between particles of one line [m].
     double rowSpacing() const { return rowSpacing_; }
     /// The area of the fluid, between its edges, which are found to 1e-12 of a spacing [m^2]; a length [m] in 2-D.
     double area() const { return area_; }
@@ -64,7 +64,7 @@ private:
     int site(int i, int k, int finer = 1) const;
     int nearestSite(const Vector<3>& x) const;
     Vector<3> centre(int i, int k, int finer = 1) const;
-    /// What is open of a plane: its area, its ends along `across_`, and whether all of its edges are walls or periodic faces.
+    /// Open part of a plane: its area, its ends along `across_`, and whether all of its edges are walls or periodic faces.
     struct Extents
     {
         double area = 0, low[2] = {Box::infinity, Box::infinity}, high[2] = {-Box::infinity, -Box::infinity};

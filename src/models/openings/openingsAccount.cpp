@@ -1,4 +1,4 @@
-/// The account of openings: what has passed, what is there, and by which the one misses the other.
+/// The account of openings: the amounts that have passed and are there, and the mass-balance error.
 #include "Openings.hpp"
 #include "reduce.hpp"
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// What is free or taken away, by the opening that takes it.
+/// Amounts of the free and the removed particles at the start; of the latter by the opening that removes them.
 template<int dim> void Openings<dim>::countStart(const FieldStore<dim>& store, std::size_t owned, const std::vector<int>& takenBy)
 {
     const double *holder = store.component(Holder::info.name, 0), *m = store.component(Mass::info.name, 0);

@@ -20,7 +20,7 @@ void prepare(const Reading& reading)
     settings.state.push_back(pressure);
 }
 
-/// When a particle came in.
+/// Time at which a particle came in, as a field that evolves: a new particle is not marked.
 Evolving mark()
 {
     Evolving enteredAt{stateField(EntryTime{})};
@@ -33,7 +33,7 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state, settings.absent);
     for (const auto& opening : openings)
-        // Of the speed that an opening gives no particle tells before the first step, and steps that the flow alone limits left 40 % of error in
+        // The speed that an opening gives is known of no particle before the first step, and steps that the flow alone limits left 40 % of error in
         // tutorials/verification/openChannel.
         if (settings.integration.solvesPressure)
             reading.theCase.diagnostics().error(

@@ -1,3 +1,4 @@
+/// The model of open boundaries, inlets and outlets.
 #pragma once
 #include "Model.hpp"
 

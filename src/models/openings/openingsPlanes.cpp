@@ -1,4 +1,4 @@
-/// What the fluid before the planes of openings does, of all ranks: its velocity and pressure there.
+/// Velocity and pressure of the fluid before the planes of openings, from sums over all ranks.
 #include "Openings.hpp"
 #include "reduce.hpp"
 #include <algorithm>

@@ -67,7 +67,7 @@ const Stream& Opening::streamAt(const Vector<3>& x, int dimension) const
 
 namespace
 {
-/// With both planes the same, to round-off.
+/// Whether two openings have the same plane, to round-off.
 bool inOnePlane(const Opening& a, const Opening& b, double spacing)
 {
     return mag(a.normal - b.normal) < 1e-9 && std::abs(a.distance(b.point)) < 1e-6 * spacing;

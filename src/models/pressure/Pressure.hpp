@@ -52,7 +52,7 @@ struct MonaghanPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (i.p + j.p) * ij.gradW; }
 };
 
-/// Of p/rho^2 of both, Monaghan (1992), as eq. (3.2) of Kauzlaric et al. (2011):
+/// Acceleration by pressure in the form of p/rho^2, Monaghan (1992), as eq. (3.2) of Kauzlaric et al. (2011):
 ///
 ///   dv_i/dt = -sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) gradW_ij
 ///
@@ -67,7 +67,7 @@ struct MassWeightedPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -j.m * (i.p / sqr(i.rho) + j.p / sqr(j.rho)) * ij.gradW; }
 };
 
-/// Of differences, dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij: no force where the pressure is uniform, however the particles
+/// Acceleration by pressure in the form of differences, dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij: no force where p is uniform, however the particles
 /// lie. The forms above leave p times the disorder of the particles, which keep themselves in order by it; with this one particle
 /// shifting has to. Does not conserve momentum exactly. In Taylor-Green's vortices (tutorials/verification) it is what the error hangs on: 12 %
 /// after half a turn with a sum of pressures, 2 % with differences.
@@ -81,7 +81,7 @@ struct DifferencePressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (j.p - i.p) * ij.gradW; }
 };
 
-/// The same with the gradient corrected (GradientCorrection.hpp): exact for a pressure that is linear, however the particles lie.
+/// The form of differences with the gradient corrected (GradientCorrection.hpp): exact for a pressure that is linear, however the particles lie.
 struct CorrectedDifferencePressure
 {
     static constexpr auto name = "correctedDifferencePressure";

@@ -67,7 +67,7 @@ struct CompressionOfChange
     auto finish(const auto& i, double sum) const { return i.a * sum; }
 };
 
-/// Of pairs that repel: their force over their distance, per dW/dr/r.
+/// Repulsion of a pair: its force over its distance, per dW/dr/r, and 0 where it attracts.
 inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.p * sqr(i.V) + j.p * sqr(j.V)); }
 
 /// dF_i/(m_i dt)

@@ -16,7 +16,7 @@
 namespace sph
 {
 
-/// Of the pressure q that the density gives.
+/// Pressure from the q that the density gives: below p_min the liquid parts, and its tension fades to 0.
 inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2 * p_min - q)); }
 
 struct Tait
@@ -32,7 +32,7 @@ struct Tait
     auto operator()(const auto& i) const { return unlessParted(B * (std::pow(i.rho / restDensity, n) - 1) + p_b, p_min); }
 };
 
-/// The same, but for particles that an opening holds, whose pressure it gives.
+/// Tait's pressure, but for buffer particles, whose pressure the opening gives.
 struct TaitOrHeld : Tait
 {
     static constexpr auto name = "taitOrHeld";
@@ -41,7 +41,7 @@ struct TaitOrHeld : Tait
     auto operator()(const auto& i) const { return i.holder > 0 ? i.p_h : Tait::operator()(i); }
 };
 
-/// The same with each phase's own constants.
+/// Tait's pressure with each phase's own constants.
 struct TaitOfPhase
 {
     static constexpr auto name = "taitOfPhase";
@@ -60,7 +60,7 @@ struct TaitOfPhase
     }
 };
 
-/// The same, but for particles that an opening holds.
+/// Tait's pressure with each phase's own constants, but for buffer particles.
 struct TaitOfPhaseOrHeld : TaitOfPhase
 {
     static constexpr auto name = "taitOfPhaseOrHeld";

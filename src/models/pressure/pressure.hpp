@@ -1,3 +1,4 @@
+/// The model of the pressure: state equation, gradient and background pressure.
 #pragma once
 #include "Model.hpp"
 

@@ -49,7 +49,7 @@ template<int dim> typename ScalarBalance<dim>::Held ScalarBalance<dim>::held(con
             sum(n, [&](std::size_t i) { return m[i] * std::abs(c[i]); })};
 }
 
-/// Since the first start, relative to sum m |c|: there are scalars whose sum is 0.
+/// Change since the first start, relative to sum m |c|: there are scalars whose sum is 0.
 template<int dim> double ScalarBalance<dim>::change(const std::string& name, const Held& now) const
 {
     const auto start = start_.find(name);

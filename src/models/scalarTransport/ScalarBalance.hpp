@@ -1,4 +1,4 @@
-/// How much there is of each scalar, and the step by its diffusion: dt <= f h^2/D, h = H/2 [m], D [m^2/s] the largest k_kl/min(rho_k, rho_l) of all
+/// Total amount of each scalar, and the step by its diffusion: dt <= f h^2/D, h = H/2 [m], D [m^2/s] the largest k_kl/min(rho_k, rho_l) of all
 /// pairs of phases. f = 0.125; noise grows from 0.3 on
 /// with wendlandC2, from 0.18 on with wendlandC6 and a support of 4 spacings (test/stability/README.md).
 #pragma once

@@ -43,7 +43,7 @@ double readDiffusivity(const Dictionary& d, const std::string& key)
 
 std::string readInitial(const Dictionary& d, const std::string& key)
 {
-    // By itself a scalar without `initial` starts from 0; of several phases each says its own.
+    // A scalar without `initial` starts from 0 in a single phase; with several phases each must have an entry.
     const auto text = key == "initial" ? d.get(key, "0") : d.get<std::string>(key);
     if (text.empty()) return "0"; // an error that the dictionary has reported
     try

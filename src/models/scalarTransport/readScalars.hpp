@@ -1,4 +1,4 @@
-/// From constant/scalarTransport to the scalars of a scene.
+/// The scalars of a scene, as constant/scalarTransport declares them.
 #pragma once
 #include "Model.hpp"
 #include "TransportedScalar.hpp"

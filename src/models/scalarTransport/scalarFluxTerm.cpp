@@ -18,7 +18,7 @@ std::vector<double> pairDiffusivities(const TransportedScalar& scalar, const Coe
 
 namespace
 {
-/// What terms point at.
+/// Arrays that the terms of a scalar point to.
 struct Tables
 {
     std::vector<double> k, share{1}, sign{1}, offset{0};

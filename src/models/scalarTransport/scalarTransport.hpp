@@ -1,3 +1,4 @@
+/// The model of transported scalars.
 #pragma once
 #include "Model.hpp"
 

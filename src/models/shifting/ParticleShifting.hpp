@@ -25,7 +25,7 @@ struct ConcentrationGradient : ConcentrationSum
     using Provides = ShiftDirection;
 };
 
-/// The same into a field of its own, for what a free surface leaves of it.
+/// The gradient of the concentration in a field of its own, of which a free surface leaves a part.
 struct SeparateConcentrationGradient : ConcentrationSum
 {
     static constexpr auto name = "concentrationGradient";
@@ -74,7 +74,7 @@ struct InterfaceShifting : WithinPhase
     using WithinPhase::WithinPhase;
 };
 
-/// The same for what a free surface leaves of it.
+/// The gradient within the phase, in the field of which a free surface leaves a part.
 struct ConcentrationWithinPhase : WithinPhase
 {
     static constexpr auto name = "concentrationWithinPhase";

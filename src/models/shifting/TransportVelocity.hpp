@@ -3,7 +3,7 @@
 ///   dx_i/dt = v_i + w_i,    w_i = dt/2 a_i,    a_i = -(p_b/m_i) sum_j (V_i^2 + V_j^2) gradW_ij,    p_b = C rho_i c^2
 ///
 /// v [m/s] is that of momentum and of all else. The uniform background pressure p_b [Pa] has no gradient: its sum a [m/s^2] is that of the
-/// particles' unevenness alone. C is 1 in the paper, c [m/s] the largest sound speed, dt [s] the step. What particles carry past one
+/// particles' unevenness alone. C is 1 in the paper, c [m/s] the largest sound speed, dt [s] the step. The momentum that particles carry past one
 /// another by w is given back by the stress A = rho v w:
 ///
 ///   dv_i/dt += 1/(2 m_i) sum_j (V_i^2 + V_j^2) (A_i + A_j) . gradW_ij     ->  (1/rho) div(rho v w)
@@ -43,7 +43,7 @@ struct UniformTransport
     }
 };
 
-/// The same with a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free
+/// Transport velocity by a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free
 /// surface p = 0, and nothing drives particles out of it; near one little moves them at all, and the margins of
 /// tutorials/verification/rotatingSquarePatch tear as without. Here with the kernel of all other sums; in the paper with half its support.
 struct LocalTransport : UniformTransport

@@ -1,3 +1,4 @@
+/// The model of particle shifting and transport velocity.
 #pragma once
 #include "Model.hpp"
 

@@ -1,4 +1,4 @@
-/// The terms of this room by name.
+/// Terms of particle shifting and transport velocity by name.
 #pragma once
 #include "Catalogue.hpp"
 

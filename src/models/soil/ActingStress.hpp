@@ -1,4 +1,4 @@
-/// What the stress of a particle shows of itself: the acting stress, which its neighbours feel, and the pressure.
+/// The acting stress of a particle, which its neighbours feel, and its pressure, both from the stress that the law integrates.
 ///
 ///   S = sigma + (p_s - p_c) I (in the plane of the flow),    p_c = c_c^2 max(0, rho - rho_c),    p = -tr(sigma)/3
 ///

@@ -1,4 +1,4 @@
-/// How the acting stress of a wall ghost follows from that of the particle it mirrors:
+/// Continuation of the acting stress to a wall ghost, from that of the particle it mirrors:
 ///
 ///   S_g = R S R + 2 d rho n.(g + f/rho) n n      behind a wall that slips: no shear stress at the wall, R = I - 2 n n
 ///   S_g = S     + 2 d rho n.(g + f/rho) n n      behind a wall that holds the soil: its shear stress goes on

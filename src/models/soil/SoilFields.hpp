@@ -23,7 +23,7 @@ struct PlasticShearStrain { static constexpr FieldInfo info{"plasticShearStrain"
 struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; template<int dim> struct At { double w; }; };
 // clang-format on
 
-/// What terms of soil are made from.
+/// Numbers that terms of soil are made from.
 struct SoilNumbers
 {
     double floorPressure = 0;     ///< of stress-free soil [Pa]; 0 where there is none
@@ -42,12 +42,12 @@ struct SoilNumbers
 /// The group of the plan that runs at the velocities of a step's end.
 inline constexpr const char* ofStrain = "velocity gradient";
 
-/// As base/StressTensor.hpp has them in two dimensions.
+/// Conversions in three dimensions, as base/StressTensor.hpp has them in two.
 constexpr SymmTensor<3> inPlane(SymmTensor<3> a) { return a; }
 constexpr SymmTensor<3> in3D(SymmTensor<3> a) { return a; }
 constexpr Tensor<3> in3D(Tensor<2> a) { return {a.xx, a.xy, 0, a.yx, a.yy, 0, 0, 0, 0}; }
 constexpr Tensor<3> in3D(Tensor<3> a) { return a; }
-/// Of a stress that stays in plane strain.
+/// Stress of the flow's dimension from a stress in three; in 2-D it must be one of plane strain.
 template<int dim> constexpr StressTensor<dim> stressIn(SymmTensor<3> a)
 {
     if constexpr (dim == 3) return a;

@@ -1,4 +1,4 @@
-/// Short-wave noise of a stress that each particle integrates for itself: how far it is off the line through its neighbours' (operators/LinearFit.hpp). What becomes of it: StressUpdate.hpp.
+/// Short-wave noise of a stress that each particle integrates for itself: how far it is off the line through its neighbours' (operators/LinearFit.hpp). StressUpdate.hpp uses it.
 ///
 ///   noise_i = fit_i(sigma) - sigma_i [Pa]
 ///

@@ -29,7 +29,7 @@ template<int dim> void WallFriction<dim>::sorted(Particles<dim>& p)
 {
     near_.clear();
     for (const auto& [i, d] : p.images().nearFaces(p.coefficients().support + p.skin())) near_.push_back(i);
-    // Who has left the walls comes back without a joint.
+    // A particle that has left the walls comes back without a joint.
     const auto T = p.store().pointers(WallShear{});
     auto next = near_.begin();
     for (std::size_t i = 0; i < p.size(); ++i)

@@ -14,19 +14,19 @@ namespace sph
 
 namespace
 {
-constexpr double hopeless = 1e12; ///< steps that are left: no limit grows as much
-/// Of migration in one of the flow: the first, whose limit is not known beforehand, takes a few thousand.
+constexpr double hopeless = 1e12; ///< number of steps left at which the run ends: no limit grows as much
+/// Upper bound on migration substeps in one flow step. The first step needs a few thousand, because its limit is not known yet.
 constexpr int mostSteps = 1000000;
 
-/// Of phi towards a place without shear stress, within a spacing, and of phi beyond phi_m; farther the cusp is not resolved.
+/// Largest relative rise of phi within a spacing towards a place without shear stress, and of phi beyond phi_m; above them the cusp is not resolved.
 constexpr double mostRise = 0.3, beyondDensest = 0.01;
-/// Of the next particle's, below which the stress vanishes beside it: a third where the middle lies between two rows.
+/// Shear stress over the next particle's, below which it is taken to vanish between them: 1/3 where the middle lies between two rows.
 constexpr double shareOfStress = 0.4;
-constexpr double nextParticle = 1.5; ///< how far it is, at the most [spacings]
+constexpr double nextParticle = 1.5; ///< largest distance of the next particle [spacings]
 
-/// Of phi_m - phi in a step that solves for J_eta: such steps are of first order in time, and at the start the powder moves fast.
+/// Largest change of phi over phi_m - phi in a step that solves for J_eta: such steps are of first order in time, and at the start the powder moves fast.
 constexpr double mostChange = 0.01;
-constexpr double tolerance = 1e-6; ///< of the solve, in the preconditioned norm
+constexpr double tolerance = 1e-6; ///< relative residual of the solve, in the preconditioned norm
 constexpr int mostIterations = 1000;
 }
 
@@ -89,7 +89,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
     complete(particles);
     for (taken_ = 1;; ++taken_)
     {
-        // What is left is cut into equal parts, so that no last one is a sliver.
+        // The remaining time is cut into equal parts, so that no last one is a sliver.
         const double parts = std::max(1.0, std::ceil(deltaT / limit_ - 1e-9)), part = deltaT / parts;
         if (steps_.solves) solve(particles, part);
         particles.holdRate(PowderFraction::info.name, part);
@@ -139,7 +139,7 @@ template<int dim> void Migration<dim>::solve(Particles<dim>& particles, double d
             "the implicit migration of the powder", n, store.component(Mass::info.name, 0), {change_.data()}, {residual_.data()}, {p}},
         [&](std::size_t i) { return 1 + deltaT * lambda[i]; }, apply, [&](int, std::size_t i) { return p[i] - deltaT * response[i]; },
         [](std::size_t) { return 0.0; }, done);
-    // By fluxes between pairs, so that powder is kept whatever the tolerance.
+    // The change is applied as fluxes between pairs, so that powder is kept whatever the tolerance.
     std::copy_n(change_.data(), n, p);
     particles.evaluate(ofMigrationSolve);
 #pragma omp parallel for simd schedule(static)

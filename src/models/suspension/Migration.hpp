@@ -8,7 +8,7 @@
 ///   (1 - dt K) dphi = dt dphi/dt,    K of ViscosityFlux.hpp        dt <= f h^2/max_i (gammaDot phi D_c a^2)
 ///
 /// by conjugate gradients in the product sum_i m_i a_i b_i, B held; what is added to phi in the end is of fluxes between pairs, so that powder is
-/// kept whatever their tolerance. Of first order in time: dt is also such that no phi moves farther than a hundredth of the way to phi_m
+/// kept whatever their tolerance. The solve is of first order in time: dt is also such that no phi moves farther than a hundredth of the way to phi_m
 /// (max_i |dphi_i/dt| dt/(phi_m - phi_i) <= 0.01, phi_m - phi_c where that is more), unless an explicit step would be longer.
 ///
 /// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities
@@ -44,7 +44,7 @@ public:
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
-    /// Of a cusp that is not resolved: powder gathers where the shear stress vanishes, and between that place and the next particle phi rises by the more
+    /// Warning of a cusp that is not resolved: powder gathers where the shear stress vanishes, and between that place and the next particle phi rises by the more
     /// the coarser they are. In the middle of a channel, s = |y|/h from it (Kauzlaric et al. 2011, eq. 4.1, for other ratios of the fluxes):
     ///
     ///   s = (phi_0/phi) ((phi_m - phi)/(phi_m - phi_0))^n,    n = c (D_eta/D_c - 1)

@@ -15,7 +15,7 @@ struct OfTensor
     static double finish(const auto&, const auto& S) { return std::sqrt(0.5 * doubleDot(S, S)); }
 };
 
-/// From the stress, with the pair viscosity and the corrected gradient:
+/// Shear rate from the viscous stress, with the pair viscosity and the corrected gradient:
 ///
 ///   S_i = sum_j V_j 2 mu_i mu_j/(mu_i + mu_j) ((v_j - v_i) L_i gradW_ij + transposed),    tau_i = sqrt(S_i:S_i/2),    gammaDot_i = tau_i/mu_i
 ///
@@ -45,7 +45,7 @@ struct ResolvedShear
     auto operator()(const auto& i) const { return i.tau / i.mu; }
 };
 
-/// What the particle's own extent adds to the shear:
+/// Contribution of the particle's own extent to the shear rate:
 ///
 ///   gammaDot_i = 1/mu_i sqrt(tau_i^2 + max(0, alpha Delta_x^2/2 laplacian(tau^2)_i)),    laplacian(f)_i = 2 sum_j V_j w_ij (f_j - f_i)
 ///
@@ -80,7 +80,7 @@ struct VelocityGradientShear : OfTensor
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * twiceSymm(j.v - i.v, ij.gradW); }
 };
 
-/// The same with the gradient corrected.
+/// Shear rate from the velocity gradient with the gradient corrected.
 struct CorrectedGradientShear : OfTensor
 {
     static constexpr auto name = "correctedGradientShear";

@@ -36,7 +36,7 @@ struct ViscosityFluxSum
     double rho_0;
 
     explicit ViscosityFluxSum(const Coefficients& c) : rho_0(c.restDensity[0]) {}
-    /// What a pair's difference of q is multiplied by, but for rho_0/m_i: negative.
+    /// Factor of a pair's difference of q, without rho_0/m_i: negative.
     auto rate(const auto& ij, const auto& i, const auto& j) const
     {
         const double V = j.wall > 0 ? 0.0 : j.V;

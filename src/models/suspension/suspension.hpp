@@ -1,3 +1,4 @@
+/// The model of suspensions: viscosity and migration of powder.
 #pragma once
 #include "Model.hpp"
 

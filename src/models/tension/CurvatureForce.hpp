@@ -30,7 +30,7 @@ struct SmoothedColourGradient
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * (j.colour - i.colour) * ij.gradW; }
 };
 
-/// The same, turned to the contact angle theta next to a wall (Brackbill et al. 1992: wall adhesion; Breinlinger et al. 2013 in SPH):
+/// Colour gradient turned to the contact angle theta next to a wall (Brackbill et al. 1992: wall adhesion; Breinlinger et al. 2013 in SPH):
 ///
 ///   gradC_i = |gradC| (sin(theta) t - cos(theta) n_w),    t = (I - n_w n_w) gradC/|(I - n_w n_w) gradC|
 ///
@@ -124,7 +124,7 @@ struct CurvatureForce
     }
 };
 
-/// The same beside the pressure of Hu & Adams, whose sum both sides share alike: so do they the force of a pair,
+/// Force of the curvature beside the pressure of Hu & Adams, whose sum both sides share alike: so do they the force of a pair,
 ///
 ///   dv_i/dt = 1/m_i sum_(j of the other phase) s_i gamma (kappa_i + kappa_j)/2 (V_i^2 + V_j^2)/2 gradW_ij
 ///

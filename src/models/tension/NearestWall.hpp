@@ -1,4 +1,4 @@
-/// Which wall a particle is next to, for the forms of the curvature whose interfaces walls turn (WallAdhesion.hpp, PhaseCurvature.hpp):
+/// Normal of the wall next to a particle, for the forms of the curvature whose interfaces walls turn (WallAdhesion.hpp, PhaseCurvature.hpp):
 ///
 ///   n_w = normal of the nearest wall where it is nearer than 5/6 H, else 0
 #pragma once
@@ -25,7 +25,7 @@ struct NearestWallNormal
     };
 };
 
-/// What wall laws carry from place to place to find it; they say what it means.
+/// State that wall laws carry from place to place to find the nearest wall; the laws derived from it give their result.
 struct NextToWall
 {
     static constexpr bool atWalls = true;
@@ -46,7 +46,7 @@ struct NextToWall
     }
 };
 
-/// Its number, for AdheringPhaseGradient, which looks up the angle of each pair of phases.
+/// Number of the nearest wall, for AdheringPhaseGradient, which looks up the angle of each pair of phases.
 struct WallNextTo : NextToWall
 {
     static constexpr auto name = "wallNextTo";

@@ -88,7 +88,7 @@ struct PhaseCurvatureForce
     }
 };
 
-/// The same beside the pressure of Hu & Adams (EvenCurvatureForce):
+/// Force of the curvature beside the pressure of Hu & Adams (EvenCurvatureForce):
 ///
 ///   dv_i/dt = 1/m_i sum_j s_ij gamma_k (kappa_k,i + kappa_k,j)/2 (V_i^2 + V_j^2)/2 gradW_ij
 struct EvenPhaseCurvatureForce

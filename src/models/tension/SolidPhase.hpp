@@ -1,5 +1,5 @@
 /// Contact angle as Barker et al. (2012) have it: the solid is a phase of its own, and eqs. (11)-(13) (InterfaceStress.hpp) hold for it as
-/// for any other. What lies behind wall w is phase s_w: ghosts count as that, and not as the phase of what they mirror.
+/// for any other. Ghosts behind wall w are of phase s_w, and not of the phase of the particles that they mirror.
 ///
 ///   gradC^(kl) = 1/V_i sum_(j in l) V_j^2 gradW_ij
 ///   S_i = sum_(l != k) gamma_kl (|gradC| I/d - gradC gradC/|gradC|),    l over fluid phases and solids

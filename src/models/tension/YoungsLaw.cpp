@@ -39,7 +39,7 @@ public:
     }
 };
 
-/// Of a pair of phases, what the angles of others make of it.
+/// Angle of a pair of phases that those of others imply.
 struct Implied
 {
     double gamma, difference, cosine;

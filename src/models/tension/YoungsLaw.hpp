@@ -13,7 +13,7 @@
 namespace sph
 {
 
-/// Of two phases by their numbers.
+/// Contact angle of two phases, given by their numbers.
 struct PhaseAngle
 {
     std::size_t a, b;

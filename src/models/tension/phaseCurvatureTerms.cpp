@@ -46,7 +46,7 @@ std::vector<double> wallCosines(const Coefficients& c)
 
 namespace
 {
-/// What the terms of a phase point at.
+/// Arrays that the terms of a phase point to.
 struct Tables
 {
     std::vector<double> share;  ///< by the other phase

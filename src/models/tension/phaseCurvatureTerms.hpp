@@ -7,7 +7,7 @@ namespace sph
 
 /// gamma_k of each phase: gamma_kl = gamma_k + gamma_l, exactly for three, else in least squares.
 std::vector<double> tensionShares(const Coefficients&);
-/// By how much the shares miss the tension of some pair, over the largest tension.
+/// Largest error of gamma_k + gamma_l against the tension of a pair, over the largest tension.
 double missedByShares(const Coefficients&);
 /// cos(theta_kl) through k, [wall x phases x phases], from the walls' tensions.
 std::vector<double> wallCosines(const Coefficients&);

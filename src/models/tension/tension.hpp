@@ -1,3 +1,4 @@
+/// The model of surface tension and contact angles.
 #pragma once
 #include "Model.hpp"
 

@@ -1,4 +1,4 @@
-/// The terms of this room by name.
+/// Wall laws of wetting by name.
 #pragma once
 #include "Catalogue.hpp"
 

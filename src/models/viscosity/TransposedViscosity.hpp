@@ -1,4 +1,4 @@
-/// What Morris' sum leaves out of the viscous stress: div(mu grad v) + div(mu (grad v)^T) is the divergence of mu (grad v + (grad v)^T).
+/// The transposed part of the viscous stress, which Morris' sum leaves out: div(mu grad v) + div(mu (grad v)^T) is the divergence of mu (grad v + (grad v)^T).
 ///
 ///   A_i = sum_j V_j mu_ij (v_j - v_i) gradW_ij,    b_i = largest eigenvalue of -sum_j V_j mu_ij x_ij gradW_ij,    G_i = A_i/b_i
 ///   dv_i/dt = V_i/m_i sum_j V_j mu_ij (G_i^T + G_j^T) gradW_ij

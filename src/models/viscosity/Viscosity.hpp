@@ -62,7 +62,7 @@ template<class MeanViscosity> struct MorrisSum
     MeanViscosity mean;
 
     explicit MorrisSum(const Coefficients& c) : mean(c) {}
-    /// What a pair's velocity difference is multiplied by [1/s]: negative.
+    /// Factor of a pair's velocity difference in its acceleration [1/s]: negative.
     auto rate(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * mean(i, j) * (sqr(i.V) + sqr(j.V)) * ij.dWdrOverR; }
 };
 
@@ -121,7 +121,7 @@ using ClearyMonaghanViscosity = Named<"clearyMonaghanViscosity", MorrisViscosity
 using SinglePhaseClearyViscosity = Named<"singlePhaseClearyViscosity", CentralViscosity<UniformViscosity>>;
 using ClearyViscosity = Named<"clearyViscosity", CentralViscosity<HarmonicMean>>;
 
-/// What an implicit step asks of viscosity (integrators/ImplicitSolve): the same sum over a change of the velocity,
+/// Response of viscosity for the implicit step (integrators/ImplicitSolve): the same sum over a change of the velocity,
 template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisResponse : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;

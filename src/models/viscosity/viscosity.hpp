@@ -1,3 +1,4 @@
+/// The model of viscosity, physical and artificial.
 #pragma once
 #include "Model.hpp"
 

@@ -13,7 +13,7 @@ template<int dim> double closestOf(const Particles<dim>& p) { return LeakGuard<d
 
 template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
-    // Behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
+    // The stage stands behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
     if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
     return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
@@ -37,7 +37,7 @@ template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
     }
 }
 
-/// As Images::nearFaces, where nothing is mirrored.
+/// Particles near walls, as from Images::nearFaces, where nothing is mirrored.
 template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::nearFeet(const Particles<dim>& p, double distance)
 {
     std::vector<std::pair<std::size_t, double>> near;
@@ -50,7 +50,7 @@ template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::
     return near;
 }
 
-/// By how much it has been put off [m].
+/// Puts a particle off walls, and returns the distance by which it has moved [m].
 template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, const Columns& x, const Columns& v, Near& near) const
 {
     const std::size_t i = near.particle;

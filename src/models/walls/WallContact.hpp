@@ -1,5 +1,5 @@
-/// Nothing passes through a wall: what a step has carried into one, or nearer than d_0, is put there and loses what velocity it has into it, at the
-/// end of the step and where its forces are taken.
+/// Contact of particles with walls: nothing passes through. A particle that a step has carried into a wall, or nearer than d_0, is put there and loses its
+/// velocity into it, at the end of the step and where its forces are taken.
 ///
 ///   d < d_0:   x += (d_0 - d) n,   v -= min(n.(v - v_w), 0) n;    of soil v = v_w at a wall that holds it,
 ///              v_t -= min(1, mu |dv_n|/|v_t - v_w|) (v_t - v_w) at one of friction mu = tan(delta)

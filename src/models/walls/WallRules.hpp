@@ -1,4 +1,4 @@
-/// Gives images the rules of a scene's walls.
+/// Part that gives images the rules of a scene's walls.
 #pragma once
 #include "Particles.hpp"
 #include <string>

@@ -1,4 +1,4 @@
-/// How the velocity of a wall ghost follows from that of the particle it mirrors: what makes a wall stick or slip. Particles of wall layers
+/// Rules for the velocity of a wall ghost, from that of the particle it mirrors: they make a wall stick or slip. Particles of wall layers
 /// (neighbours/WallLayers.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
 #pragma once
 #include "Coefficients.hpp"
@@ -20,7 +20,7 @@ public:
 
 /// v_g = v_w - min(q, beta - 1) (v - v_w), beta = 1.5, in layers: Morris et al. (1997) as printed, who limit beta = 1 + d_g/d so that a particle close to
 /// the wall sees no large velocity behind it. On a lattice every row within a support of the wall is limited, and the fluid slips
-/// (neighbours/WallLayers.hpp). Of first order.
+/// (neighbours/WallLayers.hpp). The rule is of first order.
 template<int dim> class LimitedVelocity final : public ReflectedVelocity<dim>
 {
 public:
@@ -50,7 +50,7 @@ public:
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&, bool varies);
     Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
-    /// Again after each change of the arrays.
+    /// Binds the rule again after each change of the arrays.
     void bind() override;
     /// Moves a_w, the low-passed a_p, a tenth of the way to the latest a_p. Once a step: an evaluation leaves no trace.
     void filter() override;
@@ -82,7 +82,7 @@ public:
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
 };
 
-/// The same without suction, for a liquid with a free surface, which may leave the wall:
+/// Hydrostatic continuation of the pressure without suction, for a liquid with a free surface, which may leave the wall:
 ///
 ///   p_g = max(p - (1 + q) d rho n.(g + f/rho), min(p, 0))
 ///

@@ -37,7 +37,7 @@ const Choice wallVelocity{
 
 namespace
 {
-/// By mu or by a model of it, in all phases.
+/// Whether all phases are viscous, by mu or by a model of it.
 bool viscous(const Settings& s)
 {
     return std::all_of(s.coefficients.viscosity.begin(), s.coefficients.viscosity.end(), [](double mu) { return mu > 0; });

@@ -1,3 +1,4 @@
+/// The model of walls: rules for ghosts, and contact.
 #pragma once
 #include "Model.hpp"
 

@@ -14,7 +14,7 @@ namespace sph
 
 namespace
 {
-/// What Zoltan asks for.
+/// Positions and weights that Zoltan asks for.
 struct Places
 {
     int dimension;
@@ -51,7 +51,7 @@ std::string inWords(int code)
     return {text, std::size_t(length)};
 }
 
-/// Where all ranks are on one machine they talk through its memory. To look for networks as well takes Open MPI as long as all else of its start (0.10 s of processor
+/// Ranks on one machine talk through its memory. To look for networks as well takes Open MPI as long as all else of its start (0.10 s of processor
 /// time in place of 0.06). What the user has asked for stays.
 void leaveOutNetworks()
 {
@@ -243,7 +243,7 @@ public:
         const Stopwatch stopwatch(waited_);
         MPI_File file;
         int code = MPI_File_open(MPI_COMM_WORLD, path.c_str(), MPI_MODE_CREATE | MPI_MODE_EXCL | MPI_MODE_WRONLY, MPI_INFO_NULL, &file);
-        // Who has it open cannot close it without those who have not.
+        // A rank that has the file open cannot close it without those that have not.
         MPI_Allreduce(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
         if (code != MPI_SUCCESS) throw std::runtime_error(inWords(code));
         return std::make_unique<MpiFile>(file, waited_);

@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// What a mesh collides as.
+/// Shape as which a mesh collides.
 enum class CollisionForm
 {
     automatic, ///< hull where the shape is convex but for a little, else parts
@@ -26,7 +26,7 @@ struct ShapeToPack
     bool isSphere() const { return file.empty(); }
 };
 
-/// Of the diameter [m], that of the sphere of equal volume.
+/// Distribution of the diameter [m], that of the sphere of equal volume.
 struct SizeDistribution
 {
     enum class Kind
@@ -44,7 +44,7 @@ struct SizeDistribution
 
     /// The size that the share p of the solids, by number, does not exceed.
     double quantile(double p) const;
-    /// Of the sizes at the middles of n equal shares: what `count` solids have.
+    /// Mean of the sizes at the middles of n equal shares, which `count` solids have.
     double mean(int count) const;
     double meanVolume(int count) const; ///< pi/6 of the mean of d^3
     Location where;

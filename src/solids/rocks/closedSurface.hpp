@@ -8,7 +8,7 @@
 namespace sph
 {
 
-/// By the divergence theorem; positive where the normals point outwards.
+/// Moments of the enclosed volume, by the divergence theorem; the volume is positive where the normals point outwards.
 struct VolumeMoments
 {
     double volume = 0;    ///< [m^3]

@@ -23,7 +23,7 @@ inline constexpr int fewestFacets = 20;
 /// (polyhedra whose corners have three edges each), 20 n^2 for rounded and concave ones (an icosahedron whose edges are cut into n).
 TriangleSurface makeRock(const RockKind&, int facets, double diameter, std::uint64_t seed);
 
-/// What a scanner might have made of the rounded rock: points off by 0.5 % of the diameter, four holes, 1 % of the facets twice, 2 % the wrong way
+/// The rounded rock as a scanner might give it: points off by 0.5 % of the diameter, four holes, 1 % of the facets twice, 2 % the wrong way
 /// round, and two points that stand where their facets cross others.
 TriangleSurface makeScan(int facets, double diameter, std::uint64_t seed);
 

@@ -101,7 +101,7 @@ bool areNumbers(const std::string& file, const std::vector<double>& values, bool
     return false;
 }
 
-/// Of positions each alone, for the cells stand between them.
+/// Whether the file holds the bytes of these values; positions are looked for each alone, because the cells stand between them.
 bool areBytes(const std::string& file, const std::vector<double>& values, bool isPositions, bool isLabel)
 {
     std::string bytes;

@@ -14,7 +14,7 @@ using namespace sph;
 namespace
 {
 
-/// What an application "demo" with an option -entry, a flag -keywords, a number -value and an optional file made of its
+/// Result of an application "demo" with an option -entry, a flag -keywords, a number -value and an optional file, from its
 /// arguments.
 struct Demo
 {

@@ -81,7 +81,7 @@ TEST(Values, HaveAClassAndPlacesOnDisk)
     EXPECT_EQ(valueType<StressTensor<3>>, valueType<SymmTensor<3>>);
 }
 
-// By hand: L = (1 2; 3 4) has the strain rate (1 2.5; 2.5 4) and the spin (0 -0.5; 0.5 0), det L = -2, L:L = 30.
+// Values by hand: L = (1 2; 3 4) has the strain rate (1 2.5; 2.5 4) and the spin (0 -0.5; 0.5 0), det L = -2, L:L = 30.
 TEST(Tensor, HasTheAlgebraOfAVelocityGradient)
 {
     constexpr Tensor<2> L{1, 2, 3, 4};
@@ -98,7 +98,7 @@ TEST(Tensor, HasTheAlgebraOfAVelocityGradient)
     EXPECT_EQ(inverse(L), (Tensor<2>{-2, 1, 1.5, -0.5}));
 }
 
-// By hand, expanded along the first row of (2 1 0; 0 3 1; 3 0 3): det = 2*9 - 1*(0 - 3) = 21.
+// Values by hand, expanded along the first row of (2 1 0; 0 3 1; 3 0 3): det = 2*9 - 1*(0 - 3) = 21.
 TEST(Tensor, HasTheSameAlgebraInSpace)
 {
     constexpr Tensor<3> L{2, 1, 0, 0, 3, 1, 3, 0, 3}, unit{1, 0, 0, 0, 1, 0, 0, 0, 1};

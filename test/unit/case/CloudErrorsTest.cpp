@@ -26,7 +26,7 @@ std::string raw(const std::vector<double>& values)
     return text;
 }
 
-/// What reading says of a cloud of three particles with this file as its field U.
+/// Messages of reading a cloud of three particles with this file as its field U.
 std::string ofField(const std::string& text)
 {
     const TemporaryCase c;

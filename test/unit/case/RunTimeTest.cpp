@@ -369,7 +369,7 @@ TEST(RunTime, noticesAnEditedControlDictAtOnce)
     EXPECT_NE(said.find("writNow"), std::string::npos);
     time.advance(time.nextDeltaT(0.1));
     EXPECT_TRUE(time.running());
-    // Within the second of the former edit.
+    // The edit comes within the second of the former one.
     control(c, "stopAt writeNow; endTime 5; writeControl adjustable; writeInterval 0.4;");
     EXPECT_EQ(time.rereadIfModified(), "system/controlDict has changed: stopAt endTime -> writeNow, endTime 5 -> inf");
     EXPECT_EQ(time.rereadIfModified(), "");

@@ -108,7 +108,7 @@ TEST(TimeFolder, onAFullDiskLeavesTheLastGoodTimeWhole)
     EXPECT_EQ(readCloud(folder, "0.75", "sph", diagnostics).x, x);
 }
 
-// What OpenFOAM's own tools look for in <time>/uniform/time.
+// Entries that OpenFOAM's own tools look for in <time>/uniform/time.
 TEST(TimeFolder, holdsOpenFoamsTimeDictionary)
 {
     const TemporaryCase c;

@@ -39,7 +39,7 @@ public:
     }
 };
 
-/// What the CaseError says that the call throws; "" where it throws none.
+/// Message of the CaseError that the call throws; "" where it throws none.
 std::string messageOf(const auto& call)
 {
     try

@@ -110,7 +110,7 @@ TEST(DictionaryEditing, refusesWhatCouldNotBeRead)
     for (const auto* keyword : {"3", "(U|p)", "}", "#include", "$a", "#{", "b;c", "a b", "b {"})
         EXPECT_NE(edited(text, keyword, "1").find("\"" + std::string(keyword) + "\""), std::string::npos) << keyword;
     EXPECT_EQ(edited(text, "FoamFile", "1"), "d:1: the header FoamFile is a dictionary");
-    // What can be read is written: a value for a dictionary has its own ';'.
+    // Every value that can be read is written: a value for a dictionary has its own ';'.
     EXPECT_EQ(edited(text, "s", "5"), "FoamFile { class dictionary; }\na 1;\ns 5;\n");
     EXPECT_EQ(edited(text, "a", "{ y $s.x; }").find("With"), 0u) << "s comes behind a";
     EXPECT_EQ(edited(text, "s.x", "{ y $a; }"), "FoamFile { class dictionary; }\na 1;\ns { x { y $a; }; }\n");

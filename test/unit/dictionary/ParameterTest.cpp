@@ -20,7 +20,7 @@ const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNeg
 const AutomaticScalar sound{"sound", units::mPerS, byScene("10 x the largest velocity"), positive, "speed of sound"};
 }
 
-// Where nothing is given, the declared defaults are read; a default of the scene's where the declaration leaves it to the reader.
+// The declared defaults are read where nothing is given; a default of the scene's where the declaration leaves it to the reader.
 TEST(Parameters, defaults)
 {
     const Parsed p("");
@@ -90,7 +90,7 @@ TEST(Parameters, mistakes)
     EXPECT_EQ(theta(p.dict), 0.5);
 }
 
-// Which entries belong to a word that is unknown is not known either: one message, and none for the rest.
+// The entries of an unknown word are unknown too: one message, and none for the rest.
 TEST(Parameters, unknownWordLeavesTheRestInPeace)
 {
     const Parsed p("density none; factr 3;");

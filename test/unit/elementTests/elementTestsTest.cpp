@@ -78,7 +78,7 @@ TEST(ElementTests, triaxialCompression)
     EXPECT_NEAR(rows[7].stress.zz / rows[7].stress.xx, 2.929121, 1e-6); // the limit
 }
 
-// At the start E = 210.0118 sigma_3 and nu = 0.00870; at the limit the volume grows by 3.8e-3 of the axial strain.
+// Tangents at the start are E = 210.0118 sigma_3 and nu = 0.00870; at the limit the volume grows by 3.8e-3 of the axial strain.
 TEST(ElementTests, triaxialTangents)
 {
     const std::array<bool, 6> lateral{true, false, false, true};
@@ -90,7 +90,7 @@ TEST(ElementTests, triaxialTangents)
     EXPECT_NEAR(karlsruhe.rate(principal(-1, -1, -2.929121), limit).zz, 0, 1e-4);
 }
 
-// In plane strain sand is stronger: sin(phi) = (s1 - s3)/(s1 + s3) of 40.5 degrees, for 29.4 in the triaxial test.
+// Sand is stronger in plane strain: sin(phi) = (s1 - s3)/(s1 + s3) of 40.5 degrees, for 29.4 in the triaxial test.
 TEST(ElementTests, biaxial)
 {
     const auto end = rowsOf("type biaxial; pressure 1e5; strain (0.3); points 3;", tightly).back();

@@ -108,8 +108,8 @@ TEST(GeometryCheck, refusesCurvesTighterThanTheSupport)
     EXPECT_NE(errors("a { type cone; apex (0 -0.9 0); axis (0 1 0); halfAngle 30; fluid inside; }", 0.2), "");
 }
 
-// What may meet: corners of a tank, ends of a tube, a hemisphere and a step on the floor, a ball at rest on it. What may not:
-// grains that overlap, a ball that sinks into the floor.
+// Shapes may meet: corners of a tank, ends of a tube, a hemisphere and a step on the floor, a ball at rest on it. They may not overlap:
+// grains in one another, a ball that sinks into the floor.
 TEST(GeometryCheck, tellsCornersFromOverlaps)
 {
     const auto errors = [](const std::string& walls) { return check(open + walls + "\n}", 0.1).errors; };

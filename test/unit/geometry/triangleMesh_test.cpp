@@ -59,7 +59,7 @@ TEST(TriangleMesh, KnowsWhatIsFarOff)
     }
 }
 
-// What a cube looks like to the fluid around it and to the fluid in it: six faces; every edge convex, or concave.
+// A cube as seen by the fluid around it and by the fluid in it: six faces; every edge convex, or concave.
 TEST(TriangleMesh, TellsConvexFromConcave)
 {
     for (const bool inside : {false, true})

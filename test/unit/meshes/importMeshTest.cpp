@@ -78,7 +78,7 @@ TEST(ImportMesh, placesTheMesh)
     ASSERT_EQ(p.errors, "");
     EXPECT_EQ(p.mesh.prepared.box.low, (Vector<3>{-0.5, 0.25, -1}));
     EXPECT_EQ(p.mesh.prepared.box.high, (Vector<3>{0.5, 0.75, 0.5}));
-    // By 45 degrees about an edge along z: the far corner comes to lie on the y axis, at sqrt 2.
+    // A turn by 45 degrees about an edge along z: the far corner comes to lie on the y axis, at sqrt 2.
     const Prepared q("a.stl", solid(box()), "rotation { axis (0 0 1); angle 45; }");
     EXPECT_NEAR(q.mesh.prepared.box.high.y, std::numbers::sqrt2, 1e-15);
     EXPECT_NEAR(q.mesh.prepared.volume, 1, 1e-15);

@@ -58,7 +58,7 @@ TEST(ReadPly, FirstByteThatLooksLikeAnEndOfLine)
         expectBox(crlfHeader(bytes), "", 16777216);
         const auto data = bytes.find("end_header\n") + 11;
         expectBox(replacedAll(bytes.substr(0, data), "\n", "\r") + bytes.substr(data), "", 16777216);
-        // As a little-endian short or the first byte of a double.
+        // The same byte as the low byte of a little-endian short, and as an unsigned char.
         auto small = cube;
         for (auto& p : small.points) p.x = first + p.x;
         expectBox(binaryPly<std::int16_t, std::int32_t>(small, "short", "int"));

@@ -50,7 +50,7 @@ Geometry cornerOfBox(int dimension)
     return g;
 }
 
-// In the corner of a box every combination of signs exactly once: 3 images in 2-D, 7 in 3-D. Mirroring in plane walls rounds
+// Every combination of signs appears exactly once in the corner of a box: 3 images in 2-D, 7 in 3-D. Mirroring in plane walls rounds
 // once or twice.
 TEST(Images, OfABoxCornerAppearOnceEach)
 {

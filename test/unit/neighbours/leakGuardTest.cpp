@@ -58,7 +58,7 @@ TEST(LeakGuard, PutsBackThroughTheFaceThatBoundsTheFluid)
     EXPECT_NEAR(scene.guard->leaks().deepest, 0.01, 1e-15);
 }
 
-// What only touches has not leaked, though it is put off the wall: 0.02 spacings either way.
+// A particle that only touches has not leaked, though it is put off the wall: 0.02 spacings either way.
 TEST(LeakGuard, CountsWhatIsDeeperThanATouch)
 {
     Guarded scene({{0.3, -0.0009}, {0.3, -0.0011}});
@@ -129,7 +129,7 @@ TEST(OffWalls, TakeAllThatPointsIntoAWedge)
     EXPECT_EQ(Vector<2>(outOfCorner), (Vector<2>{1, 0}));
 }
 
-// What lies a rounding short of a wall touches it again, by a normal that differs by roundings: one wall still, along which it goes on.
+// A particle a rounding short of a wall touches it again, by a normal that differs by roundings: one wall still, along which it goes on.
 TEST(OffWalls, TakeAWallThatIsTouchedTwiceForOne)
 {
     for (int k = 0; k < 1000; ++k)

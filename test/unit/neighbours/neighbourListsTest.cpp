@@ -126,7 +126,7 @@ TEST(NeighbourLists, HoldAsManyAsTheyMay)
     listsEqualBruteForce<3>(points, points.size(), 0.01);
 }
 
-// What a pass keeps of each particle comes back, and spoils no other particle's.
+// Neighbours that a pass keeps of each particle come back, and spoil no other particle's.
 TEST(NeighbourLists, KeepWhatAPassFound)
 {
     const auto points = randomPoints<2>(1500, {1, 1});

@@ -131,7 +131,7 @@ TEST(IndexPacker, RefusesTooManyPages)
     EXPECT_EQ(unpacked, indices);
 }
 
-/// What a stencil gathers into.
+/// Columns that a stencil gathers into.
 template<int dim> struct Block
 {
     alignas(64) long j[256];

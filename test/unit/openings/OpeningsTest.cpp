@@ -163,7 +163,7 @@ TEST(Openings, TakeAwayWhatHasLeft)
     EXPECT_LT(std::abs(openings.imbalance(scene.store).amounts.at(0)), 1e-14);
 }
 
-// What passes a plane is free, or held, at once, whenever lists are rebuilt: every step, or every seventh, with a row passing every twentieth.
+// A particle that passes a plane is free, or held, at once, whenever lists are rebuilt: every step, or every seventh, with a row passing every twentieth.
 TEST(Openings, LetPassAtTheMomentOfPassing)
 {
     struct Duct
@@ -261,7 +261,7 @@ TEST(Openings, PointIntoTheScene)
     refused({gate}, -0.4, "has 0.4 m of scene before its plane, less than the 0.6 m that it holds beyond");
 }
 
-// Where density is integrated, that of Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).
+// Density of buffer particles, where density is integrated, by Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).
 TEST(Openings, HoldTheDensityOfTheirPressure)
 {
     Scene scene;
@@ -416,7 +416,7 @@ TEST(Openings, LetInPhasesByLayers)
     for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-14);
     EXPECT_NEAR(openings.volume(), 0, 1e-14);
 
-    // And after a restart.
+    // The state survives a restart.
     Openings<2> second({scene.gateOfBoth(), outlet(0)}, scene.geometry, scene.c, scene.evolving, openings.state());
     scene.exchange(second);
     EXPECT_EQ(second.state(), openings.state());

@@ -13,7 +13,7 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Of either sign and of sizes from 1e-8 to 1e8, so that any other order of additions shows.
+/// Numbers of either sign and of sizes from 1e-8 to 1e8, so that any other order of additions shows.
 std::vector<double> unlike(std::size_t n)
 {
     std::mt19937_64 random(3);

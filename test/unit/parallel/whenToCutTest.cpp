@@ -1,4 +1,4 @@
-/// When ranks cut space anew: by what waiting costs beside a cut.
+/// Times at which ranks cut space anew: the cost of waiting against that of a cut.
 #include "WhenToCut.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(WhenToCut, LooksThroughNoise)
     EXPECT_LE(run.cuts, 5);
 }
 
-// What is uneven from the start, as where particles do not cost the same, is cut as soon as it is known: after 0.1 s.
+// A load that is uneven from the start, as where particles do not cost the same, is cut as soon as it is known: after 0.1 s.
 TEST(WhenToCut, SeesSoonWhatIsUneven)
 {
     const TwoRanks run(20, 1e-3, 1.02, [](double, double lastCut) { return lastCut > 0 ? 1.0 : 1.3; });

@@ -34,7 +34,7 @@ template<int dim> void overPairs(Scene<dim>& s, std::size_t i, const auto& f)
     }
 }
 
-/// Of field F of all owned particles.
+/// Expects these values of field F at all owned particles.
 template<int dim, class F>
 void expectEqual(Scene<dim>& s, F tag, const std::function<decltype(unwrap(At<F, dim>{}))(std::size_t)>& expected, double tolerance = 1e-12)
 {
@@ -101,7 +101,7 @@ struct SourceNumber
     };
 };
 
-/// What all momentum equations read, at every particle and image, by plain sums.
+/// Fields that all momentum equations read, at every particle and image, by plain sums.
 template<int dim> struct Plain
 {
     Scene<dim>& s;
@@ -252,7 +252,7 @@ template<int dim> void artificialViscosity()
 TEST(PlainLoop, ArtificialViscosityIn2D) { artificialViscosity<2>(); }
 TEST(PlainLoop, ArtificialViscosityIn3D) { artificialViscosity<3>(); }
 
-/// What moves particles, by a pressure of 0.7 rho c^2 and by min(10 |p|, that), and the stress of what they carry with them.
+/// Acceleration that moves particles, by a pressure of 0.7 rho c^2 and by min(10 |p|, that), and the stress of what they carry with them.
 template<int dim> void transportVelocity()
 {
     for (const bool local : {false, true})
@@ -324,7 +324,7 @@ double errorOfTransportStress(int n, double jitter)
 
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// Of second order on a lattice. Disorder of the same share of a spacing at any resolution leaves A sum gradW, twice as much for twice the disorder;
+// The stress is of second order on a lattice. Disorder of the same share of a spacing at any resolution leaves A sum gradW, twice as much for twice the disorder;
 // disorder that falls with the square of the spacing leaves first order.
 TEST(TransportVelocity, StressIsConsistentWhereParticlesLieEvenly)
 {
@@ -711,7 +711,7 @@ template<int dim> void viscousResponses(const Terms& first)
                 central, ViscousRate{}, [&](std::size_t i) { return (dim + 2.0) / dim * rate[i]; }, 1e-12);
         });
 }
-/// What an implicit step asks of the pressure: how volumes and the force of a change in them follow from a displacement, and the diagonal of that.
+/// Response of the pressure for an implicit step: volumes and the force of a change in them, as they follow from a displacement, and the diagonal of that.
 template<int dim> void pressureResponse(const Terms& first)
 {
     onEveryGeometry<dim>(
@@ -833,7 +833,7 @@ template<int dim> void bodyForces()
 TEST(PlainLoop, BodyForcesIn2D) { bodyForces<2>(); }
 TEST(PlainLoop, BodyForcesIn3D) { bodyForces<3>(); }
 
-/// Which wall each image lies behind, 1 + its number, by the walls' own distances; 0 on the fluid's side of all of them.
+/// Number of the wall that each image lies behind, plus 1, by the walls' own distances; 0 on the fluid's side of all of them.
 template<int dim> std::vector<int> wallsBehind(Scene<dim>& s)
 {
     std::vector<int> wall(s.images.nullParticle());

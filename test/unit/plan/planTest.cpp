@@ -1,4 +1,4 @@
-/// What the planner takes in, what it leaves out, and what it refuses; and the laws that evaluations keep.
+/// Terms that the planner takes in, leaves out, and refuses; and the laws that evaluations keep.
 #include "CaseError.hpp"
 #include "Largest.hpp"
 #include "Scene.hpp"

@@ -17,7 +17,7 @@ Dictionary parsed(const std::string& text, const std::shared_ptr<Diagnostics>& d
     return dict;
 }
 
-/// With the entries that are commented out; explanations begin with //- or follow an entry.
+/// The text with the entries that are commented out; explanations begin with //- or follow an entry.
 std::string withoutComments(const std::string& text) { return std::regex_replace(text, std::regex("(^|\n)( *)// "), "$1$2"); }
 
 /// Every entry whose default is a value has that value in the file, down to sub-dictionaries of given names.

@@ -77,7 +77,7 @@ TEST(CapillaryBridge, AgreesWithAnIndependentIntegration)
 
 TEST(CapillaryBridge, OfCylindersIsAnArcOfACircle)
 {
-    // By hand: beta = 30 degrees, theta = 45: arcs of radius q = (gap/2 + 1 - cos beta)/cos(theta + beta), the neck q (1 - cos 15) inside sin beta. The
+    // Values by hand: beta = 30 degrees, theta = 45: arcs of radius q = (gap/2 + 1 - cos beta)/cos(theta + beta), the neck q (1 - cos 15) inside sin beta. The
     // liquid between the contacts' chord less the segments of the solids and of the arcs.
     const double beta = 30 * degree, psi = 15 * degree, height = 0.25 + 1 - std::cos(beta), q = height / std::sin(psi);
     const double area =
@@ -168,7 +168,7 @@ TEST(LiquidBridge, MistakesAreNamed)
     EXPECT_EQ(mistake("radius 1; contactAngle 60;\ncentres ((0 0 0));"), "system/controlDict:2: a bridge has two centres, not 1");
     EXPECT_EQ(mistake("centres ((0 0 0) (0 3 0)); radius 1;\ncontactAngle 190;"),
               "system/controlDict:2: a liquid forms a bridge where its contact angle lies between 0 and 180 degrees");
-    // What only the particles tell: too little liquid for the gap, and no tension at all.
+    // Errors that only the particles tell: too little liquid for the gap, and no tension at all.
     EXPECT_EQ(mistake("centres ((0 0 0) (0 30 0)); radius 1; contactAngle 60;").find("system/controlDict:1: no bridge of "), 0u);
     auto slack = particles;
     slack.surfaceTension = 0;

@@ -30,7 +30,7 @@ TEST(PlanePoiseuille, agreesWithTheTabulatedSeries)
 
 TEST(PlanePoiseuille, startsFromRestAndKeepsThePlatesAtRest)
 {
-    // At nu t/L^2 = 1e-6 the plates are not felt in the middle: v = F t to round-off.
+    // The plates are not felt in the middle at nu t/L^2 = 1e-6: v = F t to round-off.
     const PlanePoiseuille flow(1e-6, 1e-4, 1e-3);
     EXPECT_EQ(flow.speed(3e-4, 0), 0);
     EXPECT_NEAR(flow.speed(5e-4, 1e-6), 1e-10, 1e-24);

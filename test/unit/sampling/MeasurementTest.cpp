@@ -233,7 +233,7 @@ TEST(LaplaceJump, ofABubbleIsThatOfItsInside)
                 EXPECT_NEAR(m.value, jump, 1e-12) << entries << dimension << periodic;
                 EXPECT_NEAR(m.reference, jump, 1e-12);
             }
-            // That of the bubble's volume, to the staircase of five lattice points to a radius.
+            // The reference is that of the bubble's volume, to the staircase of five lattice points to a radius.
             EXPECT_NEAR(measure(particles, "laplaceJump", "").reference, jump, 0.1 * jump);
         }
 }
@@ -255,7 +255,7 @@ TEST(LaplaceJump, ofADropThatIsTooSmallIsNoNumber)
 
 TEST(DragFactor, isStokesLawTurnedRound)
 {
-    // By hand: a = 0.1, phi = 0.343, rho g = 1000*2, mu = 1e-3; superficial U = (fluid fraction 0.5 of the cell)*0.04 = 0.02:
+    // Values by hand: a = 0.1, phi = 0.343, rho g = 1000*2, mu = 1e-3; superficial U = (fluid fraction 0.5 of the cell)*0.04 = 0.02:
     // K = 2*0.01*2000/(9*0.343*1e-3*0.02) = 647878.2...
     Particles particles(3, {0, 0, 0}, {1, 1, 0.5}, 0.1);
     particles.geometry.high.z = 1;

@@ -48,7 +48,7 @@ struct SpinRate
         Vector<dim> dwdt;
     };
 };
-/// Which particle it is: carried, without a rate.
+/// Number of a particle: carried, without a rate.
 struct Number
 {
     static constexpr FieldInfo info{"number", "1"};
@@ -154,7 +154,7 @@ Cloud vortex()
     return cloud;
 }
 
-/// What n steps of an integrator leave of q where dq/dt = -k q, by its formula.
+/// Value of q after n steps of an integrator with dq/dt = -k q, by its formula.
 double left(const std::string& integrator, double k, double deltaT, int steps)
 {
     double q = 1, rate = -k;

@@ -192,7 +192,7 @@ Tensor<2> gradientAt(Vector<2> x)
     const double k = waves, sx = std::sin(k * x.x), cx = std::cos(k * x.x), sy = std::sin(k * x.y), cy = std::cos(k * x.y);
     return {-0.6 + 0.2 * cx * cy, -0.2 * sx * sy, -0.3 * sx * sy, -0.8 + 0.3 * cx * cy};
 }
-/// By the flow, fourth order in dt [s].
+/// Position carried by the flow, fourth order in dt [s].
 Vector<2> carried(Vector<2> x, double dt)
 {
     const auto a = flowAt(x), b = flowAt(x + 0.5 * dt * a), c = flowAt(x + 0.5 * dt * b), d = flowAt(x + dt * c);
@@ -315,10 +315,10 @@ double divergenceError(double dx, double jitter, const std::string& ofSoil = "")
     return std::sqrt(off / all);
 }
 
-/// Of errors at 0.1, 0.05 and 0.025.
+/// Order of the errors at 0.1, 0.05 and 0.025.
 double orderOf(const std::function<double(double)>& error) { return 0.5 * std::log2(error(0.1) / error(0.025)); }
 
-// With the corrected gradient measured 1.89 on a lattice, 1.89 and 1.75 at 0.1 and 0.2 spacings off it (elastic; hypoplastic 1.87, 1.88, 1.71), errors at 0.025 of 1.1e-3 to 1.5e-3 (2.2e-3 to 3e-3). Off the lattice
+// Order with the corrected gradient, measured: 1.89 on a lattice, 1.89 and 1.75 at 0.1 and 0.2 spacings off it (elastic; hypoplastic 1.87, 1.88, 1.71), errors at 0.025 of 1.1e-3 to 1.5e-3 (2.2e-3 to 3e-3). Off the lattice
 // it is first order in the end: 1.69 and 1.00 from 0.025 to 0.0125. Without correction 1.0 on the lattice, and 0.2 and 0 off it, where 2 to 4 % of the stress (4 to 9 %) are lost at any spacing.
 TEST(SoilBlock, StressOfASmoothFlowIsOfSecondOrder)
 {
@@ -340,7 +340,7 @@ TEST(SoilBlock, DivergenceOfASmoothStressConvergesOnALatticeAlone)
     EXPECT_GT(orderOf([](double dx) { return divergenceError(dx, 0); }), 1.5);
     EXPECT_NEAR(orderOf([](double dx) { return divergenceError(dx, 0.1); }), -1, 0.2);
 }
-// That of differences has one: measured 1.98, 1.87 and 1.68, errors of 0.4 to 0.6 % at 0.025.
+// The form of differences converges: measured orders 1.98, 1.87 and 1.68, errors of 0.4 to 0.6 % at 0.025.
 TEST(SoilBlock, CorrectedDivergenceOfASmoothStressConverges)
 {
     for (const double jitter : {0.0, 0.1, 0.2})
@@ -716,7 +716,7 @@ TEST(SoilWall, SlidesByCoulombsLaw)
     EXPECT_NEAR(sliding(15), 0, 0.01 * expected);
 }
 
-// By hand: rho = 1000 kg/m^3, d = 0.1 m, g = 10 m/s^2 into a floor whose ghost lies 0.2 m deeper.
+// Values by hand: rho = 1000 kg/m^3, d = 0.1 m, g = 10 m/s^2 into a floor whose ghost lies 0.2 m deeper.
 TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
 {
     Geometry geometry = domain(2, {1, 1, 0});

@@ -220,7 +220,7 @@ TEST(DruckerPrager, isCheapAtItsVertex)
         }
 }
 
-// Within the cone no strain is plastic, whatever the turn; beyond it all of a pure shear but what the stress needs: gamma - tau/G.
+// No strain within the cone is plastic, whatever the turn; beyond it all of a pure shear but what the stress needs: gamma - tau/G.
 TEST(DruckerPrager, plasticStrain)
 {
     const auto law = DruckerPrager::of(ElasticLaw::of(1e7, 0.3), 30, 0, 2e3);

@@ -21,7 +21,7 @@ const RockKind& kind(const std::string& name)
     throw std::logic_error(name);
 }
 
-/// How far, in diameters, the surface lies within its hull: the largest depth of the middle of two points outside of the surface.
+/// Depth, in diameters, of the surface within its hull: the largest depth of the middle of two points outside of the surface.
 double concavity(const TriangleSurface& s)
 {
     double deepest = 0;

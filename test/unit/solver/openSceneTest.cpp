@@ -1,4 +1,4 @@
-/// What comes in of one suspension and leaves of another: accounts that close to round-off, and the one in the place of the other at the end.
+/// Inflow of one suspension and outflow of another: accounts that close to round-off, and the one in the place of the other at the end.
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>

@@ -31,7 +31,7 @@ void restartEqualsTheWhole(const Files& files, const std::string& end = "0.08", 
         if (whole.has(made)) parts.copyFrom(whole, made);
     const auto log = whole.runWell("sphFoamLike");
 
-    // What is compared must have moved: lists rebuilt between write times, not only at them.
+    // The particles compared must have moved: lists rebuilt between write times, not only at them.
     const auto built = log.rfind("lists built ");
     ASSERT_NE(built, std::string::npos);
     EXPECT_GT(std::stoi(log.substr(built + 12)), rebuilds) << "the case is too quiet to show anything";
@@ -83,7 +83,7 @@ TEST(Restart, OfSurfaceTensionOnceInAStepOfParts)
     stress["system/sphSchemes"] += "surfaceTension interfaceStress;\n";
     restartEqualsTheWhole(stress);
 }
-// What function objects have seen is in the folder that is compared: a fit over the whole run, the first sums, a count of write times.
+// The history of function objects is in the folder that is compared: a fit over the whole run, the first sums, a count of write times.
 TEST(Restart, OfWhatFunctionObjectsHaveSeen)
 {
     auto files = dropCase();

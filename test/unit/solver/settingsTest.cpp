@@ -443,7 +443,7 @@ TEST(Settings, ImplicitTakesItsEntries)
                 "needs steps that sound limits: integration scheme implicit takes longer ones");
 }
 
-// Where surface tension would allow steps 1.5 times as long as sound and stiffness do, an implicit step is the default; a form without an energy, which
+// An implicit step is the default where surface tension would allow steps 1.5 times as long as sound and stiffness do; a form without an energy, which
 // it could not solve for, is warned of.
 TEST(Settings, ChooseAnImplicitStepWhereItPays)
 {
@@ -683,7 +683,7 @@ TEST(Settings, EntriesWithoutAnEffectAreErrors)
     expectError(files, "constant/soilProperties: does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`");
 }
 
-// Of a scene without walls.
+// Rules of walls are refused in a scene without walls.
 TEST(Settings, RulesOfWallsNeedAWall)
 {
     const auto errors = [](const std::string& words)

@@ -74,7 +74,7 @@ TEST(Slip, HalfAChannelIsHalfOfTheWhole)
     }
 }
 
-// From a disordered start the halves lie differently: measured 0.3 % between the flows.
+// The halves lie differently from a disordered start: measured 0.3 % between the flows.
 TEST(Slip, HalfAChannelOfDisorderedParticlesFlowsAlike)
 {
     const auto whole = ran(channelTo("1", "", "0.1")), half = ran(channelTo("0.5", "slip yes;", "0.1"));

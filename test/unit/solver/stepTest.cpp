@@ -130,7 +130,7 @@ TEST(Step, VerletIsOfSecondOrder)
     EXPECT_NEAR(observedOrder("verlet; verletSteps 1000000", 3), 2, 0.2);
 }
 
-/// What alternates from step to step, |v^(n+1) - 2 v^n + v^(n-1)|/|v^n|, at the end of 200 steps, at a twentieth of the longest viscous step of predictorCorrector.
+/// Alternation from step to step, |v^(n+1) - 2 v^n + v^(n-1)|/|v^n|, at the end of 200 steps, at a twentieth of the longest viscous step of predictorCorrector.
 double alternation(const std::string& integrator)
 {
     std::vector<std::vector<double>> last;
@@ -193,7 +193,7 @@ std::pair<double, double> left(const std::string& integrator, double deltaT)
     return {factor, distance(after, expected) / distance(before, std::vector<double>(before.size()))};
 }
 
-// On a lattice the vortex is an eigenvector of the viscous sum, L v = -lambda v. An explicit step gives lambda; one of 1000/lambda then
+// The vortex on a lattice is an eigenvector of the viscous sum, L v = -lambda v. An explicit step gives lambda; one of 1000/lambda then
 // leaves 1/(1 + lambda dt) by Euler, (1 - lambda dt/2)/(1 + lambda dt/2) by Crank and Nicolson.
 TEST(Step, SemiImplicitSolvesTheViscousEquation)
 {
@@ -230,7 +230,7 @@ void expectNoConvergence(const std::string& integrator, const std::string& what)
         EXPECT_NE(std::string(e.what()).find("the implicit " + what + " has not converged in 1 iterations"), std::string::npos) << e.what();
     }
 }
-// With how the residual went.
+// The message tells how the residual went.
 TEST(Step, ASolveThatDoesNotConvergeTellsItsHistory)
 {
     try
@@ -465,7 +465,7 @@ double leastDistance(const std::string& words)
     return 20 * least;
 }
 
-// With a pressure of differences nothing but the transport velocity holds particles apart where streamlines part: measured 0.41 without, 0.79 with.
+// Nothing but the transport velocity holds particles apart where streamlines part, with a pressure of differences: measured 0.41 without, 0.79 with.
 TEST(Step, ATransportVelocityKeepsParticlesApart)
 {
     const std::string words = "density continuity; volume numberDensity; densityDiffusion 0.1; pressureGradient difference;\n";
@@ -751,7 +751,7 @@ TEST(Suspension, MigrationThatIsSolvedForIsOfFirstOrderInTime)
     EXPECT_NEAR(std::log2(coarse / fine), 1, 0.2);
 }
 
-// Within 0.2 % of packed, where mu is 400 times that of the rest of these tests and the capped branch is reached: steps stay finite, phi stays near
+// A suspension within 0.2 % of packed, where mu is 400 times that of the rest of these tests and the capped branch is reached: steps stay finite, phi stays near
 // phi_m (the capped flux lets it pass by a per cent at most) and powder is kept.
 TEST(Suspension, NearPackingStaysBounded)
 {

@@ -143,7 +143,7 @@ TEST(EnclosedVolume, IsExactForPlanes)
                 wall[grid.index(i, j, k)] = x.x + 2 * x.y - 3.3;
             }
     EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, {}).volume, 3.1 * 5 * 6, 1e-10);
-    // In the plane of x and y: the rectangle 3.1 x 5 less the trapezium below y = (3.3 - x)/2.
+    // The section in the plane of x and y: the rectangle 3.1 x 5 less the trapezium below y = (3.3 - x)/2.
     EXPECT_NEAR(enclosedVolume(grid, colour, 0.5, wall).volume, 6 * (3.1 * 5 - 3.1 * (3.3 + 0.2) / 4), 1e-10);
 }
 

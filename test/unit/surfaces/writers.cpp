@@ -36,7 +36,7 @@ template<class Reader> Mesh read(const std::filesystem::path& file)
 
 }
 
-// What is written reads back with the same triangles and area, for a ball of a tenth of a millimetre, too: VTP keeps doubles,
+// A written surface reads back with the same triangles and area, for a ball of a tenth of a millimetre, too: VTP keeps doubles,
 // binary STL single precision (1e-6), OBJ six digits (1e-4 in the area of triangles of a tenth of the radius).
 TEST(SurfaceWriter, FilesReadBack)
 {

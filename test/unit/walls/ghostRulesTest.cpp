@@ -62,7 +62,7 @@ TEST(GhostVelocity, ReflectedContinuesShear)
     EXPECT_NEAR(rule({0.5 + s * d, 0.2}, 0, w.at(d), true).y, -0.2, 1e-15);
 }
 
-// By hand: v_i - v_g = beta (v_i - v_w), beta = min(1.5, 1 + d_g/d).
+// Values by hand: v_i - v_g = beta (v_i - v_w), beta = min(1.5, 1 + d_g/d).
 TEST(GhostVelocity, OfMorrisIsLimited)
 {
     const MovingWall w;

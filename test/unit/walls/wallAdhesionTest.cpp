@@ -11,7 +11,7 @@ namespace sph
 namespace
 {
 
-// Within 5/6 H of a wall: the normal and the angle of the nearest one; beyond, none. The second wall has no contact angle: 90 degrees.
+// Normal and angle of the nearest wall within 5/6 H; beyond, none. The second wall has no contact angle: 90 degrees.
 template<int dim> void nearestWallOfEach()
 {
     const auto points = atHeights<dim>({0.02, 0.2, 0.249, 0.251, 0.45});

@@ -25,7 +25,7 @@ struct Options
     sph::Costs costs;
 };
 
-/// Those asked for, or the one that a run would start from.
+/// Times that the user has asked for, or the one that a run would start from.
 std::vector<std::string> chosenTimes(const sph::Case& theCase, const sph::RunTime& time, const Options& options)
 {
     if (!options.latestTime && options.times.empty()) return {time.startName()};

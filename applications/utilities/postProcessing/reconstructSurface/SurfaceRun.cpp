@@ -237,7 +237,7 @@ void SurfaceRun::showWalls(Scene& scene) const
     if (geometry_.dimension == 2) return;
     scene.walls = wallSurface(space_.grid, distance, geometry);
     if (!settings_.picture.particles) return;
-    // What stands before the plane of the particles would hide them.
+    // Walls before the plane of the particles would hide them.
     const auto& plane = settings_.picture.plane;
     scene.walls = behind(plane, scene.walls);
     scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, space_.grid, geometry));

@@ -21,7 +21,7 @@ struct SurfaceReport
     double area = 0, volume = 0, particleVolume = 0;
     double level = 0.5; ///< of the colour function on it
     int pieces = 0;
-    /// Of the enclosed volume from that of the particles.
+    /// Difference of the enclosed volume from that of the particles [%].
     double differencePercent() const { return particleVolume > 0 ? 100 * (volume / particleVolume - 1) : 0; }
 };
 

@@ -118,7 +118,7 @@ void Sweep::printTable(std::size_t error) const
     const auto front = paretoFront(rows);
     std::vector<std::size_t> order(rows.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    // By cost; what did not end well comes last.
+    // Rows by cost; those that did not end well come last.
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return std::pair(rows[k].status != "ok", rows[k].cpuSeconds); });
 
     std::vector<Cells> cells{

@@ -59,7 +59,7 @@ std::string progressOf(const fs::path& log)
     return time + (time.empty() || cost.empty() ? "" : "  ") + cost;
 }
 
-/// What the application said of its failure, on one line.
+/// Message with which the application failed, on one line.
 std::string failureIn(const fs::path& log)
 {
     const auto tail = tailOf(log);

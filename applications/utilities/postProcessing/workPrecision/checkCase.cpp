@@ -16,7 +16,7 @@ namespace
 
 bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
 
-/// As sphFoamLike begins, with meshToGhost's walls made on the spot.
+/// Reads the case as sphFoamLike begins, with meshToGhost's walls made on the spot.
 void readAsSolver(const Case& c, CaseCheck& check)
 {
     RunTime time(c);

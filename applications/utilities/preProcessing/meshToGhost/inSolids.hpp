@@ -1,4 +1,4 @@
-/// Which particles of time folders lie in walls, and what meshToGhost prints of them.
+/// Particles of time folders that lie in walls, and the text that meshToGhost prints of them.
 #pragma once
 #include "Cloud.hpp"
 #include "Geometry.hpp"
@@ -11,9 +11,9 @@ struct Solid
     std::function<bool(const sph::Vector<3>&)> contains;
 };
 
-/// With its periodic copies.
+/// The solid of a file, with its periodic copies.
 Solid solidOfFile(const std::string& wall, sph::SolidOfFile, const sph::Geometry&);
-/// Of all walls that are no meshes, by their own distances.
+/// Solids of all walls that are no meshes, by their own distances.
 std::vector<Solid> solidsOfShapes(const sph::Geometry&);
 
 /// A line a time, a column a wall; where the first ones are; their number.
