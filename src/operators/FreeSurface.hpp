@@ -6,7 +6,7 @@
 /// support of 2.6 or 3 spacings lambda is 0.49 in the first row of particles, 0.84 to 0.9 in the second and that of the interior behind.
 /// n points out of the fluid. Both are of the raw gradient: B is what a normalisation would be made of.
 ///
-/// V [m^3], lambda [1], n [1/m]. Verified by test/unit/plan (plain loop; rows below a surface).
+/// V [m^3], lambda [1], n [1/m]. Verified by test/unit/operators (plain loop; rows below a surface).
 #pragma once
 #include "GradientCorrection.hpp"
 

@@ -3,7 +3,7 @@
 ///   L_i = B_i^-1,    B_i = -sum_j V_j x_ij gradW_ij,    grad f_i = L_i sum_j V_j (f_j - f_i) gradW_ij
 ///
 /// L is the unit tensor where B has an eigenvalue below 0.1 (0.25 in a corner): lone particles and the tips of films, whose inverse would be noise.
-/// V [m^3], L [1]. It acts on the raw gradient: the correction is its normalisation. Verified by test/unit/plan (plain loop; a linear pressure).
+/// V [m^3], L [1]. It acts on the raw gradient: the correction is its normalisation. Verified by test/unit/operators (plain loop; a linear pressure).
 #pragma once
 #include "fieldTags.hpp"
 

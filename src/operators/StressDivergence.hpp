@@ -2,7 +2,7 @@
 ///
 ///   dv_i/dt = 1/m_i sum_j (S_i V_i^2 + S_j V_j^2) . gradW_ij
 ///
-/// S [Pa] tension positive, V [m^3], m [kg]. Conserves linear momentum exactly. Verified by test/unit/plan (plain loop, momentum).
+/// S [Pa] tension positive, V [m^3], m [kg]. Conserves linear momentum exactly. Verified by test/unit/tension (plain loop, momentum).
 #pragma once
 #include "VelocityGradient.hpp"
 

@@ -1,6 +1,7 @@
 /// The numbers that terms are built from, those that several models share and those that one keeps to itself, read once from the dictionaries of a case. Plain data: terms copy what they need, and
 /// point at the tables, which outlive them.
 #pragma once
+#include "StateEquation.hpp"
 #include "Vector.hpp"
 #include <any>
 #include <map>
@@ -22,10 +23,9 @@ struct Coefficients
     std::vector<double> restDensity; ///< rho_0 of each phase [kg/m^3]
     std::vector<double> viscosity;   ///< mu [Pa s]
     std::vector<double> soundSpeed;  ///< c [m/s]
-    std::vector<double> stiffness;   ///< B = rho_0 c^2/n [Pa]
-    std::vector<double> exponent;    ///< n of the Tait equation; 1 is the linear state
-    double backgroundPressure = 0;   ///< p_b [Pa], the same in all phases
-    double leastPressure = -1e300;   ///< p_min [Pa], at which a fluid that is pulled parts
+    std::vector<StateEquation> stateEquation;
+    double backgroundPressure = 0; ///< p_b [Pa], the same in all phases
+    double leastPressure = -1e300; ///< p_min [Pa], at which a fluid that is pulled parts
 
     std::vector<double> surfaceTension; ///< gamma_kl [N/m], phases x phases
     std::vector<double> wallTension;    ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle

@@ -9,7 +9,7 @@
 ///
 ///   r = lambda dt + sqrt(1 + (lambda dt)^2)
 ///
-/// a step, and a re-coupling step leaves lambda dt/2 of it: stable where r^every lambda dt/2 < 1. Verified by test/unit/solver (Step).
+/// a step, and a re-coupling step leaves lambda dt/2 of it: stable where r^every lambda dt/2 < 1. Verified by test/unit/integrators (Step).
 #pragma once
 #include "Part.hpp"
 #include "State.hpp"

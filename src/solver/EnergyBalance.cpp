@@ -29,14 +29,6 @@ template<int dim> auto positionsOf(const Particles<dim>& particles)
     for (int c = 0; c < dim; ++c) at[std::size_t(c)] = componentOf(particles, Position::info.name, c);
     return [at](std::size_t i) { return valueAt<Vector<dim>>(at, i); };
 }
-
-/// int_(rho_0)^rho (p - p_b)/rho^2 drho [J/kg] of Tait's equation
-double compressionEnergy(double rho, double restDensity, double B, double n)
-{
-    const double q = rho / restDensity;
-    const double power = std::fabs(n - 1) < 1e-9 ? std::log(q) : (std::pow(q, n - 1) - 1) / (n - 1);
-    return B / restDensity * (power + 1 / q - 1);
-}
 }
 
 std::string sourceInWords(const std::map<std::string, double>& workOfEach)
@@ -115,7 +107,7 @@ template<int dim> double EnergyBalance<dim>::compression(const Particles<dim>& p
                [&](std::size_t i)
                {
                    const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-                   return m[i] * compressionEnergy(rho[i], c.restDensity[k], c.stiffness[k], c.exponent[k]);
+                   return m[i] * c.stateEquation[k].energy(rho[i]);
                });
 }
 

@@ -178,8 +178,8 @@ void readPhases(const Case& theCase, Settings& settings)
         {
             c.viscosity.push_back(0);
             settings.chosen[entry::stress.keyword()] = byLaw;
-            for (auto* ofStateEquation : {&c.soundSpeed, &c.stiffness}) ofStateEquation->push_back(0);
-            c.exponent.push_back(1);
+            c.soundSpeed.push_back(0);
+            c.stateEquation.push_back(StateEquation::tait(rho, 0, 1));
             continue;
         }
         c.viscosity.push_back(entry::mu(phase));
@@ -204,9 +204,7 @@ void readPhases(const Case& theCase, Settings& settings)
                         name));
         }
         c.soundSpeed.push_back(sound);
-        const double exponent = entry::exponent(phase);
-        c.exponent.push_back(exponent);
-        c.stiffness.push_back(rho * sqr(sound) / exponent);
+        c.stateEquation.push_back(StateEquation::tait(rho, sound, entry::exponent(phase)));
     }
     if (std::ranges::any_of(settings.automaticSound, [](const auto& where) { return where.has_value(); })) checkExpected(dict, c);
     if (c.phases.empty()) // an error by now: a harmless one for what reads on
@@ -215,7 +213,8 @@ void readPhases(const Case& theCase, Settings& settings)
         settings.automaticSound.resize(1);
         c.surfaceTension = {0};
         c.viscosity = {0};
-        c.restDensity = c.soundSpeed = c.exponent = c.stiffness = {1};
+        c.restDensity = c.soundSpeed = {1};
+        c.stateEquation = {StateEquation::tait(1, 1, 1)};
     }
     dict.reportUnused();
 }

@@ -36,8 +36,7 @@ Figures forcePass(PairLimit& limit, double skin)
     c.restDensity = {1};
     c.viscosity = {0.01};
     c.soundSpeed = {10};
-    c.stiffness = {100.0 / 7};
-    c.exponent = {7};
+    c.stateEquation = {StateEquation::tait(1, 10, 7)};
     c.phases = {"water"};
     c.support = H;
     c.spacing = 1;

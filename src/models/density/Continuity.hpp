@@ -2,7 +2,7 @@
 ///
 ///   drho_i/dt = rho_i sum_j V_j (v_i - v_j) . gradW_ij
 ///
-/// rho [kg/m^3], V [m^3], v [m/s]. Exact for rigid translation. Verified by test/unit/plan (plain loop; uniform expansion).
+/// rho [kg/m^3], V [m^3], v [m/s]. Exact for rigid translation. Verified by test/unit/density (plain loop; uniform expansion).
 #pragma once
 #include "fieldTags.hpp"
 
@@ -24,7 +24,7 @@ struct Continuity
 ///   drho_i/dt = sum_j m_j (v_i - v_j) . gradW_ij
 ///
 /// The derivative of rho_i = sum_j m_j W_ij, so that density and places of the particles part by the integration alone. m [kg], v [m/s]. Exact for rigid
-/// translation; where the density jumps it smears the jump, as the form above does not. Verified by test/unit/plan (plain loop).
+/// translation; where the density jumps it smears the jump, as the form above does not. Verified by test/unit/density (plain loop).
 struct MassContinuity
 {
     static constexpr auto name = "massContinuity";

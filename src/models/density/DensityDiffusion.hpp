@@ -3,7 +3,7 @@
 ///   drho_i/dt += delta h c sum_j 2 (rho_i - rho_j) (x_ij . gradW_ij)/(r_ij^2 + 0.01 h^2) V_j
 ///
 /// delta about 0.1, h = H/2 [m], c [m/s] the largest sound speed, V [m^3]. Between particles of like rest density only: where it
-/// differs the density jumps for good. Verified by test/unit/plan (sign, decay) and tutorials/verification/hydrostatic.
+/// differs the density jumps for good. Verified by test/unit/density (sign, decay) and tutorials/verification/hydrostatic.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

@@ -7,7 +7,7 @@
 /// alone in a corner or a crevice, between images of its own
 ///
 /// Too thin a liquid is then under tension, and contracts. m [kg], V [m^3], h = H/2 [m], c [m/s] the largest sound speed, n [1] the time in which it follows, in
-/// times of sound over h; e = 0.02, more than a lattice at rest or the disorder of a flow differ by. At rest there is none. Verified by test/unit/plan (plain
+/// times of sound over h; e = 0.02, more than a lattice at rest or the disorder of a flow differ by. At rest there is none. Verified by test/unit/density (plain
 /// loop) and test/accuracy/run damBreakByDefault.
 #pragma once
 #include "Coefficients.hpp"

@@ -8,7 +8,7 @@
 /// below 0.05) it is 0, and the form that of Molteni. Without the correction a tank at rest sinks under its own weight: measured on 20
 /// spacings of depth, the centre of mass by 1.1 % in 26 sqrt(depth/g), and by 0.15 % with it.
 ///
-/// delta about 0.1, h = H/2 [m], c [m/s] the largest sound speed, V [m^3]. sum V_i drho_i/dt = 0 exactly. Verified by test/unit/plan
+/// delta about 0.1, h = H/2 [m], c [m/s] the largest sound speed, V [m^3]. sum V_i drho_i/dt = 0 exactly. Verified by test/unit/density
 /// (plain loop; nothing diffuses in a linear density).
 #pragma once
 #include "DensityDiffusion.hpp"

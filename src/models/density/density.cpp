@@ -36,19 +36,20 @@ const Scalar densityDiffusion{"densityDiffusion", units::none, 0, nonNegative, "
 
 namespace
 {
-/// Density over that at rest which has the pressure of the time folder's file [Pa, above the background's], by Tait's law the other way round;
-/// 1 without such a file, or where a phase has no state equation.
+/// Density over that at rest that has the pressure of the time folder's file [Pa, above the background's]; 1 without such a file, or where a law of
+/// its own gives the stress of a phase.
 double compressionAtStart(std::size_t i, const Loading& loading)
 {
     const auto given = loading.cloud.fields.find("p");
     const auto& c = loading.coefficients;
     const auto k = loading.phaseOf(i);
-    if (given == loading.cloud.fields.end() || c.stiffness[k] == 0) return 1;
-    const double p = given->second.component[0][i], ratio = 1 + p / c.stiffness[k];
-    if (ratio <= 0)
+    const auto& equation = c.stateEquation[k];
+    if (given == loading.cloud.fields.end() || equation.B == 0) return 1;
+    const double p = given->second.component[0][i];
+    if (p <= equation.leastPressure())
         throw CaseError(fmt::format("{} has the pressure {:.4g} Pa, and no density gives it in the state equation of {}",
                                     loading.cloud.particle(i), p, c.phases[k]));
-    return std::pow(ratio, 1 / c.exponent[k]);
+    return equation.compression(p);
 }
 
 void densityAtStart(const Loading& loading)

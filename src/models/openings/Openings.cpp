@@ -609,9 +609,10 @@ template<int dim> void Openings<dim>::impose(FieldStore<dim>& store, std::size_t
     const double p = gate.pressure[k] + gate.slope[k] * gate.opening.distance(x_i);
     store.component(HeldPressure::info.name, 0)[i] = p;
     if (!integrates_) return;
-    const double ratio = 1 + (p - coefficients_.backgroundPressure) / coefficients_.stiffness[k];
+    const auto& equation = coefficients_.stateEquation[k];
+    const double least = (1 - leastRatio) * equation.leastPressure();
     store.component(Density::info.name, 0)[i] =
-        coefficients_.restDensity[k] * std::pow(std::max(leastRatio, ratio), 1 / coefficients_.exponent[k]);
+        equation.restDensity * equation.compression(std::max(least, p - coefficients_.backgroundPressure));
 }
 
 template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double deltaT, double time)

@@ -15,37 +15,32 @@
 /// u [m/s] with the mirror images of a displacement, whatever the wall does to velocities. V [m^3], p [Pa], m [kg].
 #pragma once
 #include "Coefficients.hpp"
-#include "Tait.hpp"
 #include "fieldTags.hpp"
 #include <cmath>
 
 namespace sph
 {
 
-/// a = V^2 dp/dsigma = V^2 m c^2, c^2 = c_0^2 (rho/rho_0)^(n-1) of Tait's equation
+/// a = V^2 dp/dsigma = V^2 m dp/drho
 struct StiffnessOfPhase
 {
     static constexpr auto name = "volumeStiffness";
     using Provides = VolumeStiffness;
     using ReadsOwn = Fields<Mass, Volume, Density, Phase>;
-    const double *restDensity, *B, *n;
+    const StateEquation* equation;
 
-    explicit StiffnessOfPhase(const Coefficients& c) : restDensity(c.restDensity.data()), B(c.stiffness.data()), n(c.exponent.data()) {}
-    auto operator()(const auto& i) const
-    {
-        const int k = int(i.phase);
-        return sqr(i.V) * i.m * B[k] * n[k] / restDensity[k] * std::pow(i.rho / restDensity[k], n[k] - 1);
-    }
+    explicit StiffnessOfPhase(const Coefficients& c) : equation(c.stateEquation.data()) {}
+    auto operator()(const auto& i) const { return sqr(i.V) * i.m * equation[int(i.phase)].slope(i.rho); }
 };
 struct UniformStiffness
 {
     static constexpr auto name = "uniformVolumeStiffness";
     using Provides = VolumeStiffness;
     using ReadsOwn = Fields<Mass, Volume, Density>;
-    double restDensity, B, n;
+    StateEquation equation;
 
-    explicit UniformStiffness(const Coefficients& c) : restDensity(c.restDensity[0]), B(c.stiffness[0]), n(c.exponent[0]) {}
-    auto operator()(const auto& i) const { return sqr(i.V) * i.m * B * n / restDensity * std::pow(i.rho / restDensity, n - 1); }
+    explicit UniformStiffness(const Coefficients& c) : equation(c.stateEquation[0]) {}
+    auto operator()(const auto& i) const { return sqr(i.V) * i.m * equation.slope(i.rho); }
 };
 
 struct ChangeAsDisplacement

@@ -1,5 +1,5 @@
 #include "pressureTerms.hpp"
-#include "Pressure.hpp"
+#include "PressureForce.hpp"
 #include "PressureResponse.hpp"
 #include "Tait.hpp"
 

@@ -13,7 +13,7 @@ namespace sph
 ///
 /// V [m^dim] volume, h = H/2 [m], c [m/s], e the wave's direction. Schemes of second order that take the rates of half a step on make undamped waves grow, by (w dt)^4/4 a
 /// step where rates are extrapolated (leapfrog: Adams & Bashforth) and by (w dt)^4/8 where they are evaluated (predictorCorrector: the mid-point rule): a step is
-/// stable as long as D and A take more. How long it may be hangs on the kernel's shape and hardly on its support. Verified by test/unit/solver (StableSound).
+/// stable as long as D and A take more. How long it may be hangs on the kernel's shape and hardly on its support. Verified by test/unit/pressure (StableSound).
 struct DampedSound
 {
     std::string kernel;

@@ -49,7 +49,7 @@ template<int dim> struct ConcentrationAndOthers
 /// s_i knows no phases and moves particles of one into the gaps of another. Lind et al. (2012), and for liquid and gas Mokos et al. (2017), forbid that along
 /// the normal of the liquid's surface and shift the gas freely. At 1000:1 this does not do: a row of water that is shifted along the interface, or away from
 /// it into the water, compresses the water, which is a hundred times as stiff as the air, and its pressure throws the air about. Hence the factor.
-/// src/models/shifting/README.md has the numbers. Verified by test/unit/plan (plain loop; nothing of it towards other phases; a drop of torn phases).
+/// src/models/shifting/README.md has the numbers. Verified by test/unit/shifting (plain loop; nothing of it towards other phases; a drop of torn phases).
 struct WithinPhase
 {
     using Reads = Fields<Volume, Phase>;

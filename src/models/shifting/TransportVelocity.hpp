@@ -10,7 +10,7 @@
 ///
 /// Conserves linear momentum exactly. On evenly spaced particles of order 2; where they lie unevenly A sum gradW stays, as the pressure
 /// does of any sum of pressures. Unlike w . grad v it depends on the frame: a mean flow multiplies that rest.
-/// Verified by test/unit/plan (plain loop, momentum, order) and tutorials/verification/taylorGreen, lidDrivenCavity and
+/// Verified by test/unit/shifting (plain loop, momentum, order) and tutorials/verification/taylorGreen, lidDrivenCavity and
 /// sphereArray.
 #pragma once
 #include "Coefficients.hpp"

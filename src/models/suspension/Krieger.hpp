@@ -10,7 +10,7 @@
 /// migration read the same mu and the same slope. Verified by test/unit/suspension (hand values; continuity of both).
 #pragma once
 #include "Coefficients.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "fieldTags.hpp"
 
 namespace sph

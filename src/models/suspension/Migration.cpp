@@ -1,6 +1,6 @@
 #include "Migration.hpp"
 #include "DivergedError.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "ViscosityFlux.hpp"
 #include "conjugateGradients.hpp"
 #include "reduce.hpp"

@@ -10,7 +10,7 @@
 /// through phi_m there. Verified by test/unit/suspension (antisymmetry, conservation, a steady profile) and tutorials/powderMoulding.
 #pragma once
 #include "Coefficients.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "fieldTags.hpp"
 
 namespace sph

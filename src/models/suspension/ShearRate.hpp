@@ -2,7 +2,7 @@
 /// quotient of gammaDot:gammaDot/2 is under the root, other than in print, so that mu gammaDot is the shear stress.
 #pragma once
 #include "Coefficients.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "fieldTags.hpp"
 #include <cmath>
 

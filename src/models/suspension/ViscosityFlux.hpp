@@ -6,7 +6,7 @@
 /// which J_c limits a step; a step that takes J_eta at its end is left with the latter (Migration.hpp). Verified by test/unit/suspension.
 #pragma once
 #include "Coefficients.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "fieldTags.hpp"
 
 namespace sph

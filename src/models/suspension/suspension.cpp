@@ -1,6 +1,6 @@
 #include "suspension.hpp"
 #include "Migration.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "ViscosityFlux.hpp"
 #include "suspensionTerms.hpp"
 #include <algorithm>

@@ -5,7 +5,7 @@
 ///   S_i  += gamma_kl (|gradC| I/d - gradC gradC/|gradC|)
 ///
 /// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. Its divergence (StressDivergence) is the force.
-/// Verified by test/unit/plan (plain loop), tutorials/verification/laplaceDrop and contactAngle.
+/// Verified by test/unit/tension (plain loop), tutorials/verification/laplaceDrop and contactAngle.
 #pragma once
 #include "terms.hpp"
 

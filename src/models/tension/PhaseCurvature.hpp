@@ -10,7 +10,7 @@
 ///
 /// One normal for each pair of phases, from c_l gradC_k - c_k gradC_l, was not taken: contours of c_k/(c_k + c_l) have no corner where three phases meet, and
 /// nothing there would know the tensions. The force as -gamma_k kappa_k gradC_k came to the same angles with 3 to 5 times the kinetic energy. Verified by
-/// test/unit/plan (plain loop) and tutorials/verification/liquidLens.
+/// test/unit/tension (plain loop) and tutorials/verification/liquidLens.
 #pragma once
 #include "CurvatureForce.hpp"
 #include "NearestWall.hpp"

@@ -24,7 +24,7 @@ namespace sph
 
 /// S of the fluid: one sweep for each other fluid phase, then one for each wall. In the place of InterfaceStress.
 ///
-/// Verified by test/unit/plan (plain loop).
+/// Verified by test/unit/tension (plain loop).
 struct SolidPhaseStress
 {
     static constexpr auto name = "solidPhaseStress";
@@ -70,7 +70,7 @@ struct SolidPhaseStress
 /// a plane; behind curved walls up to d/R; where two walls are nearer to each other than twice the support, ghosts of one have the
 /// other's tension as well. It reads what SolidPhaseStress reads, and is therefore there before images ask for S.
 ///
-/// Verified by test/unit/plan (plain loop, and ghosts' own sums behind plane walls).
+/// Verified by test/unit/tension (plain loop, and ghosts' own sums behind plane walls).
 struct StressOfSolid
 {
     static constexpr auto name = "stressOfSolid";

@@ -5,7 +5,7 @@
 /// alpha about 0.02 for free surfaces of liquids that are taken as inviscid, h = H/2 [m], c [m/s] the largest sound speed, rho_0 [kg/m^3]
 /// the rest density of the first phase, V [m^3], m [kg]. Acts on approach and on recession; as a kinematic viscosity it is alpha h c/8 in
 /// two dimensions and alpha h c/10 in three (Monaghan 2005), which vanishes with the spacing. Conserves linear and angular momentum exactly
-/// and takes kinetic energy only. Verified by test/unit/plan (plain loop, energy) and tutorials/verification/rotatingSquarePatch.
+/// and takes kinetic energy only. Verified by test/unit/viscosity (plain loop, energy) and tutorials/verification/rotatingSquarePatch.
 #pragma once
 #include "Coefficients.hpp"
 #include "fieldTags.hpp"

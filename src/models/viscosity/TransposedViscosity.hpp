@@ -11,10 +11,10 @@
 /// V_i b_i |G_i|^2 <= sum_j mu_ij V_i V_j |dW/dr|/r |v_ij|^2 (Cauchy and Schwarz; the reason for the largest eigenvalue), it never gives more than
 /// Morris' sum takes: together they lose energy in any motion and for any positions, turning like a solid costs nothing, and
 /// (1 - dt L) v_1 = (1 + dt T) v_0, Morris' L implicit and this T explicit, is stable at any step. The step by explicit viscosity stays as well: at short
-/// waves, which limit it, G vanishes. Verified by test/unit/plan (plain loop, momentum, energy, solid rotation).
+/// waves, which limit it, G vanishes. Verified by test/unit/viscosity (plain loop, momentum, energy, solid rotation).
 #pragma once
 #include "Tensor.hpp"
-#include "Viscosity.hpp"
+#include "ViscousForce.hpp"
 
 namespace sph
 {

@@ -267,8 +267,7 @@ TEST(Openings, HoldTheDensityOfTheirPressure)
     Scene scene;
     scene.store.allocateState(Density{});
     scene.evolving.push_back({stateField(Density{}), stateField(DensityRate{})});
-    scene.c.stiffness = {40};
-    scene.c.exponent = {7};
+    scene.c.stateEquation = {{2, 40, 7}};
     scene.fill(-0.6, 1.6, 1, 0);
     Openings<2> openings({outlet(5)}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(openings);

@@ -201,13 +201,14 @@ TEST(Tait, PartsBeyondItsTension)
 {
     auto c = firstPhases(threePhases(2, 0.05, 2.6), 1);
     c.backgroundPressure = 0;
-    c.exponent[0] = 1;
-    c.leastPressure = -0.1 * c.stiffness[0];
+    c.stateEquation[0].n = 1;
+    const double B = c.stateEquation[0].B;
+    c.leastPressure = -0.1 * B;
     Scene<2> s(periodicBox(2), c, {"integratedVolume", "tait"}, true);
     const double strain[] = {0.05, -0.05, -0.1, -0.14, -0.2, -0.5}, expected[] = {0.05, -0.05, -0.1, -0.06, 0, 0};
     for (std::size_t i = 0; i < s.n; ++i) s.store.component("rho", 0)[i] = (1 + strain[i % 6]) * c.restDensity[0];
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
-    for (std::size_t i = 0; i < s.n; ++i) EXPECT_NEAR(s.at(Pressure{}, i), expected[i % 6] * c.stiffness[0], 1e-12 * c.stiffness[0]);
+    for (std::size_t i = 0; i < s.n; ++i) EXPECT_NEAR(s.at(Pressure{}, i), expected[i % 6] * B, 1e-12 * B);
 }
 
 // v = e x in an unbounded medium expands it: drho/dt = -d e rho, up to the error of the sum on a jittered lattice (a few per

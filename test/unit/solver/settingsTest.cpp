@@ -2,7 +2,7 @@
 #include "ArtificialViscosity.hpp"
 #include "Migration.hpp"
 #include "Plane.hpp"
-#include "Suspension.hpp"
+#include "SuspensionConstants.hpp"
 #include "TransportVelocity.hpp"
 #include "readSettings.hpp"
 #include "smallCases.hpp"
@@ -884,7 +884,7 @@ TEST(Settings, ThePowdersPaperIsTakenTermByTerm)
     EXPECT_TRUE(r.settings.has("wallVelocity", "morris"));
     EXPECT_EQ(r.settings.integration.scheme, "predictorCorrector");
     EXPECT_EQ(r.settings.resolution.kernel, "cubicSpline");
-    EXPECT_EQ(r.settings.coefficients.exponent[0], 7);
+    EXPECT_EQ(r.settings.coefficients.stateEquation[0].n, 7);
 
     const auto other = reading(by("walls reflected; wallVelocity reflected; shearRate stress; continuityForm volume;"));
     EXPECT_EQ(other.errors, "");

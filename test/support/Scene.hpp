@@ -44,8 +44,8 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     c.restDensity = {800, 1000, 1.2};
     c.viscosity = {0.3, 0.07, 0.002};
     c.soundSpeed = {12, 15, 40};
-    c.exponent = {7, 7, 1.4};
-    for (int k = 0; k < 3; ++k) c.stiffness.push_back(c.restDensity[k] * sqr(c.soundSpeed[k]) / c.exponent[k]);
+    const double n[]{7, 7, 1.4};
+    for (std::size_t k = 0; k < 3; ++k) c.stateEquation.push_back(StateEquation::tait(c.restDensity[k], c.soundSpeed[k], n[k]));
     c.backgroundPressure = 37;
     c.surfaceTension = {0, 0.03, 0.02, 0.03, 0, 0.07, 0.02, 0.07, 0};
     c.wallTension = {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}; // two walls
@@ -62,7 +62,8 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
 inline Coefficients firstPhases(Coefficients c, int n)
 {
     Coefficients few = c;
-    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed, &few.exponent, &few.stiffness}) list->resize(std::size_t(n));
+    for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed}) list->resize(std::size_t(n));
+    few.stateEquation.resize(std::size_t(n));
     few.phases.resize(std::size_t(n));
     few.surfaceTension.clear();
     few.wallTension.clear();

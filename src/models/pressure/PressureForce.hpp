@@ -9,7 +9,7 @@ namespace sph
 ///
 ///   dv_i/dt = -1/m_i sum_j (p_i V_i^2 + p_j V_j^2) gradW_ij
 ///
-/// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/plan and
+/// p [Pa], V [m^3], m [kg]. Conserves linear and angular momentum exactly. Verified by test/unit/pressure and
 /// tutorials/verification/hydrostatic.
 struct HuAdamsPressure
 {
@@ -57,7 +57,7 @@ struct MonaghanPressure
 ///   dv_i/dt = -sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) gradW_ij
 ///
 /// p [Pa], rho [kg/m^3], m [kg]. With V = m/rho and equal masses the sum of Hu & Adams (2006). Conserves linear and angular momentum exactly; with the
-/// continuity equation by mass it is the gradient of an energy. Verified by test/unit/plan (plain loop).
+/// continuity equation by mass it is the gradient of an energy. Verified by test/unit/pressure (plain loop).
 struct MassWeightedPressure
 {
     static constexpr auto name = "massWeightedPressure";
@@ -100,7 +100,7 @@ struct CorrectedDifferencePressure
 ///
 /// A pair under p_i + p_j < 0 attracts and clumps; p_j - p_i is the same gradient and has no such force. Within two rows of a free surface
 /// (lambda of FreeSurface.hpp) p_i + p_j stays: p = 0 at the surface is its natural boundary condition. Does not conserve momentum
-/// where it is at work. Verified by test/unit/plan (plain loop) and tutorials/verification/rotatingSquarePatch.
+/// where it is at work. Verified by test/unit/pressure (plain loop) and tutorials/verification/rotatingSquarePatch.
 struct TensileControlledPressure
 {
     static constexpr auto name = "tensileControlledPressure";

@@ -71,7 +71,7 @@ template<class MeanViscosity> struct MorrisSum
 ///   dv_i/dt = 1/m_i sum_j 2 mu_ij V_i V_j (dW_ij/dr)/r_ij v_ij
 ///           = -sum_j m_j 4 mu_i mu_j/(mu_i + mu_j) w_ij/(rho_i rho_j) v_ij,    w = -(dW/dr)/r, of the harmonic mean
 ///
-/// The sum above less mu_ij (V_i - V_j)^2. Conserves linear momentum exactly. Verified by test/unit/plan (plain loop).
+/// The sum above less mu_ij (V_i - V_j)^2. Conserves linear momentum exactly. Verified by test/unit/viscosity (plain loop).
 template<class MeanViscosity> struct ClearyMonaghanSum : MorrisSum<MeanViscosity>
 {
     using MorrisSum<MeanViscosity>::MorrisSum;
