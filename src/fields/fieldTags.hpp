@@ -71,6 +71,7 @@ struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1
 struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration", "1/m", Image::mirrored}; template<int dim> struct At { Vector<dim> gradN; }; };
 struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
 struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::ruledChange, nullptr, "U"};       template<int dim> struct At { Vector<dim> dv; }; };
+struct DelayedImpulse      { static constexpr FieldInfo info{"delayedImpulse", "m/s", Image::mirrored};      template<int dim> struct At { Vector<dim> delayed; }; };
 struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct StiffResponse       { static constexpr FieldInfo info{"d2Udt2OfChange", "m/s^3", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct StiffRate           { static constexpr FieldInfo info{"stiffRate", "1/s^2"};                     template<int dim> struct At { double kappa; }; };

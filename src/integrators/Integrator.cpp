@@ -176,6 +176,7 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     }
     if (integration.responses.empty()) return; // an error that viscosity reports
     settings.groups.push_back({ofSolver, integration.responses, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
+    if (integration.solvesPressure) settings.state.push_back({.value = stateField(DelayedImpulse{}), .advancedByModel = true});
     settings.parts.push_back(partOf<ImplicitSolve>());
 }
 

@@ -345,4 +345,3 @@ TEST(TensionTerms, CurvatureFormSharedEvenlyIn3D) { curvatureForm<3>(rawGradient
 }
 
 }
-}
