@@ -213,10 +213,10 @@ void Run::dryRun()
     }
     const auto steps = marks.size() - 1;
     if (steps == 0) return;
-    const auto& [from, clockFrom] = marks[steps - (steps + 2) / 3];
+    const auto last = (steps + 2) / 3;
+    const auto& [from, clockFrom] = marks[steps - last];
     const auto& [now, clockNow] = marks.back();
-    const auto last = double((steps + 2) / 3);
-    const double each = (clockNow - clockFrom) / last, deltaT = (now - from) / last;
+    const double each = (clockNow - clockFrom) / double(last), deltaT = (now - from) / double(last);
     log_ << fmt::format("Estimate  : {:.3g} s of clock a step, {:.3g} s of the run, by the last {} of {} steps in memory, until {} s", each,
                         deltaT, last, steps + 1, time_.name());
     if (time_.endTime() - time_.startTime() < 1e30)

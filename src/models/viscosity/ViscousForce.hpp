@@ -121,7 +121,7 @@ using ClearyMonaghanViscosity = Named<"clearyMonaghanViscosity", MorrisViscosity
 using SinglePhaseClearyViscosity = Named<"singlePhaseClearyViscosity", CentralViscosity<UniformViscosity>>;
 using ClearyViscosity = Named<"clearyViscosity", CentralViscosity<HarmonicMean>>;
 
-/// Response of viscosity for the implicit step (integrators/ImplicitSolve): the same sum over a change of the velocity,
+/// Response of viscosity for the implicit step (integrators/ImplicitSolve): the same sum over a change of the velocity.
 template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisResponse : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
@@ -144,7 +144,7 @@ template<class MeanViscosity> struct CentralResponse : CentralSum<MeanViscosity>
 using SinglePhaseClearyResponse = Named<"singlePhaseClearyResponse", CentralResponse<UniformViscosity>>;
 using ClearyResponse = Named<"clearyResponse", CentralResponse<HarmonicMean>>;
 
-/// and the rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
+/// The rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
 /// centres it is (d + 2)/d times that, the mean over directions.
 template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisRate : Sum<MeanViscosity>
 {

@@ -20,27 +20,13 @@ namespace sph::test
 namespace
 {
 
-/// 20 x 20 particles in a doubly periodic square, a Taylor-Green vortex between two viscous phases or in one.
+/// A Taylor-Green vortex between two viscous phases or in one.
 Cloud vortex(bool twoPhases)
 {
-    Cloud cloud;
-    const double k = 2 * std::numbers::pi;
-    auto &U = cloud.fields["U"], &phase = cloud.fields["phase"];
-    U.type = FieldClass::vector;
-    U.component.resize(3);
-    phase.component.resize(1);
-    for (int a = 0; a < 20; ++a)
-        for (int b = 0; b < 20; ++b)
-        {
-            const double x = (a + 0.5) / 20, y = (b + 0.5) / 20;
-            cloud.x.push_back(x);
-            cloud.y.push_back(y);
-            cloud.z.push_back(0);
-            U.component[0].push_back(std::sin(k * x) * std::cos(k * y));
-            U.component[1].push_back(-std::cos(k * x) * std::sin(k * y));
-            U.component[2].push_back(0);
-            phase.component[0].push_back(twoPhases && b < 10);
-        }
+    auto cloud = vortexOf(1);
+    auto& phase = cloud.fields["phase"].component;
+    phase.resize(1);
+    for (const double y : cloud.y) phase[0].push_back(twoPhases && y < 0.5);
     return cloud;
 }
 

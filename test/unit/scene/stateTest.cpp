@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -132,28 +131,6 @@ Settings toySettings(const std::string& integrator)
     addToys(settings);
     return settings;
 }
-/// A vortex, so that particles are sorted anew.
-Cloud vortex()
-{
-    Cloud cloud;
-    const double k = 2 * std::numbers::pi;
-    auto& U = cloud.fields["U"];
-    U.type = FieldClass::vector;
-    U.component.resize(3);
-    for (int a = 0; a < 20; ++a)
-        for (int b = 0; b < 20; ++b)
-        {
-            const double x = (a + 0.5) / 20, y = (b + 0.5) / 20;
-            cloud.x.push_back(x);
-            cloud.y.push_back(y);
-            cloud.z.push_back(0);
-            U.component[0].push_back(2 * std::sin(k * x) * std::cos(k * y));
-            U.component[1].push_back(-2 * std::cos(k * x) * std::sin(k * y));
-            U.component[2].push_back(0);
-        }
-    return cloud;
-}
-
 /// Value of q after n steps of an integrator with dq/dt = -k q, by its formula.
 double left(const std::string& integrator, double k, double deltaT, int steps)
 {
@@ -176,7 +153,7 @@ TEST(State, IsSteppedByEveryIntegrator)
         SCOPED_TRACE(integrator);
         const auto settings = toySettings(integrator);
         const auto g = periodicSquare();
-        const auto simulation = makeSimulation(settings, g, vortex(), {});
+        const auto simulation = makeSimulation(settings, g, vortexOf(2), {});
         const double deltaT = 0.002;
         for (int s = 0; s < 60; ++s) simulation->step(s * deltaT, deltaT);
         EXPECT_GT(simulation->rebuilds(), 3);
@@ -228,7 +205,7 @@ TEST(State, IsWrittenAndRestarted)
         SCOPED_TRACE(integrator);
         const auto settings = toySettings(integrator);
         const auto g = periodicSquare();
-        const auto whole = makeSimulation(settings, g, vortex(), {});
+        const auto whole = makeSimulation(settings, g, vortexOf(2), {});
         for (int s = 0; s < 20; ++s) whole->step(0, 0.002);
         whole->settle();
         const auto cloud = writtenAndRead(*whole);
@@ -269,7 +246,7 @@ std::string errorOf(const Settings& settings, const Cloud& cloud, const StateNum
 TEST(State, SaysWhatAMissingFileMeansAndWhatCannotBe)
 {
     const auto settings = toySettings("leapfrog");
-    auto cloud = vortex();
+    auto cloud = vortexOf(2);
     EXPECT_EQ(errorOf(settings, cloud), "");
     EXPECT_EQ(errorOf(settings, cloud, {{"densityScale", 1.0}}), "the charge is lost");
     auto& charge = cloud.fields["charge"].component;
@@ -291,7 +268,7 @@ TEST(State, HasThePressureOfTheStart)
         files["constant/phaseProperties"] = "phases (water);\nwater { rho 1000; mu 20; soundSpeed 8; }\n";
         files.erase("constant/g");
         const auto settings = settingsOf(files);
-        auto cloud = vortex();
+        auto cloud = vortexOf(2);
         auto& p = cloud.fields["p"].component;
         p.assign(1, {});
         for (std::size_t i = 0; i < cloud.size(); ++i) p[0].push_back(500 + 300 * cloud.y[i]);
@@ -309,8 +286,8 @@ TEST(State, NeedsTermsThatAreDefined)
 {
     auto settings = toySettings("leapfrog");
     settings.terms.push_back("dekay");
-    EXPECT_NE(errorOf(settings, vortex()).find("term \"dekay\" is unknown. Did you mean \"decay\"?"), std::string::npos)
-        << errorOf(settings, vortex());
+    EXPECT_NE(errorOf(settings, vortexOf(2)).find("term \"dekay\" is unknown. Did you mean \"decay\"?"), std::string::npos)
+        << errorOf(settings, vortexOf(2));
 }
 
 // An inlet asks for the value of what comes in by its own entry. What it holds keeps that; what has come in decays from there.
