@@ -18,8 +18,6 @@ const Choice stress{"stress",
                     {{"stateEquation", "-p I, and the viscous stress"}, {byLaw, "that of constant/soilProperties"}},
                     "stateEquation",
                     "what the stress of the phase is"};
-const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative,
-                       "surface tension of pairs of phases: of none, or of each, 0 included"};
 const VectorParameter gravity{"value", units::mPerS2, required, "gravity"};
 const Text shaking{
     "shaking", notGiven,

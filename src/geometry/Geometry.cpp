@@ -54,6 +54,12 @@ NearestFoot nearestFoot(const Geometry& g, const Vector<3>& x, int except)
     return found;
 }
 
+bool Geometry::bends() const
+{
+    return std::ranges::any_of(patches, [](const Patch& p)
+                               { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
+}
+
 double Geometry::length(int direction) const { return high.*component(direction) - low.*component(direction); }
 
 }

@@ -128,6 +128,8 @@ struct Geometry
         const auto found = std::ranges::find_if(walls, [](const WallProperties& w) { return w.frictionAngle.has_value(); });
         return found == walls.end() ? nullptr : &*found;
     }
+    /// True where some wall is curved or has edges: images behind it have other volumes than their sources.
+    bool bends() const;
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
     /// Lengths below which surfaces touch [m].

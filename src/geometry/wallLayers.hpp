@@ -13,6 +13,11 @@
 namespace sph
 {
 
+namespace entry
+{
+extern const Choice walls;
+}
+
 /// The word `walls` of system/sphSchemes: `reflected` (default) or `layers`.
 bool wallsAreLayers(const Dictionary& sphSchemes);
 EntryList wallLayersEntries();

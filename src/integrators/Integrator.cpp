@@ -82,8 +82,9 @@ std::string chosenScheme(const Reading& reading)
 {
     auto& settings = reading.settings;
     const std::string explicitScheme = "predictorCorrector";
-    if (!settings.surfaceTension || reading.paper() || settings.integratedDensity || !settings.has("pressureGradient", "huAdams") ||
-        reading.theCase.has("constant/openings"))
+    const auto& facts = settings.facts;
+    if (!facts.get<InterfaceForces>().act || reading.paper() || facts.get<IntegratedDensity>().exists ||
+        !facts.get<PressureForce>().hasEnergy() || facts.get<OpenBoundary>().exists)
         return explicitScheme;
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double tension = infinity;
@@ -108,8 +109,8 @@ void prepareTwoLevels(const Reading& reading, const Dictionary& dict)
     for (double* factor : {&f.viscous, &f.diffusive}) *factor *= levels.stableDecay();
     if (settings.integration.maxSubSteps > 1)
         entry::maxSubSteps.error(dict, "goes with steps from one level: verlet's start a step before, take predictorCorrector or leapfrog");
-    for (const auto* file : {"constant/openings", "constant/transportProperties"})
-        if (reading.theCase.has(file))
+    for (const auto& file : {settings.facts.by<OpenBoundary>(), settings.facts.by<VaryingViscosity>()})
+        if (!file.empty())
             entry::scheme.error(dict,
                                 fmt::format("verlet keeps two levels of all particles, and does not go with {}: take predictorCorrector "
                                             "or leapfrog",
@@ -217,7 +218,7 @@ bool scalesALimit(const Reading& reading, double StepFactors::*factor)
             Measured measured;
             measured.maxSpeed = speed;
             measured.maxAcceleration = measured.maxSlowAcceleration = 1;
-            if (settings.variableViscosity && !settings.multiphase()) measured.leastViscosity = measured.largestViscosity = thickness * mu;
+            if (settings.facts.get<VaryingViscosity>().exists) measured.leastViscosity = measured.largestViscosity = thickness * mu;
             const auto isSame = [](const StepLimit& a, const StepLimit& b) { return a.by == b.by && a.deltaT == b.deltaT; };
             if (!std::ranges::equal(reading.limits(settings, measured), reading.limits(halved, measured), isSame)) return true;
         }

@@ -92,9 +92,8 @@ template<int dim> Schedule<dim>& Schedule<dim>::kickOnceAStep()
 template<int dim> Schedule<dim>& Schedule<dim>::complete()
 {
     std::vector<std::string> groups;
-    for (const auto& part : particles_.parts())
-        for (const auto& group : part->completes()) groups.push_back(group);
-    return then({"complete", "at the new velocities", [](Particles<dim>& p, const Substep&) { p.complete(); }, groups});
+    for (const auto& stage : particles_.stages(Place::complete)) groups.insert(groups.end(), stage.groups.begin(), stage.groups.end());
+    return then({"complete", "at the new velocities", [](Particles<dim>& p, const Substep&) { p.run(Place::complete); }, groups});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::measure()
@@ -127,6 +126,14 @@ template<int dim> void Schedule<dim>::print(std::ostream& out) const
                            stage.onceAStep ? " (in the middle one of several parts)" : "");
         for (const auto& group : stage.groups) plan.printGroup(out, plan.group(group), pass, operation);
     }
+    const std::pair<Place, const char*> within[]{{Place::loaded, "once, when particles are loaded"},
+                                                 {Place::start, "once, after the first evaluation"},
+                                                 {Place::exchange, "before particles are sorted"},
+                                                 {Place::sorted, "when lists are built"},
+                                                 {Place::moved, "before an evaluation without sorting"},
+                                                 {Place::complete, "before fields are looked at"}};
+    for (const auto& [place, when] : within)
+        for (const auto& stage : particles_.stages(place)) out << fmt::format("  {}: {}, {}\n", when, stage.name, stage.equation);
     plan.printFields(out, particles_.store());
 }
 

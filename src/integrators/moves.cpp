@@ -33,7 +33,9 @@ template<int dim> void forEachKicked(Particles<dim>& particles, const auto& f)
 template<int dim> void drift(Particles<dim>& p, double deltaT)
 {
     const std::string x = Position::info.name;
-    for (const auto& carrier : p.settings().carriers) advance(p, stateField(Position{}), x, x, carrier, deltaT);
+    advance(p, stateField(Position{}), x, x, Velocity::info.name, deltaT);
+    if (const auto added = p.settings().facts.template get<DriftVelocity>().field; !added.empty())
+        advance(p, stateField(Position{}), x, x, added, deltaT);
     p.driftWalls(deltaT);
 }
 

@@ -26,7 +26,7 @@ static const Choice leakedParticles{"leakedParticles",
 
 EntryList leakGuardEntries() { return {leakedParticles}; }
 
-Leaked readLeakGuard(const Dictionary& sphSchemes) { return Leaked(leakedParticles.index(sphSchemes)); }
+LeakAction readLeakGuard(const Dictionary& sphSchemes) { return LeakAction(leakedParticles.index(sphSchemes)); }
 
 /// The nearest of places around x, on rings up to half a spacing wide, that lies in the fluid.
 template<int dim>
@@ -186,24 +186,24 @@ template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store,
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned; ++i)
     {
-        const Vector<3> before = leaked_ == Leaked::putBack ? Vector<3>{} : place(i);
+        const Vector<3> before = action_ == LeakAction::putBack ? Vector<3>{} : place(i);
         const Found found = keep(x, velocities, i, images);
         if (!found.lost && found.depth == 0) continue;
 #pragma omp critical
         {
-            if (leaked_ == Leaked::remove && std::isfinite(mag(before)))
+            if (action_ == LeakAction::remove && std::isfinite(mag(before)))
             {
                 note(found, before);
                 ++leaks_.removed;
                 removed.push_back(i);
             }
-            else if (found.lost || leaked_ == Leaked::stop)
+            else if (found.lost || action_ == LeakAction::stop)
             {
                 if (i < first)
                 {
                     first = i;
                     worst = found;
-                    if (leaked_ == Leaked::stop && !found.lost)
+                    if (action_ == LeakAction::stop && !found.lost)
                         sph::store(in<dim>(before), [&](int c, double q) { x[std::size_t(c)][i] = q; });
                 }
             }

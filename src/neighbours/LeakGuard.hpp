@@ -13,7 +13,8 @@
 namespace sph
 {
 
-enum class Leaked
+/// What becomes of a particle that is found in a solid.
+enum class LeakAction
 {
     putBack,
     remove,
@@ -21,7 +22,7 @@ enum class Leaked
 };
 
 /// leakedParticles  putBack | remove | stop;      default putBack
-Leaked readLeakGuard(const Dictionary& sphSchemes);
+LeakAction readLeakGuard(const Dictionary& sphSchemes);
 EntryList leakGuardEntries();
 
 /// Account of leaked particles since the start of the run.
@@ -52,7 +53,7 @@ public:
 private:
     const Geometry& geometry_;
     double spacing_, support_; ///< [m]
-    Leaked leaked_;
+    LeakAction action_;
     Leaks leaks_;
 
     struct Found
@@ -69,8 +70,8 @@ private:
     [[noreturn]] void refuse(std::size_t i, const Vector<3>& x, const Found&) const;
 
 public:
-    LeakGuard(const Geometry& geometry, double spacing, double support, Leaked leaked)
-        : geometry_(geometry), spacing_(spacing), support_(support), leaked_(leaked)
+    LeakGuard(const Geometry& geometry, double spacing, double support, LeakAction action)
+        : geometry_(geometry), spacing_(spacing), support_(support), action_(action)
     {}
     /// Guards the first `owned` particles, and returns how many are left; throws CaseError where one is beyond help.
     std::size_t operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);

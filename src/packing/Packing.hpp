@@ -48,7 +48,8 @@ struct PackingPlan
     Location spacingAt, latticeAt, relaxAt;
 
     /// Numbers for the report alone: period of a sphere bed [m], gravity [m/s^2] and the first surface tension [N/m], where given.
-    double bedPeriod = 0, g = 0, surfaceTension = 0;
+    double bedPeriod = 0, g = 0;
+    double bondPerArea = 0; ///< rho g/gamma, the Bond number over the square of a length [1/m^2]; 0 where it is none
 };
 
 /// Reads constant/geometry, constant/phaseProperties, constant/g, system/sphSchemes (`resolution`) and system/packParticlesDict

@@ -1,5 +1,6 @@
 #include "Packing.hpp"
 #include "phaseEntries.hpp"
+#include "sigmaEntry.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -130,7 +131,10 @@ PackingPlan readPackingPlan(const Case& c)
 
     const auto properties = c.dictionary("constant/phaseProperties");
     plan.phases = readPhases(properties);
-    if (const auto pairs = entry::sigma(properties); !pairs.empty()) plan.surfaceTension = pairs.front().value;
+    double heaviest = 0;
+    for (const auto& phase : plan.phases) heaviest = std::max(heaviest, phase.rho);
+    if (const auto pairs = entry::sigma(properties); !pairs.empty() && pairs.front().value > 0)
+        plan.bondPerArea = heaviest * plan.g / pairs.front().value;
 
     std::vector<std::string> names;
     for (const auto& phase : plan.phases) names.push_back(phase.name);

@@ -42,14 +42,11 @@ std::string bed(const PackingPlan& plan, const Packing& packing)
     for (const auto& ball : packing.balls) largest = std::max(largest, ball.radius);
     std::string s = fmt::format("Bed: {} {} a cell, largest radius {:g} m, solid fraction {:.6g}\n", packing.balls.size(),
                                 plan.geometry.dimension == 3 ? "spheres" : "circles", largest, 1 - packing.porosity);
-    if (plan.g > 0 && plan.surfaceTension > 0)
+    if (plan.bondPerArea > 0)
     {
-        double rho = 0;
-        for (const auto& phase : plan.phases) rho = std::max(rho, phase.rho);
-        const double perArea = rho * plan.g / plan.surfaceTension;
-        s += fmt::format("     Bond number rho g R^2/gamma {:.4g}", perArea * largest * largest);
+        s += fmt::format("     Bond number rho g R^2/gamma {:.4g}", plan.bondPerArea * largest * largest);
         if (plan.bedPeriod > 0)
-            s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", perArea * plan.bedPeriod * plan.bedPeriod,
+            s += fmt::format(", rho g L^2/gamma {:.4g} with the period L = {:g} m", plan.bondPerArea * plan.bedPeriod * plan.bedPeriod,
                              plan.bedPeriod);
         s += "\n";
     }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 namespace sph
@@ -27,13 +28,12 @@ struct Coefficients
     double backgroundPressure = 0; ///< p_b [Pa], the same in all phases
     double leastPressure = -1e300; ///< p_min [Pa], at which a fluid that is pulled parts
 
-    std::vector<double> surfaceTension; ///< gamma_kl [N/m], phases x phases
-    std::vector<double> wallTension;    ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
-
     Vector<3> g;         ///< [m/s^2] of the moment, where it varies: who needs it in a run refers to it
     Vector<3> bodyForce; ///< [N/m^3]
 
     double densityScale = 1; ///< makes the mean of sigma V_0 exact
+
+    std::map<std::string, std::vector<double>> constants; ///< of models, that function objects may ask for, by the keyword of their entry
 
     /// Numbers of a model, which it alone knows; throws std::logic_error where there are none.
     template<class T> const T& of() const
@@ -42,6 +42,7 @@ struct Coefficients
         if (found == ofModels_.end()) throw std::logic_error(std::string("the scene has no numbers of ") + typeid(T).name());
         return *std::any_cast<T>(&found->second);
     }
+    template<class T> T& of() { return const_cast<T&>(std::as_const(*this).template of<T>()); }
     template<class T> bool has() const { return ofModels_.contains(std::type_index(typeid(T))); }
     template<class T> void set(T numbers) { ofModels_.insert_or_assign(std::type_index(typeid(T)), std::move(numbers)); }
 

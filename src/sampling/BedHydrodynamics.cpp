@@ -6,6 +6,7 @@
 #include "forEachFoot.hpp"
 #include "readBox.hpp"
 #include "reduce.hpp"
+#include "surfaceTensionOf.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -179,7 +180,7 @@ void BedHydrodynamics::execute(const ParticleView& view)
         });
 
     const auto& liquid = content.at(liquid_);
-    const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = view.surfaceTension;
+    const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = surfaceTensionOf(view);
     const auto superficial = liquid.amount / bed;
     std::vector<std::string> columns{"porosity", "saturation", "holdUp"};
     std::vector<double> scalars{*porosity_, liquid.volume / (*porosity_ * bed), liquid.volume / bed};

@@ -3,6 +3,7 @@
 #include "SampledField.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -63,7 +64,7 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
 {
     Measurement result;
     const double rho_0 = view.restDensity[phase_];
-    if (!(view.surfaceTension > 0))
+    if (!(surfaceTensionOf(view) > 0))
         throw CaseError(where_, "a liquid rises by surface tension, and constant/phaseProperties gives no sigma");
     if (rho_0 < view.restDensity[1 - phase_]) throw CaseError(where_, "the phase that rises in the slit must be the denser one");
     const auto level = [&](const Box& box)
@@ -78,7 +79,7 @@ Measurement CapillaryRise::operator()(const ParticleView& view) const
         return box.low.y + mass / rho_0 / (box.high.x - box.low.x);
     };
     const double w = slit_.high.x - slit_.low.x, W = reservoir_.high.x - reservoir_.low.x;
-    const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = view.surfaceTension;
+    const double cosTheta = std::cos(angle_ * std::numbers::pi / 180), gamma = surfaceTensionOf(view);
     const BosanquetRise rise{gamma,
                              cosTheta,
                              rho_0,

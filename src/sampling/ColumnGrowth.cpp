@@ -5,6 +5,7 @@
 #include "VolumeMean.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -41,7 +42,7 @@ Measurement ColumnGrowth::operator()(const ParticleView& view)
     result.particles = wave.particles;
     const double R = std::sqrt(wave.volume / (pi * L)), amplitude = wave.value();
     const auto fluid = [&](std::size_t phase) { return ModeFluid{view.restDensity[phase], view.viscosity[phase]}; };
-    result.reference = columnMode(k, R, view.surfaceTension, fluid(phase_), fluid(1 - phase_)).real();
+    result.reference = columnMode(k, R, surfaceTensionOf(view), fluid(phase_), fluid(1 - phase_)).real();
 
     if (!(std::abs(amplitude) > largest_)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));

@@ -6,6 +6,7 @@
 #include "VolumeMean.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <limits>
 #include <numbers>
 
@@ -48,7 +49,7 @@ DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
     Rates rates;
     rates.measurement.particles = drop.particles;
     rates.exact =
-        dropMode(2, R, view.surfaceTension, {rho_0, view.viscosity[phase_]}, {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
+        dropMode(2, R, surfaceTensionOf(view), {rho_0, view.viscosity[phase_]}, {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
     const auto found = fitOscillation(history_.times, history_.amplitudes, rates.exact);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     rates.found = found.value_or(std::complex<double>(nan, nan));

@@ -5,6 +5,7 @@
 #include "VolumeMean.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -43,7 +44,7 @@ Measurement InterfaceGrowth::operator()(const ParticleView& view)
     const auto height = groupSums(view.n, 2, phase, [&](std::size_t i) { return VolumeMean<>::of(1, view.y[i]); });
     const std::size_t lower = height[0].value() < height[1].value() ? 0 : 1;
     const auto fluid = [&](std::size_t of) { return ModeFluid{view.restDensity[of], view.viscosity[of]}; };
-    result.reference = planeMode(k, depth_, -view.g.y, view.surfaceTension, fluid(lower), fluid(1 - lower)).real();
+    result.reference = planeMode(k, depth_, -view.g.y, surfaceTensionOf(view), fluid(lower), fluid(1 - lower)).real();
 
     if (!(std::abs(amplitude) * k > largest_ * 2 * std::numbers::pi)) history_.add(view.time, amplitude);
     const auto found = fitGrowth(history_.times, history_.amplitudes, std::abs(result.reference));

@@ -4,6 +4,7 @@
 #include "VolumeMean.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <limits>
 
 namespace sph
@@ -25,7 +26,7 @@ Measurement LaplaceJump::operator()(const ParticleView& view) const
 {
     const Drop drop = dropOrBubble(view, phase_);
     const double R = radius_ > 0 ? radius_ : drop.radius(view.dimension);
-    const double gamma = sigma_ > 0 ? sigma_ : view.surfaceTension;
+    const double gamma = sigma_ > 0 ? sigma_ : surfaceTensionOf(view);
     const SampledField p(view, "p", {});
 
     enum Side : std::size_t

@@ -4,6 +4,7 @@
 #include "VolumeMean.hpp"
 #include "reduce.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
@@ -70,7 +71,7 @@ EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry:
 
 CapillaryBridge LiquidBridge::atRest(const ParticleView& view) const
 {
-    if (!(view.surfaceTension > 0)) throw CaseError(where_, "a bridge has surface tension, and constant/phaseProperties gives no sigma");
+    if (!(surfaceTensionOf(view) > 0)) throw CaseError(where_, "a bridge has surface tension, and constant/phaseProperties gives no sigma");
     try
     {
         return {view.dimension, radius_, gap_, volumeOf(view, phase_), angle_};
@@ -107,7 +108,7 @@ Measurement BridgeNeck::operator()(const ParticleView& view) const
 Measurement BridgePressure::operator()(const ParticleView& view) const
 {
     Measurement result;
-    result.reference = view.surfaceTension * atRest(view).curvature();
+    result.reference = surfaceTensionOf(view) * atRest(view).curvature();
     const VolumeFraction fraction(view, phase_);
     const SampledField p(view, "p", {});
     enum Side : std::size_t

@@ -3,6 +3,7 @@
 #include "SphereFit.hpp"
 #include "VolumeFraction.hpp"
 #include "sharedEntries.hpp"
+#include "surfaceTensionOf.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -101,8 +102,7 @@ LiquidLens::Shape LiquidLens::fitted(const ParticleView& view) const
 LiquidLens::Shape LiquidLens::exact(const ParticleView& view) const
 {
     Shape shape;
-    const std::size_t n = view.phases.size();
-    const auto gamma = [&](std::size_t a, std::size_t b) { return view.surfaceTensions.at(a * n + b); };
+    const auto gamma = [&](std::size_t a, std::size_t b) { return surfaceTensionOf(view, a, b); };
     const double plane = gamma(around_[0], around_[1]), one = gamma(phase_, around_[0]), two = gamma(phase_, around_[1]);
     const auto angle = [&](double own, double other) { return std::acos((plane * plane + own * own - other * other) / (2 * plane * own)); };
     const double theta1 = angle(one, two), theta2 = angle(two, one);

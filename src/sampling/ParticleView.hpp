@@ -29,8 +29,7 @@ struct ParticleView
     const double* heldBy = nullptr; ///< > 0 of particles that openings hold beyond their planes; null where there are none
     std::vector<std::string> phases;
     std::vector<double> restDensity, soundSpeed, viscosity; ///< of each phase [kg/m^3], [m/s], [Pa s]
-    double surfaceTension = 0;                              ///< of the first pair of phases [N/m]; 0 where there is none
-    std::vector<double> surfaceTensions;                    ///< of each pair, phases x phases [N/m]
+    std::map<std::string, std::vector<double>> constants;   ///< of models, by the keyword of their entry
     Vector<3> g;                                            ///< gravity or driving acceleration of the first phase [m/s^2]
     Vector<3> gravity, bodyForce;                           ///< that act at the view's time [m/s^2], [N/m^3]
     double spacing = 0, support = 0;                        ///< [m]

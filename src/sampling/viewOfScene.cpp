@@ -11,8 +11,7 @@ ParticleView viewOfScene(const Coefficients& c, const Vector<3>& gravity, const 
     v.restDensity = c.restDensity;
     v.soundSpeed = c.soundSpeed;
     v.viscosity = c.viscosity;
-    v.surfaceTension = c.phases.size() > 1 ? c.surfaceTension[1] : 0;
-    v.surfaceTensions = c.surfaceTension;
+    v.constants = c.constants;
     v.gravity = gravity;
     v.bodyForce = c.bodyForce;
     v.g = gravity + c.bodyForce / c.restDensity[0];

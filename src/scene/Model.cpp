@@ -1,9 +1,12 @@
 #include "Model.hpp"
 #include "addDefaults.hpp"
+#include "schemeSets.hpp"
 #include <fmt/format.h>
 
 namespace sph
 {
+
+bool Reading::paper() const { return settings.has(entry::scheme, "paper"); }
 
 const std::string& Reading::choose(const Choice& entry, const std::string& fallback) const
 {

@@ -22,11 +22,13 @@ struct Reading
     const Case& theCase;
     const Geometry& geometry;
     const Dictionary& schemes; ///< system/sphSchemes
+    const Dictionary& phases;  ///< constant/phaseProperties
     Settings& settings;
     /// Limits of the step, as far as the settings have been read: what a default may hang on.
     std::vector<StepLimit> (*limits)(const Settings&, const Measured&);
 
-    bool paper() const { return settings.has("scheme", "paper"); }
+    /// Whether the set of words is that of the paper on beds.
+    bool paper() const;
     /// The word of an entry of system/sphSchemes, and keeps it.
     const std::string& choose(const Choice& entry, const std::string& fallback) const;
     const std::string& choose(const Choice& entry) const { return choose(entry, entry.info().fallback); }
@@ -65,6 +67,8 @@ struct Model
     std::vector<Conflict> conflicts = {};      ///< looked at when all have read
     std::vector<Limit> limits = {};            ///< of the step, where particles move
     std::vector<FileEntries> entries = {};     ///< for the reference of entries
+    void (*declare)(const Reading&) =
+        nullptr; ///< before a set of schemes is chosen and any model prepares: facts that files say by themselves
 
     template<int dim> const Catalogue<dim>& terms() const
     {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,12 @@ template<int dim> struct Stage
 /// Hooks of a step: the places at which stages of models join those of an integrator.
 enum class Place
 {
+    loaded,   ///< once, when the particles of a time folder have been loaded, before any are removed or inserted
+    start,    ///< once, after the first evaluation of a run or the loading of a restart, before what acts once a step is evaluated
+    exchange, ///< before each sorting: removes and inserts particles (Particles::setSize)
+    sorted,   ///< after particles have been sorted and lists have been built
+    moved,    ///< at new positions before an evaluation between two sortings
+    complete, ///< after an evaluation: fields that output, log and limits need beyond it, at the present state
     beforeDrift,
     beforeEvaluation, ///< positions are those that forces are taken at, velocities still those of the start of the step
     afterEvaluation,  ///< after each evaluation: also at the start, and before fields are written
@@ -51,6 +58,10 @@ enum class Place
     afterDrift,
     atEnd
 };
+
+/// Places that lie within a stage of the step, and those of the start.
+inline constexpr Place withinStages[]{Place::loaded, Place::start,           Place::exchange, Place::sorted,
+                                      Place::moved,  Place::afterEvaluation, Place::complete};
 
 /// A step that is stable, and the criterion that binds.
 struct StepLimit
@@ -61,25 +72,21 @@ struct StepLimit
     const FieldInfo* field = nullptr; ///< field whose largest value, of one particle, sets the limit; none where constants of the scene do
 };
 
+/// Energy that a model stores in the fluid [J], per metre of depth in 2-D.
+struct StoredEnergy
+{
+    std::string of; ///< what stores it: "interfaces"
+    double value;
+    bool isHeld =
+        true; ///< held against what the scene has supplied; else it is a supply at the start alone, as compression is, which sound carries
+};
+
 template<int dim> class Part
 {
 public:
     virtual ~Part() = default;
     /// Stages that join the step at a place, in order.
     virtual std::vector<Stage<dim>> stages(Place) { return {}; }
-    /// Called once, when the particles of a time folder have been loaded, before any are removed or inserted.
-    virtual void loaded(Particles<dim>&) {}
-    /// Removes and inserts particles before the sorting, and returns how many there are now.
-    virtual std::size_t exchange(Particles<dim>&, std::size_t owned) { return owned; }
-    /// Called at new positions before an evaluation between two sortings.
-    virtual void moved(Particles<dim>&) {}
-    /// Called after particles have been sorted and lists have been built.
-    virtual void sorted(Particles<dim>&) {}
-    /// Called after each change of the arrays.
-    virtual void bind(Particles<dim>&) {}
-    /// Computes the fields that output, log and limits need beyond an evaluation, at the present state; and the groups that it evaluates.
-    virtual void complete(Particles<dim>&) {}
-    virtual std::vector<std::string> completes() const { return {}; }
     /// A number that an observation must leave as it was, and its return.
     virtual double memory() const { return 0; }
     virtual void recall(double) {}
@@ -100,6 +107,10 @@ public:
     virtual void save(Numbers&) const {}
     /// Power of the model upon the fluid in the last step [W].
     virtual double power() const { return 0; }
+    /// Energy that the model stores at the present state.
+    virtual std::optional<StoredEnergy> energy(const Particles<dim>&) const { return {}; }
+    /// The most that the model may give to motion from its start on, besides its energy and power [J]; `mass` of each phase in the scene [kg].
+    virtual double supply(const Particles<dim>&, const std::vector<double>& /*mass*/) const { return 0; }
     virtual std::size_t bytes() const { return 0; }
 };
 

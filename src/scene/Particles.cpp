@@ -89,7 +89,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
                     : nullptr),
       images_(geometry_, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
               skinInSpacings * settings.resolution.spacing, halo_.get()),
-      leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.leaked),
+      leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.facts.get<LeakedParticles>().action),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
       owned_(cloud.size()),
       skin_(skinInSpacings * settings.resolution.spacing)
@@ -102,21 +102,19 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
-    if (settings.continuesInterfaces) images_.continueInterfaces();
-    if (images_.layers() ? images_.layers()->weighted() : settings.weighted) store_.allocate(ImageWeight{});
+    if (settings.facts.get<InterfacesBehindWalls>().straight) images_.continueInterfaces();
+    if (images_.layers() ? images_.layers()->weighted() : geometry_.bends()) store_.allocate(ImageWeight{});
     for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
-    afterEvaluation_ = stages(Place::afterEvaluation);
+    for (const auto place : withinStages) joined_[place] = stages(place);
     store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
     load(std::move(cloud), !restored.empty());
-    for (const auto& part : parts_) part->loaded(*this);
-    const auto scale = restored.find("densityScale");
-    if (scale != restored.end()) coefficients_.densityScale = scale->second;
+    run(Place::loaded);
     rebuild();
     checkApart();
     if (restored.empty()) evaluate();
-    if (settings.normaliseDensity && scale == restored.end()) normaliseDensity();
+    run(Place::start);
     if (restored.empty() && plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-    if (restored.empty()) complete();
+    if (restored.empty()) run(Place::complete);
     else observe();
 }
 
@@ -126,6 +124,15 @@ template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(Place place) co
     for (const auto& part : parts_)
         for (auto& stage : part->stages(place)) all.push_back(std::move(stage));
     return all;
+}
+
+template<int dim> void Particles<dim>::run(Place place)
+{
+    for (const auto& stage : joined_.at(place))
+    {
+        stage.run(*this, {});
+        ++joinedRuns_[stage.name];
+    }
 }
 
 template<int dim> void Particles<dim>::allocateState()
@@ -164,11 +171,6 @@ template<int dim> void Particles<dim>::load(Cloud cloud, bool restarted)
         if (evolving.loaded) evolving.loaded(loading);
         if (evolving.check) evolving.check(loading);
     }
-    if (const auto onDisk = cloud.fields.find(Mass::info.name); onDisk != cloud.fields.end() && total() > 0)
-    {
-        const double *m = store_.component(Mass::info.name, 0), *m_0 = onDisk->second.component[0].data();
-        startCompression_ = sum(owned_, [&](std::size_t i) { return m[i] / m_0[i]; }) / double(total());
-    }
     for (const auto& rate : settings_.keptRates())
         if (restarted && cloud.fields.contains(rate.name)) copyNumbers(cloud, rate.name, rate.type(dim), arraysOf(rate));
 }
@@ -177,7 +179,7 @@ template<int dim> void Particles<dim>::rebuild()
 {
     // While lists are still those of the particles as they stand.
     if (halo_) halo_->balance(store_, owned_, settings_.maxImbalance, [this] { return costs(); });
-    for (const auto& part : parts_) owned_ = part->exchange(*this, owned_);
+    run(Place::exchange);
     owned_ = leakGuard_(store_, owned_, images_);
     if (halo_) owned_ = halo_->migrate(store_, owned_);
     {
@@ -186,7 +188,7 @@ template<int dim> void Particles<dim>::rebuild()
         store_.sortState(cells.order(), plan_.idle());
     }
     makeLists();
-    for (const auto& part : parts_) part->sorted(*this);
+    run(Place::sorted);
     travelled_ = 0;
     ++rebuilds_;
 }
@@ -223,7 +225,6 @@ template<int dim> void Particles<dim>::bind()
 {
     images_.bindRules();
     plan_.bind(store_, coefficients_);
-    for (const auto& part : parts_) part->bind(*this);
 }
 
 template<int dim> void Particles<dim>::driftWalls(double deltaT)
@@ -254,7 +255,7 @@ template<int dim> void Particles<dim>::evaluate()
     if (travelled_ > 0.5 * skin_) rebuild();
     else
     {
-        for (const auto& part : parts_) part->moved(*this);
+        run(Place::moved);
         images_.move(store_);
     }
     evaluateFirst();
@@ -263,7 +264,7 @@ template<int dim> void Particles<dim>::evaluate()
 template<int dim> void Particles<dim>::evaluateFirst()
 {
     plan_.evaluate(store_, images_, lists_, kernel_);
-    for (const auto& stage : afterEvaluation_) stage.run(*this, {});
+    run(Place::afterEvaluation);
 }
 
 template<int dim> void Particles<dim>::evaluate(const std::string& group, double deltaT)
@@ -330,7 +331,7 @@ template<int dim> void Particles<dim>::observe()
         {
             evaluateFirst();
             if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-            complete();
+            run(Place::complete);
             observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
         });
 }
@@ -392,32 +393,6 @@ template<int dim> std::size_t Particles<dim>::bytes() const
     std::size_t n = store_.bytes() + images_.bytes() + plan_.bytes();
     for (const auto& part : parts_) n += part->bytes();
     return n;
-}
-
-/// Scales the number density so that its mean is exact, that at rest or what a pressure at the start has made of it: the kernel sum over a packing is 0.7 to 1 % off by itself. Where some particles lack
-/// neighbours a square or cubic lattice stands for the packing.
-template<int dim> void Particles<dim>::normaliseDensity()
-{
-    if (settings_.endsInside)
-    {
-        const double dx = coefficients_.spacing;
-        const int n = int(coefficients_.support / dx) + 1;
-        double sum = 0;
-        for (int i = -n; i <= n; ++i)
-            for (int k = -n; k <= n; ++k)
-                for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l)
-                    sum += kernel_.W(dx * std::sqrt(double(i * i + k * k + l * l)));
-        coefficients_.densityScale = 1 / (std::pow(dx, dim) * sum);
-        bind();
-        return evaluate();
-    }
-    const double *m = store_.component("m", 0), *V = store_.component("V", 0);
-    const double* phase = settings_.multiphase() ? store_.component("phase", 0) : nullptr;
-    coefficients_.densityScale *=
-        startCompression_ * double(total()) /
-        sum(owned_, [&](std::size_t i) { return m[i] / coefficients_.restDensity[phase ? int(phase[i]) : 0] / V[i]; });
-    bind();
-    evaluate();
 }
 
 template class Particles<2>;

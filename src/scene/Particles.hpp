@@ -44,6 +44,10 @@ public:
     const MovingWalls& movingWalls() const { return movingWalls_; }
 
     std::size_t size() const { return owned_; }
+    /// Number of particles after some have come in or gone, in stages of Place::exchange.
+    void setSize(std::size_t owned) { owned_ = owned; }
+    /// Place of a particle or an image [m].
+    Vector<dim> position(std::size_t i) const;
     /// Number of particles of all ranks.
     std::size_t total() const;
     const Settings& settings() const { return settings_; }
@@ -51,6 +55,12 @@ public:
     const Coefficients& coefficients() const { return coefficients_; }
     /// Sets the gravity of the evaluations from now on [m/s^2].
     void setGravity(const Vector<3>& g) { coefficients_.g = g; }
+    /// Sets the scale of the number density, of the evaluations from now on.
+    void setDensityScale(double scale)
+    {
+        coefficients_.densityScale = scale;
+        bind();
+    }
     FieldStore<dim>& store() { return store_; }
     const FieldStore<dim>& store() const { return store_; }
     Images<dim>& images() { return images_; }
@@ -62,6 +72,10 @@ public:
     const std::vector<std::unique_ptr<Part<dim>>>& parts() const { return parts_; }
     /// Stages with which all parts join a place.
     std::vector<Stage<dim>> stages(Place) const;
+    /// Runs them at a place that lies within a stage of the step: an evaluation, the making of lists, an observation.
+    void run(Place);
+    /// Number of runs of each of those, by name.
+    const std::map<std::string, long>& joinedRuns() const { return joinedRuns_; }
 
     /// Particles whose state is prescribed: rates leave them alone.
     std::span<const int> held() const { return held_; }
@@ -71,10 +85,6 @@ public:
     void holdRate(const std::string& field, double deltaT)
     {
         for (const auto& part : parts_) part->holdRate(*this, field, deltaT);
-    }
-    void complete()
-    {
-        for (const auto& part : parts_) part->complete(*this);
     }
     /// Whether the state is one between prediction and correction: the values at the start of the step are then in q_0 (Evolving::startName).
     bool predicted() const { return predicted_; }
@@ -86,7 +96,6 @@ public:
     /// Largest acceleration when last observed [m/s^2].
     double observedAcceleration() const { return observedAcceleration_; }
     double skin() const { return skin_; } ///< skin of the lists [m]
-    double densityScale() const { return coefficients_.densityScale; }
     long rebuilds() const { return rebuilds_; }
     const Leaks& leaks() const { return leakGuard_.leaks(); }
     std::size_t bytes() const;
@@ -107,11 +116,11 @@ private:
     NeighbourLists<dim> lists_;
     Kernel<dim> kernel_;
     std::vector<std::unique_ptr<Part<dim>>> parts_;
-    std::vector<Stage<dim>> afterEvaluation_;
+    std::map<Place, std::vector<Stage<dim>>> joined_;
+    std::map<std::string, long> joinedRuns_;
     std::vector<int> held_;
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0, maxSpeed_ = 0, observedAcceleration_ = 0;
-    double startCompression_ = 1; ///< mean of density over that at rest which a pressure at the start asks for
     long rebuilds_ = 0;
     bool predicted_ = false;
 
@@ -120,8 +129,6 @@ private:
     void allocateState();
     void load(Cloud, bool restarted);
     void checkApart() const;
-    Vector<dim> position(std::size_t i) const;
-    void normaliseDensity();
     void bind();
     /// Evaluates the first group and the stages that join it, for the present positions and images.
     void evaluateFirst();

@@ -2,8 +2,8 @@
 #pragma once
 #include "Case.hpp"
 #include "Coefficients.hpp"
+#include "Facts.hpp"
 #include "Geometry.hpp"
-#include "LeakGuard.hpp"
 #include "Part.hpp"
 #include "Plan.hpp"
 #include "Resolution.hpp"
@@ -53,6 +53,7 @@ struct Settings
 {
     Resolution resolution;
     Coefficients coefficients;
+    Facts facts; ///< what the models tell one another
     Integration integration;
     std::string shaking; ///< acceleration added to gravity, an expression of `$t` (Shaking.hpp); empty where there is none
 
@@ -65,32 +66,24 @@ struct Settings
     std::map<std::string, std::vector<StateField>> ruleReads; ///< by field: fields that the rule of its images reads of their source
     Catalogue<2> terms2;                                      ///< terms of models that come in any number, beside the catalogues
     Catalogue<3> terms3;
-    std::vector<std::pair<std::string, std::string>> shown;         ///< derived fields in time folders: name, and that on disk
-    std::vector<PartMaker> parts;                                   ///< models that do more at run time than terms can say
-    std::vector<std::string> reasons;                               ///< choices made for the user, and why: one line each for the log
-    std::string energyAdvice = "a smaller factor in `integration`"; ///< advice where a run gains energy
+    std::vector<std::pair<std::string, std::string>> shown; ///< derived fields in time folders: name, and that on disk
+    std::vector<PartMaker> parts;                           ///< models that do more at run time than terms can say
+    std::vector<std::string> reasons;                       ///< choices made for the user, and why: one line each for the log
 
-    std::map<std::string, std::string> chosen;              ///< by entry: the word that a model has chosen
-    std::vector<std::string> carriers{Velocity::info.name}; ///< fields that particles drift by
-    std::map<std::string, FieldClass> fieldClasses;         ///< classes of all fields that the models know, in this scene or not
+    std::map<std::string, std::string> chosen;      ///< by entry: the word that a model has chosen
+    std::map<std::string, FieldClass> fieldClasses; ///< classes of all fields that the models know, in this scene or not
     Names apart; ///< separate sums: fields into which some forces are summed besides the acceleration (the force on a wall, say)
     /// Fields of models that the scene does not have, and the message where a dictionary gives one.
     std::map<std::string, std::string> absent;
 
-    Leaked leaked = Leaked::putBack;                     ///< action on a particle found in a solid
     std::vector<std::optional<Location>> automaticSound; ///< by phase: entry that leaves the sound speed to the suite
-    bool variableViscosity = false;                      ///< viscosity is a field of the particles
-    bool integratedDensity = false;                      ///< density is integrated
-    bool normaliseDensity = true;
-    bool stiffnessLimit = false;      ///< Hu-Adams pressure between phases: c_eff = sqrt(max rho c^2/min rho) limits the step
-    bool surfaceTension = false;      ///< surface tension acts between phases
-    bool continuesInterfaces = false; ///< interfaces go straight on behind walls
-    bool endsInside = false;          ///< some particles lack neighbours: at a free surface, or at the end of an opening's buffer
-    bool weighted = false;            ///< some wall is curved or has edges: images carry volume factors
-    bool needsParticles = true;       ///< particles must be there at the start; else they come in
-    double maxImbalance = 1.02;       ///< of ranks: recent processor time of the busiest over the mean
+    double maxImbalance = 1.02;                          ///< of ranks: recent processor time of the busiest over the mean
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
+    /// Whether viscosity is a field of the particles.
+    bool hasViscosityField() const { return multiphase() || facts.get<VaryingViscosity>().exists; }
+    /// Whether some particles lack neighbours: at a free surface, or at the end of an opening's buffer.
+    bool endsInside() const { return facts.get<FreeSurface>().exists || facts.get<OpenBoundary>().exists; }
     /// Rates that the next step begins with: they are state, as the fields that they change.
     std::vector<StateField> keptRates() const
     {
@@ -126,9 +119,10 @@ struct Settings
         for (const auto& [name, file] : written()) onDisk[file] = classes.at(name);
         return onDisk;
     }
-    bool has(const std::string& entry, const std::string& word) const
+    /// Whether a model has chosen this word of its entry.
+    bool has(const Choice& entry, const std::string& word) const
     {
-        const auto found = chosen.find(entry);
+        const auto found = chosen.find(entry.keyword());
         return found != chosen.end() && found->second == word;
     }
     template<int dim> const Catalogue<dim>& ownTerms() const

@@ -49,7 +49,7 @@ template<int dim> class Simulation final : public AnySimulation
         if (!settings_.integration.moves && restored.empty())
         {
             for (const auto& stage : particles_.stages(Place::solve)) stage.run(particles_, {});
-            particles_.complete();
+            particles_.run(Place::complete);
         }
         auto summary = measured();
         const auto restore = [&](const std::string& name, double& value)
@@ -93,7 +93,7 @@ public:
           particles_(settings, geometry, terms_, std::move(cloud), restored),
           schedule_(particles_, [this](double deltaT) { measure(deltaT); }),
           summary_(firstSummary(restored)),
-          energy_(particles_, settings_, particles_.geometry(), summary_)
+          energy_(particles_, summary_)
     {
         if (goesOn_) energy_.restore(restored);
         integratorOf(settings.integration.scheme).stages(schedule_);
@@ -160,7 +160,6 @@ public:
     StateNumbers state() const override
     {
         StateNumbers numbers;
-        if (settings_.normaliseDensity) numbers["densityScale"] = particles_.densityScale();
         if (particles_.movingWalls().any()) numbers[wallTime] = particles_.movingWalls().time();
         numbers[lastName("maxAcceleration")] = summary_.maxAcceleration;
         numbers[lastName("observedAcceleration")] = particles_.observedAcceleration();
@@ -180,6 +179,7 @@ public:
         all.insert(schedule_.counts().begin(), schedule_.counts().end());
         return all;
     }
+    const std::map<std::string, long>& countsWithin() const override { return particles_.joinedRuns(); }
     std::string introduction() const override
     {
         return ofParts([](const auto& part) { return part.introduction(); });
@@ -253,7 +253,7 @@ private:
 
 std::unique_ptr<AnySimulation> makeSimulation(const Settings& settings, const Geometry& geometry, Cloud cloud, const StateNumbers& restored)
 {
-    if (settings.needsParticles && ofAllRanks(cloud.size(), std::size_t(0), Add{}) == 0)
+    if (!settings.facts.get<OpenBoundary>().exists && ofAllRanks(cloud.size(), std::size_t(0), Add{}) == 0)
         throw CaseError("there are no particles: has packParticles been run?");
     if (geometry.dimension == 2) return std::make_unique<Simulation<2>>(settings, geometry, std::move(cloud), restored);
     return std::make_unique<Simulation<3>>(settings, geometry, std::move(cloud), restored);

@@ -40,12 +40,25 @@ struct Summary
 /// The energy that the fluid holds and that it was given (EnergyBalance.hpp); per metre of depth in 2-D.
 struct Energy
 {
-    double kinetic = 0, interfaces = 0, compression = 0; ///< [J]
-    double supplied = 0;                                 ///< the most that the scene can have given since the start [J]
-    double work = 0;                                     ///< since the start, of gravity, of the body force and of models [J]
-    Vector<3> impulse;                                   ///< since the start, of gravity and body force [kg m/s]
+    double kinetic = 0;               ///< [J]
+    std::vector<StoredEnergy> stored; ///< of models
+    double supplied = 0;              ///< the most that the scene can have given since the start [J]
+    double work = 0;                  ///< since the start, of gravity, of the body force and of models [J]
+    Vector<3> impulse;                ///< since the start, of gravity and body force [kg m/s]
 
-    double held() const { return kinetic + interfaces; }
+    double held() const
+    {
+        double sum = kinetic;
+        for (const auto& of : stored)
+            if (of.isHeld) sum += of.value;
+        return sum;
+    }
+    double allStored() const
+    {
+        double sum = 0;
+        for (const auto& of : stored) sum += of.value;
+        return sum;
+    }
 };
 
 /// A simulation as an application sees it, whatever its dimension.
@@ -86,6 +99,8 @@ public:
     /// Counts how often each stage, and each operation as "group/term", has run since the counting began.
     virtual void count() = 0;
     virtual std::map<std::string, long> counts() const = 0;
+    /// Counts since the start how often each stage of a model has run that joins an evaluation, a sorting or an observation.
+    virtual const std::map<std::string, long>& countsWithin() const = 0;
     /// Texts of the models: at the start; at a report; on the line of the step.
     virtual std::string introduction() const = 0;
     virtual std::string report() const = 0;

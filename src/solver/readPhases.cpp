@@ -41,57 +41,25 @@ struct Expected
     }
 };
 
-Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double rho)
+Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double rho, double interfaceEnergy)
 {
     Expected most;
     const auto expected = entry::expected(dict);
     const double depth = entry::depth(expected), radius = entry::radius(expected);
-    double gamma = 0;
-    for (double s : c.surfaceTension) gamma = std::max(gamma, s);
     most.consider(entry::velocity(expected), "the expected velocity");
     most.consider(std::sqrt(mag(c.g) * depth), "the hydrostatic pressure over the expected depth");
     most.consider(std::sqrt(entry::pressure(expected) / rho), "the expected pressure difference");
-    if (radius > 0) most.consider(std::sqrt(gamma / (rho * radius)), "the capillary pressure at the expected radius");
+    if (radius > 0) most.consider(std::sqrt(interfaceEnergy / (rho * radius)), "the capillary pressure at the expected radius");
     return most;
 }
 
-/// gamma_kl of each pair of phases: where one pair has a value all must, for a pair left out by mistake would mix.
-void readSurfaceTension(const Dictionary& dict, Coefficients& c)
-{
-    const std::size_t n = c.phases.size();
-    c.surfaceTension.assign(n * n, 0.0);
-    const auto before = dict.diagnostics().errors();
-    const auto pairs = entry::sigma(dict);
-    std::vector<bool> given(n * n, false);
-    for (const auto& [first, second, value] : pairs)
-    {
-        const auto a = std::find(c.phases.begin(), c.phases.end(), first), b = std::find(c.phases.begin(), c.phases.end(), second);
-        for (const auto& [found, word] : {std::pair(a, first), std::pair(b, second)})
-            if (found == c.phases.end())
-                entry::sigma.error(dict, fmt::format("phase \"{}\" is unknown. {}", word, suggestion(word, "phases", c.phases)));
-        if (a == c.phases.end() || b == c.phases.end()) continue;
-        const auto k = std::size_t(a - c.phases.begin()), l = std::size_t(b - c.phases.begin());
-        c.surfaceTension[k * n + l] = c.surfaceTension[l * n + k] = value;
-        given[k * n + l] = given[l * n + k] = true;
-    }
-    if (pairs.empty() || dict.diagnostics().errors() > before) return;
-    std::vector<std::string> missing;
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t l = k + 1; l < n; ++l)
-            if (!given[k * n + l]) missing.push_back(fmt::format("({} {})", c.phases[k], c.phases[l]));
-    if (!missing.empty())
-        entry::sigma.error(dict,
-                           fmt::format("sigma of {} is missing: each pair of phases has a surface tension, 0 for none", list(missing)));
-}
-
 /// Lengths from which no velocity follows.
-void checkExpected(const Dictionary& dict, const Coefficients& c)
+void checkExpected(const Dictionary& dict, const Coefficients& c, double interfaceEnergy)
 {
     const auto expected = entry::expected(dict);
-    const bool hasTension = std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
     if (entry::depth.given(expected) && !(mag(c.g) > 0))
         entry::depth.error(expected, "depth does nothing without gravity, `value` of constant/g: give that, or leave depth out");
-    if (entry::radius.given(expected) && !hasTension)
+    if (entry::radius.given(expected) && !(interfaceEnergy > 0))
         entry::radius.error(expected, "radius does nothing without sigma between two phases: give that, or leave radius out");
 }
 
@@ -119,7 +87,6 @@ EntryList phaseEntries()
     using namespace entry;
     return {phases,
             {phaseName, {rho, mu, stress, soundSpeed, exponent}},
-            entry::sigma,
             bodyForce,
             {expected, {entry::velocity, depth, pressure, entry::radius}}};
 }
@@ -130,8 +97,8 @@ EntryList gravityEntries() { return {entry::dimensions, entry::gravity, entry::s
 void warnOfSoftPhases(const Case& theCase, const Settings& settings)
 {
     const auto& c = settings.coefficients;
-    if (!settings.surfaceTension) return;
-    const double capillary = (*std::ranges::max_element(c.surfaceTension)) / c.spacing;
+    if (!settings.facts.get<InterfaceForces>().act) return;
+    const double capillary = settings.facts.get<InterfaceEnergy>().largest / c.spacing;
     const double most = std::abs(c.backgroundPressure) + capillary;
     for (std::size_t k = 0; k < c.phases.size(); ++k)
     {
@@ -149,10 +116,9 @@ void warnOfSoftPhases(const Case& theCase, const Settings& settings)
     }
 }
 
-void readPhases(const Case& theCase, Settings& settings)
+void readScene(const Case& theCase, const Dictionary& dict, Settings& settings)
 {
     auto& c = settings.coefficients;
-    const auto dict = theCase.dictionary("constant/phaseProperties");
     c.phases = entry::phases(dict);
     if (entry::phases.given(dict) && c.phases.empty()) entry::phases.error(dict, "there must be at least one phase");
     if (theCase.has("constant/g"))
@@ -166,8 +132,12 @@ void readPhases(const Case& theCase, Settings& settings)
     }
     c.bodyForce = entry::bodyForce(dict);
     entry::bodyForce.checkPlane(dict, c.bodyForce, c.dimension);
+}
 
-    readSurfaceTension(dict, c);
+void readPhases(const Dictionary& dict, Settings& settings)
+{
+    auto& c = settings.coefficients;
+    const double interfaceEnergy = settings.facts.get<InterfaceEnergy>().largest;
     for (const auto& name : c.phases)
     {
         const auto phase = dict.subDict(name);
@@ -177,7 +147,6 @@ void readPhases(const Case& theCase, Settings& settings)
         if (entry::stress(phase) == byLaw)
         {
             c.viscosity.push_back(0);
-            settings.chosen[entry::stress.keyword()] = byLaw;
             c.soundSpeed.push_back(0);
             c.stateEquation.push_back(StateEquation::tait(rho, 0, 1));
             continue;
@@ -188,7 +157,7 @@ void readPhases(const Case& theCase, Settings& settings)
         else
         {
             settings.automaticSound.back() = entry::soundSpeed.given(phase) ? entry::soundSpeed.where(phase) : phase.location();
-            const auto most = expectedVelocity(dict, c, rho);
+            const auto most = expectedVelocity(dict, c, rho, interfaceEnergy);
             sound = 10 * most.velocity;
             if (most.velocity > 0)
                 settings.reasons.push_back(
@@ -206,17 +175,16 @@ void readPhases(const Case& theCase, Settings& settings)
         c.soundSpeed.push_back(sound);
         c.stateEquation.push_back(StateEquation::tait(rho, sound, entry::exponent(phase)));
     }
-    if (std::ranges::any_of(settings.automaticSound, [](const auto& where) { return where.has_value(); })) checkExpected(dict, c);
+    if (std::ranges::any_of(settings.automaticSound, [](const auto& where) { return where.has_value(); }))
+        checkExpected(dict, c, interfaceEnergy);
     if (c.phases.empty()) // an error by now: a harmless one for what reads on
     {
         c.phases = {"fluid"};
         settings.automaticSound.resize(1);
-        c.surfaceTension = {0};
         c.viscosity = {0};
         c.restDensity = c.soundSpeed = {1};
         c.stateEquation = {StateEquation::tait(1, 1, 1)};
     }
-    dict.reportUnused();
 }
 
 }

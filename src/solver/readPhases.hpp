@@ -9,11 +9,12 @@ namespace sph
 ///     phases (water air);
 ///     water { rho [1 -3 0 0 0 0 0] 1000; mu [1 -1 -1 0 0 0 0] 1e-3; soundSpeed [0 1 -1 0 0 0 0] 10; exponent 7; }
 ///     air   { ... }
-///     sigma ( (water air) 0.072 );
 ///
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
 /// says why.
-void readPhases(const Case&, Settings&);
+void readPhases(const Dictionary& phaseProperties, Settings&);
+/// Names of the phases, gravity and body force: what models may declare facts by.
+void readScene(const Case&, const Dictionary& phaseProperties, Settings&);
 /// Warns of a phase whose sound speed is too low for the pressures of an interface; to be called once all models have read.
 void warnOfSoftPhases(const Case&, const Settings&);
 EntryList phaseEntries();

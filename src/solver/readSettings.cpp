@@ -3,7 +3,6 @@
 #include "Ranks.hpp"
 #include "TimeStepLimits.hpp"
 #include "models.hpp"
-#include "phaseEntries.hpp"
 #include "readDecomposition.hpp"
 #include "readPhases.hpp"
 #include "schemeSets.hpp"
@@ -60,20 +59,22 @@ void readRanks(const Case& theCase, Settings& settings)
 }
 
 /// A liquid that leaves a part of its space empty has a free surface, for which the defaults of enclosed fluids are no choice at all.
-void chooseSet(const Case& theCase, const Geometry& geometry, const Dictionary& schemes, Settings& settings)
+void chooseSet(const Reading& reading)
 {
+    const auto& schemes = reading.schemes;
+    auto& settings = reading.settings;
+    const auto& facts = settings.facts;
     if (entry::scheme.given(schemes)) return;
-    if (settings.has(entry::stress.keyword(), byLaw))
+    if (const auto needed = facts.get<SchemeSet>().word; !needed.empty())
     {
-        addSchemeSet(schemes, "soil");
-        settings.reasons.push_back(fmt::format("scheme soil: {}", wordsOfSet("soil")));
+        addSchemeSet(schemes, needed);
+        settings.reasons.push_back(fmt::format("scheme {}: {}", needed, wordsOfSet(needed)));
         return;
     }
     const std::string set = "freeSurface";
-    if (settings.multiphase() || theCase.has("constant/openings") || theCase.has("constant/transportProperties") ||
-        givesWordsOf(set, schemes))
+    if (settings.multiphase() || facts.get<OpenBoundary>().exists || facts.get<VaryingViscosity>().exists || givesWordsOf(set, schemes))
         return;
-    const auto share = shareFilled(theCase, geometry, settings.coefficients.spacing);
+    const auto share = shareFilled(reading.theCase, reading.geometry, settings.coefficients.spacing);
     if (!share || *share > 0.95) return;
     addSchemeSet(schemes, set);
     settings.reasons.push_back(
@@ -90,14 +91,17 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     c.dimension = geometry.dimension;
     c.spacing = settings.resolution.spacing;
     c.support = settings.resolution.H();
-    readPhases(theCase, settings);
+    const auto phases = theCase.dictionary("constant/phaseProperties");
+    readScene(theCase, phases, settings);
     readRanks(theCase, settings);
+    const Reading reading{theCase, geometry, dict, phases, settings, [](const Settings& s, const Measured& m) { return stepLimits(s, m); }};
+    for (const auto* model : models())
+        if (model->declare) model->declare(reading);
+    readPhases(phases, settings);
+    phases.reportUnused();
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
-    settings.variableViscosity = settings.multiphase();
-    chooseSet(theCase, geometry, dict, settings);
-
-    const Reading reading{theCase, geometry, dict, settings, [](const Settings& s, const Measured& m) { return stepLimits(s, m); }};
+    chooseSet(reading);
     reading.choose(entry::scheme, "suite");
     for (const auto* model : models())
         if (model->prepare) model->prepare(reading);
@@ -107,11 +111,6 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
     checkStepFactors(reading);
     warnOfSoftPhases(theCase, settings);
-    if (theCase.has("constant/soilProperties") && !settings.has(entry::stress.keyword(), byLaw))
-        theCase.diagnostics().error(
-            {"constant/soilProperties", 0},
-            "does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`. Give it to one, or take "
-            "the file away");
     dict.reportUnused();
     return settings;
 }

@@ -3,6 +3,7 @@
 #include "ArtificialViscosity.hpp"
 #include "DensityDiffusion.hpp"
 #include "Plan.hpp"
+#include "Tensions.hpp"
 #include "TransportVelocity.hpp"
 #include "WallTension.hpp"
 #include "models.hpp"
@@ -47,8 +48,7 @@ inline Coefficients threePhases(int dimension, double spacing, double support)
     const double n[]{7, 7, 1.4};
     for (std::size_t k = 0; k < 3; ++k) c.stateEquation.push_back(StateEquation::tait(c.restDensity[k], c.soundSpeed[k], n[k]));
     c.backgroundPressure = 37;
-    c.surfaceTension = {0, 0.03, 0.02, 0.03, 0, 0.07, 0.02, 0.07, 0};
-    c.wallTension = {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}; // two walls
+    c.set(Tensions{{0, 0.03, 0.02, 0.03, 0, 0.07, 0.02, 0.07, 0}, {0.01, -0.02, 0.015, -0.03, 0.005, 0.025}}); // two walls
     c.g = {0.3, -9.81, 0.7};
     c.bodyForce = {20, 5, -3};
     c.densityScale = 1.013;
@@ -65,12 +65,13 @@ inline Coefficients firstPhases(Coefficients c, int n)
     for (auto* list : {&few.restDensity, &few.viscosity, &few.soundSpeed}) list->resize(std::size_t(n));
     few.stateEquation.resize(std::size_t(n));
     few.phases.resize(std::size_t(n));
-    few.surfaceTension.clear();
-    few.wallTension.clear();
+    const auto& all = tensionsOf(c);
+    Tensions tensions;
     for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l) few.surfaceTension.push_back(c.surfaceTension[std::size_t(3 * k + l)]);
+        for (int l = 0; l < n; ++l) tensions.between.push_back(all.between[std::size_t(3 * k + l)]);
     for (int wall = 0; wall < 2; ++wall)
-        for (int k = 0; k < n; ++k) few.wallTension.push_back(c.wallTension[std::size_t(3 * wall + k)]);
+        for (int k = 0; k < n; ++k) tensions.ofWalls.push_back(all.ofWalls[std::size_t(3 * wall + k)]);
+    few.set(tensions);
     return few;
 }
 

@@ -148,7 +148,7 @@ Cloud Run::readCloud() const
     case_.diagnostics().throwIfAny();
     // Where openings bring particles there may be none for some ranks yet.
     const auto n = ofAllRanks(cloud.size(), std::size_t(0), Add{});
-    if (!isDecomposed() && settings_.needsParticles && n > 0 && n < all)
+    if (!isDecomposed() && !settings_.facts.get<OpenBoundary>().exists && n > 0 && n < all)
         throw CaseError(fmt::format("{} ranks for {} particles: take fewer", all, n));
     return cloud;
 }
@@ -333,12 +333,14 @@ void Run::checkEnergy()
     const double share = energy_.held() / energy_.supplied;
     const auto what = [&]
     {
-        return fmt::format(
-            "the fluid holds {:.3g} J at time {}, {:.3g} J of motion and {:.3g} J of interfaces, {:.3g} times all that the scene "
-            "can have supplied",
-            energy_.held(), time_.name(), energy_.kinetic, energy_.interfaces, share);
+        std::string parts = fmt::format("{:.3g} J of motion", energy_.kinetic);
+        for (const auto& stored : energy_.stored)
+            if (stored.isHeld) parts += fmt::format(" and {:.3g} J of {}", stored.value, stored.of);
+        return fmt::format("the fluid holds {:.3g} J at time {}, {}, {:.3g} times all that the scene can have supplied", energy_.held(),
+                           time_.name(), parts, share);
     };
-    const auto advice = fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.energyAdvice);
+    const auto advice =
+        fmt::format("The scheme creates energy: try {}, more viscosity, or a finer resolution", settings_.facts.get<EnergyAdvice>().text);
     if (share > mostEnergy) throw DivergedError(fmt::format("{}{}. {}", what(), tracedSteps_ > 0 ? "; " + sourceOfEnergy() : "", advice));
     if (share <= suspectEnergy || warnedOfEnergy_) return;
     warnedOfEnergy_ = true;
@@ -408,7 +410,7 @@ ParticleView Run::view(WholeCloud& cloud) const
     v.heldBy = cloud.whole(simulation_->field(Holder::info.name)).component[0];
     v.numbers = simulation_->summary().columns;
     const auto energy = simulation_->energy();
-    v.supply = Supply{energy.impulse, energy.work, energy.interfaces + energy.compression};
+    v.supply = Supply{energy.impulse, energy.work, energy.allStored()};
     v.time = time_.value();
     v.deltaT = time_.deltaT();
     v.executionTime = Clock::executionTime();
@@ -453,8 +455,9 @@ void Run::noteLeaks()
 std::string Run::leaked() const
 {
     const auto leaks = simulation_->leaks();
-    return settings_.leaked == Leaked::remove ? fmt::format("Leaked: {} particles removed, {:.10g} kg\n", leaks.removed, leaks.removedMass)
-                                              : fmt::format("Leaked: {} particles put back\n", leaks.putBack);
+    return settings_.facts.get<LeakedParticles>().action == LeakAction::remove
+               ? fmt::format("Leaked: {} particles removed, {:.10g} kg\n", leaks.removed, leaks.removedMass)
+               : fmt::format("Leaked: {} particles put back\n", leaks.putBack);
 }
 
 void Run::reportLeaks() const

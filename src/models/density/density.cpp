@@ -1,9 +1,10 @@
 #include "density.hpp"
 #include "DensityDiffusion.hpp"
 #include "DensityRelaxation.hpp"
+#include "DensityScale.hpp"
 #include "TwoLevels.hpp"
 #include "densityTerms.hpp"
-#include "phaseEntries.hpp"
+#include "reduce.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -59,10 +60,15 @@ void densityAtStart(const Loading& loading)
 }
 
 /// Masses make the pressure at the start where the positions decide the density: of a folder without rho, which packParticles writes.
-void massesAtStart(const Loading& loading)
+void massesAtStart(const Loading& loading, const StartCompression& compression)
 {
+    *compression.mean = 1;
     if (loading.restarted || loading.cloud.fields.contains("rho")) return;
-    for (std::size_t i = 0; i < loading.size(); ++i) loading.values[0][i] *= compressionAtStart(i, loading);
+    double* const m = loading.values[0];
+    const std::vector<double> m_0(m, m + loading.size());
+    for (std::size_t i = 0; i < loading.size(); ++i) m[i] *= compressionAtStart(i, loading);
+    const auto total = ofAllRanks(loading.size(), std::size_t(0), Add{});
+    if (total > 0) *compression.mean = sum(loading.size(), [&](std::size_t i) { return m[i] / m_0[i]; }) / double(total);
 }
 
 void readDiffusion(const Reading& reading)
@@ -74,7 +80,8 @@ void readDiffusion(const Reading& reading)
     reading.belongs(entry::densityDiffusionForm, entry::densityDiffusion);
     if (!(delta > 0)) return;
     c.set(DiffusionNumber{delta, form == "antuono"});
-    if (!reading.settings.integratedDensity) entry::densityDiffusion.error(dict, "goes with `density continuity;` alone");
+    if (!reading.settings.facts.get<IntegratedDensity>().exists)
+        entry::densityDiffusion.error(dict, "goes with `density continuity;` alone");
     for (const double rho : c.restDensity)
         if (rho != c.restDensity[0])
         {
@@ -88,7 +95,8 @@ void readRelaxation(const Reading& reading)
 {
     const double soundTimes = entry::densityRelaxation(reading.schemes);
     if (!(soundTimes > 0)) return;
-    if (!reading.settings.integratedDensity) entry::densityRelaxation.error(reading.schemes, "goes with `density continuity;` alone");
+    if (!reading.settings.facts.get<IntegratedDensity>().exists)
+        entry::densityRelaxation.error(reading.schemes, "goes with `density continuity;` alone");
     reading.settings.coefficients.set(RelaxationTime{soundTimes});
     reading.select("densityRelaxation");
 }
@@ -96,11 +104,15 @@ void readRelaxation(const Reading& reading)
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
-    settings.integratedDensity = reading.choose(entry::density) == "continuity";
-    if (!settings.integratedDensity)
+    const bool integrated = reading.choose(entry::density) == "continuity";
+    settings.facts.give(IntegratedDensity{integrated}, "density of system/sphSchemes");
+    const StartCompression compression;
+    settings.coefficients.set(compression);
+    if (!integrated)
     {
         for (auto& evolving : settings.state)
-            if (evolving.value.name == std::string(Mass::info.name)) evolving.loaded = massesAtStart;
+            if (evolving.value.name == std::string(Mass::info.name))
+                evolving.loaded = [compression](const Loading& loading) { massesAtStart(loading, compression); };
         return;
     }
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
@@ -117,10 +129,11 @@ void prepare(const Reading& reading)
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
-    const bool integrated = settings.integratedDensity;
-    const auto& volume = reading.choose(entry::volume, settings.chosen.at("density"));
+    const bool integrated = settings.facts.get<IntegratedDensity>().exists;
+    const auto& volume = reading.choose(entry::volume, settings.chosen.at(entry::density.keyword()));
     if (!integrated && volume == "continuity")
         entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
+    settings.facts.give(VolumeOfPlaces{volume == "numberDensity"}, "volume of system/sphSchemes");
     reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
     const bool byMass = reading.choose(entry::continuityForm) == "mass";
     if (!integrated && byMass) entry::continuityForm.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
@@ -129,7 +142,7 @@ void read(const Reading& reading)
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
-    settings.normaliseDensity = volume == "numberDensity" && normalises;
+    if (volume == "numberDensity" && normalises) settings.parts.push_back(partOf<DensityScale>());
     readDiffusion(reading);
     readRelaxation(reading);
 }
@@ -156,9 +169,9 @@ const Model& densityModel()
                              {{"density",
                                [](const Settings& s)
                                {
-                                   const bool pushes = !s.has(entry::stress.keyword(), byLaw); // by a state equation
-                                   return pushes && s.integratedDensity && s.integration.moves && !s.integration.predicts &&
-                                          !s.coefficients.has<TwoLevels>();
+                                   const bool pushes = !s.facts.get<ConstitutiveStress>().exists; // by a state equation
+                                   return pushes && s.facts.get<IntegratedDensity>().exists && s.integration.moves &&
+                                          !s.integration.predicts && !s.coefficients.has<TwoLevels>();
                                },
                                "continuity needs velocities of the middle of a step, or sound grows; take integration scheme leapfrog, "
                                "predictorCorrector or verlet"}},

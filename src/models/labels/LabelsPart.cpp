@@ -10,7 +10,16 @@ template<int dim> LabelsPart<dim>::LabelsPart(Particles<dim>&, const Numbers& re
     if (const auto found = restored.find(nextName); found != restored.end()) next_ = found->second;
 }
 
-template<int dim> void LabelsPart<dim>::loaded(Particles<dim>& particles)
+template<int dim> std::vector<Stage<dim>> LabelsPart<dim>::stages(Place place)
+{
+    if (place == Place::loaded)
+        return {{"first label", "of the particles to come", [this](Particles<dim>& p, const Substep&) { begin(p); }}};
+    if (place == Place::exchange)
+        return {{"label", "of particles that have come in", [this](Particles<dim>& p, const Substep&) { label(p); }}};
+    return {};
+}
+
+template<int dim> void LabelsPart<dim>::begin(const Particles<dim>& particles)
 {
     const auto& store = particles.store();
     if (next_ || !store.has(ParticleNumber{})) return;
@@ -18,15 +27,16 @@ template<int dim> void LabelsPart<dim>::loaded(Particles<dim>& particles)
     next_ = std::max(0.0, 1 + most(particles.size(), [&](std::size_t i) { return id[i]; }));
 }
 
-template<int dim> std::size_t LabelsPart<dim>::exchange(Particles<dim>& particles, std::size_t owned)
+template<int dim> void LabelsPart<dim>::label(Particles<dim>& particles)
 {
+    const std::size_t owned = particles.size();
     auto& store = particles.store();
     if (store.has(RankOfOrigin{}))
     {
         double* const rank = store.component(origProcId, 0);
         std::replace(rank, rank + owned, notYet, double(ranks() ? ranks()->rank() : 0));
     }
-    if (!store.has(ParticleNumber{})) return owned;
+    if (!store.has(ParticleNumber{})) return;
     double* const id = store.component(origId, 0);
     const auto isNew = [&](std::size_t i) { return id[i] == notYet; };
     std::size_t own = 0;
@@ -35,7 +45,6 @@ template<int dim> std::size_t LabelsPart<dim>::exchange(Particles<dim>& particle
     for (std::size_t i = 0; i < owned; ++i)
         if (isNew(i)) id[i] = number++;
     *next_ += double(ofAllRanks(own, std::size_t(0), Add{}));
-    return owned;
 }
 
 template<int dim> void LabelsPart<dim>::save(Numbers& numbers) const

@@ -28,12 +28,14 @@ template<int dim> class LabelsPart final : public Part<dim>
     static constexpr const char* nextName = "nextOrigId";
     std::optional<double> next_; ///< number of the next new particle; nothing before the first is known
 
+    void begin(const Particles<dim>&);
+    void label(Particles<dim>&);
+
 public:
     static constexpr double notYet = -1;
 
     LabelsPart(Particles<dim>&, const Numbers& restored);
-    void loaded(Particles<dim>&) override;
-    std::size_t exchange(Particles<dim>&, std::size_t owned) override;
+    std::vector<Stage<dim>> stages(Place) override;
     void save(Numbers&) const override;
 };
 

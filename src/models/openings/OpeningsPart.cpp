@@ -10,43 +10,41 @@ namespace sph
 namespace
 {
 double sumOf(const std::vector<double>& q) { return std::accumulate(q.begin(), q.end(), 0.0); }
-
-/// Reach of a force through the sums that it is made of (Openings.hpp) [supports of the kernel].
-int supportsOfSums(const Settings& settings) { return !settings.surfaceTension ? 2 : settings.has("surfaceTension", "curvature") ? 4 : 3; }
 }
 
 template<int dim>
 OpeningsPart<dim>::OpeningsPart(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
     : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
-                supportsOfSums(particles.settings())),
+                particles.settings().facts.template get<ForceReach>().supports),
       phases_(particles.coefficients().phases)
 {}
 
 template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
 {
+    const auto hold = [this](Particles<dim>& p) { p.hold({openings_.held().begin(), openings_.held().end()}); };
+    if (place == Place::exchange)
+        return {{"let in and out", "particles beyond planes come, go, and are held",
+                 [this](Particles<dim>& p, const Substep&) { p.setSize(openings_.exchange(p.store(), p.size(), p.predicted())); }}};
+    if (place == Place::sorted)
+        return {{"find held", "what lies beyond planes, and free particles near them",
+                 [this, hold](Particles<dim>& p, const Substep&)
+                 {
+                     openings_.locate(p.store(), p.size());
+                     hold(p);
+                 }}};
+    if (place == Place::moved)
+        return {{"follow held", "what has passed a plane is held, or free, from now on",
+                 [this, hold](Particles<dim>& p, const Substep&)
+                 {
+                     openings_.follow(p.store(), p.predicted());
+                     hold(p);
+                 }}};
     if (place == Place::afterEvaluation)
         return {{"hold", "dq/dt = 0 of what openings hold", [this](Particles<dim>& p, const Substep&) { openings_.hold(p.store()); }}};
     if (place == Place::afterKick)
         return {{"drive", "U and p of what openings hold",
                  [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT, s.time + s.deltaT); }}};
     return {};
-}
-
-template<int dim> std::size_t OpeningsPart<dim>::exchange(Particles<dim>& particles, std::size_t owned)
-{
-    return openings_.exchange(particles.store(), owned, particles.predicted());
-}
-
-template<int dim> void OpeningsPart<dim>::moved(Particles<dim>& particles)
-{
-    openings_.follow(particles.store(), particles.predicted());
-    particles.hold({openings_.held().begin(), openings_.held().end()});
-}
-
-template<int dim> void OpeningsPart<dim>::sorted(Particles<dim>& particles)
-{
-    openings_.locate(particles.store(), particles.size());
-    particles.hold({openings_.held().begin(), openings_.held().end()});
 }
 
 template<int dim> void OpeningsPart<dim>::holdRate(Particles<dim>& particles, const std::string& field, double deltaT)

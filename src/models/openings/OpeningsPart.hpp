@@ -18,9 +18,6 @@ public:
     OpeningsPart(Particles<dim>&, const Numbers& restored, const std::vector<Opening>&);
 
     std::vector<Stage<dim>> stages(Place) override;
-    std::size_t exchange(Particles<dim>&, std::size_t owned) override;
-    void moved(Particles<dim>&) override;
-    void sorted(Particles<dim>&) override;
     void holdRate(Particles<dim>&, const std::string& field, double deltaT) override;
     Numbers columns(const Particles<dim>&) const override;
     std::string introduction() const override;

@@ -8,12 +8,15 @@ namespace sph
 
 namespace
 {
+void declare(const Reading& reading)
+{
+    if (reading.theCase.has("constant/openings")) reading.settings.facts.give(OpenBoundary{true}, "constant/openings");
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
-    if (!reading.theCase.has("constant/openings")) return;
-    settings.endsInside = true;
-    settings.needsParticles = false;
+    if (!settings.facts.get<OpenBoundary>().exists) return;
     Evolving holder{stateField(Holder{})}, pressure{stateField(HeldPressure{})};
     holder.written = pressure.written = false; // by where particles lie
     settings.state.push_back(holder);
@@ -62,7 +65,8 @@ const Model& openingsModel()
                              prepare,
                              {},
                              {},
-                             {{"constant/openings", openingEntries(), "inlets and outlets; without the file there are none"}}};
+                             {{"constant/openings", openingEntries(), "inlets and outlets; without the file there are none"}},
+                             declare};
     return model;
 }
 

@@ -1,6 +1,6 @@
 #include "pressure.hpp"
+#include "CompressionEnergy.hpp"
 #include "TwoLevels.hpp"
-#include "phaseEntries.hpp"
 #include "pressureTerms.hpp"
 #include "soundDamping.hpp"
 #include "stableSound.hpp"
@@ -40,10 +40,14 @@ void prepare(const Reading& reading)
     if (const auto least = entry::pMin.ifGiven(dict)) c.leastPressure = *least;
     if (c.leastPressure > 0)
         entry::pMin.error(dict, fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
-    if (c.leastPressure > -1e299) reading.settings.endsInside = true;
+    if (c.leastPressure > -1e299) reading.settings.facts.give(FreeSurface{true}, "pMin of system/sphSchemes");
 
     const auto& gradient = reading.choose(entry::pressureGradient);
-    reading.settings.stiffnessLimit = reading.settings.multiphase() && gradient != "densityWeighted";
+    using Form = PressureForce::Form;
+    reading.settings.facts.give(PressureForce{gradient == "huAdams"           ? Form::huAdams
+                                              : gradient == "densityWeighted" ? Form::densityWeighted
+                                                                              : Form::other},
+                                "pressureGradient of system/sphSchemes");
 }
 
 /// So that the tension of an interface band does not tear the particles apart.
@@ -52,9 +56,9 @@ void readBackground(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     if (const auto given = entry::backgroundPressure(reading.schemes)) c.backgroundPressure = *given;
-    else if (settings.surfaceTension)
+    else if (settings.facts.get<InterfaceForces>().act)
     {
-        c.backgroundPressure = 0.8 * (*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end())) / c.spacing;
+        c.backgroundPressure = 0.8 * settings.facts.get<InterfaceEnergy>().largest / c.spacing;
         settings.reasons.push_back(
             fmt::format("background pressure {:.4g} Pa: 0.8 gamma/spacing, so that the tension of the interface band does not "
                         "tear the particles apart",
@@ -67,7 +71,7 @@ void readBackground(const Reading& reading)
 void warnOfWeighing(const Reading& reading)
 {
     auto& settings = reading.settings;
-    settings.energyAdvice = "`pressureGradient huAdams`";
+    settings.facts.give(EnergyAdvice{"`pressureGradient huAdams`"}, "pressureGradient of system/sphSchemes");
     const auto [least, most] = std::minmax_element(settings.coefficients.restDensity.begin(), settings.coefficients.restDensity.end());
     if (*most == *least) return;
     reading.schemes.diagnostics().warning(
@@ -81,7 +85,8 @@ void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     readBackground(reading);
-    if (settings.has(entry::stress.keyword(), byLaw)) return;
+    if (settings.facts.get<ConstitutiveStress>().exists) return;
+    settings.parts.push_back(partOf<CompressionEnergy>());
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
     reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : ""));
@@ -104,7 +109,7 @@ double heldSound(const Settings& settings)
 {
     const auto& c = settings.coefficients;
     const bool damped = c.has<DiffusionNumber>() || c.has<ArtificialNumber>();
-    if (!settings.integratedDensity || !settings.integration.predicts || c.has<TwoLevels>() || !damped)
+    if (!settings.facts.get<IntegratedDensity>().exists || !settings.integration.predicts || c.has<TwoLevels>() || !damped)
         return std::numeric_limits<double>::infinity();
     const double sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     DampedSound wave{settings.resolution.kernel, settings.resolution.support, c.dimension};
@@ -128,7 +133,7 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
     const auto& c = settings.coefficients;
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
-    if (settings.has(entry::stress.keyword(), byLaw)) return {};
+    if (settings.facts.get<ConstitutiveStress>().exists) return {};
     if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow", false, &Velocity::info};
     const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const double soundStep = s.sound * std::min(1.0, heldSound(settings) / StepFactors{}.sound) * h / (sound + measured.maxSpeed);
@@ -146,7 +151,9 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
 /// side's stiffness.
 std::optional<StepLimit> stiffnessLimit(const Settings& settings, const Measured&)
 {
-    if (!settings.stiffnessLimit || settings.integration.solvesPressure) return {};
+    using Form = PressureForce::Form;
+    const auto form = settings.facts.get<PressureForce>().form;
+    if (!settings.multiphase() || form == Form::none || form == Form::densityWeighted || settings.integration.solvesPressure) return {};
     const auto& c = settings.coefficients;
     double stiffest = 0;
     for (std::size_t k = 0; k < c.phases.size(); ++k) stiffest = std::max(stiffest, c.restDensity[k] * sqr(c.soundSpeed[k]));
@@ -166,7 +173,10 @@ const Model& pressureModel()
         pressureTerms<3>(),
         prepare,
         {{"integration",
-          [](const Settings& s) { return s.integration.solvesPressure && (s.integratedDensity || !s.has("pressureGradient", "huAdams")); },
+          [](const Settings& s) {
+              return s.integration.solvesPressure &&
+                     (s.facts.get<IntegratedDensity>().exists || !s.has(entry::pressureGradient, "huAdams"));
+          },
           "implicit solves for the pressure of an energy: it needs `density numberDensity` and `pressureGradient huAdams`"}},
         {soundLimit, stiffnessLimit},
         {{"system/sphSchemes", {entry::pressureGradient, entry::backgroundPressure, entry::pMin}}}};

@@ -56,10 +56,15 @@ template<int dim> double ScalarBalance<dim>::change(const std::string& name, con
     return start != start_.end() && now.size > 0 ? (now.amount - start->second) / now.size : 0;
 }
 
-template<int dim> void ScalarBalance<dim>::complete(Particles<dim>& particles)
+template<int dim> std::vector<Stage<dim>> ScalarBalance<dim>::stages(Place place)
 {
-    for (const auto& name : names_)
-        if (!start_.contains(name)) start_[name] = held(particles, name).amount;
+    if (place != Place::complete) return {};
+    return {{"amounts of scalars", "sum m c at the first start, which changes are of",
+             [this](Particles<dim>& particles, const Substep&)
+             {
+                 for (const auto& name : names_)
+                     if (!start_.contains(name)) start_[name] = held(particles, name).amount;
+             }}};
 }
 
 template<int dim> Numbers ScalarBalance<dim>::columns(const Particles<dim>& particles) const

@@ -14,7 +14,7 @@ public:
     ScalarBalance(Particles<dim>&, const Numbers& restored, const std::vector<TransportedScalar>&);
 
     /// Keeps what there is at the first start.
-    void complete(Particles<dim>&) override;
+    std::vector<Stage<dim>> stages(Place) override;
     std::vector<StepLimit> limits() const override { return limits_; }
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;

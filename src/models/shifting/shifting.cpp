@@ -65,7 +65,7 @@ void read(const Reading& reading)
         reading.select("transportStress");
         settings.state.push_back({stateField(TransportVelocity{})});
         settings.state.push_back({stateField(TransportAcceleration{})}); // of the last evaluation
-        settings.carriers.push_back(TransportVelocity::info.name);
+        settings.facts.give(DriftVelocity{TransportVelocity::info.name}, "transportVelocity of system/sphSchemes");
         settings.parts.push_back(partOf<Transporter>());
     }
 }

@@ -27,7 +27,7 @@ struct SoundSpeed
 
 template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
 {
-    const auto& settings = particles.settings();
+    const auto walls = particles.settings().facts.template get<WallConditions>();
     if (particles.coefficients().template has<TwoLevels>())
     {
         levels_ = particles.coefficients().template of<TwoLevels>();
@@ -35,9 +35,8 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
     }
     particles.images().setRule(ActingStress{},
                                std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
-                                                                      settings.has("wallVelocity", "freeSlip"),
-                                                                      settings.chosen.at("wallPressure")));
-    if (settings.has("layerValues", "interpolated")) particles.images().interpolateInLayers(ActingStress{});
+                                                                      walls.slip, walls.pressure));
+    if (walls.interpolated) particles.images().interpolateInLayers(ActingStress{});
 }
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
@@ -53,6 +52,12 @@ template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts:
 
 template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(Place place)
 {
+    if (place == Place::sorted)
+        return {{"first sound", "c = sqrt(M/rho), once",
+                 [this](Particles<dim>& p, const Substep&)
+                 {
+                     if (!std::exchange(measured_, true)) measure(p);
+                 }}};
     if (levels_ && place == Place::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? Place::beforeDrift : Place::afterKick)) return {};
@@ -61,11 +66,6 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(Place place)
                      : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
-}
-
-template<int dim> void StressUpdate<dim>::sorted(Particles<dim>& particles)
-{
-    if (!std::exchange(measured_, true)) measure(particles);
 }
 
 template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)

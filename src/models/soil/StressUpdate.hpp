@@ -33,7 +33,6 @@ public:
 
     std::vector<Stage<dim>> stages(Place) override;
     /// The speeds of sound of the stress that was read, before the first evaluation.
-    void sorted(Particles<dim>&) override;
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string introduction() const override;

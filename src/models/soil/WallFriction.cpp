@@ -16,6 +16,8 @@ WallFriction<dim>::WallFriction(Particles<dim>& particles, const Numbers&) : atE
 
 template<int dim> std::vector<Stage<dim>> WallFriction<dim>::stages(Place place)
 {
+    if (place == Place::sorted)
+        return {{"joints", "tau = 0 of particles that have left the walls", [this](Particles<dim>& p, const Substep&) { find(p); }}};
     if (place != (atEnds_ ? Place::beforeDrift : Place::afterKick)) return {};
     return {{"wall friction", "tau += dt k v_s, |tau| <= tan(delta) max(0, -n.sigma n - p_f)",
              [this](Particles<dim>& p, const Substep& s)
@@ -25,7 +27,7 @@ template<int dim> std::vector<Stage<dim>> WallFriction<dim>::stages(Place place)
              }}};
 }
 
-template<int dim> void WallFriction<dim>::sorted(Particles<dim>& p)
+template<int dim> void WallFriction<dim>::find(Particles<dim>& p)
 {
     near_.clear();
     for (const auto& [i, d] : p.images().nearFaces(p.coefficients().support + p.skin())) near_.push_back(i);

@@ -20,12 +20,12 @@ template<int dim> class WallFriction final : public Part<dim>
     std::vector<std::size_t> near_; ///< particles that may be within a support of a wall
     bool atEnds_;                   ///< of steps the stress is known, and not in their middles
 
+    void find(Particles<dim>&);
     void slide(Particles<dim>&, std::size_t i, double deltaT) const;
 
 public:
     WallFriction(Particles<dim>&, const Numbers&);
     std::vector<Stage<dim>> stages(Place) override;
-    void sorted(Particles<dim>&) override;
 };
 
 }

@@ -73,7 +73,7 @@ const SubDictionary initialStress{initialStressKeyword, byScene("the field sigma
 
 namespace
 {
-bool isSoil(const Settings& s) { return s.has(entry::stress.keyword(), byLaw); }
+bool isSoil(const Settings& s) { return s.facts.get<ConstitutiveStress>().exists; }
 
 /// Stress [Pa] at a place, where no field gives it.
 using InitialStress = std::function<SymmTensor<3>(Vector<3>)>;
@@ -224,11 +224,29 @@ void refusePlasticStrain(const Reading& reading, const Soil& soil)
                            name));
 }
 
+void declare(const Reading& reading)
+{
+    const auto& phases = reading.settings.coefficients.phases;
+    const bool exists =
+        std::ranges::any_of(phases, [&](const auto& name) { return entry::stress.is(reading.phases.subDictOrEmpty(name), byLaw); });
+    if (!exists) return;
+    reading.settings.facts.give(ConstitutiveStress{true}, "constant/phaseProperties");
+    reading.settings.facts.give(SchemeSet{"soil"}, "constant/phaseProperties");
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    if (!isSoil(settings)) return;
+    if (!isSoil(settings))
+    {
+        if (reading.theCase.has(soilProperties))
+            reading.theCase.diagnostics().error(
+                {soilProperties, 0},
+                "does nothing here: no phase of constant/phaseProperties has `stress constitutiveLaw`. Give it to one, or take "
+                "the file away");
+        return;
+    }
     refuse(reading);
     const auto dict = reading.theCase.dictionary(soilProperties);
     const auto soil = readSoil(dict);
@@ -304,7 +322,7 @@ void read(const Reading& reading)
     settings.parts.push_back(partOf<StressUpdate>());
     settings.integration.factorsOfParts.push_back(&StepFactors::sound);
     if (reading.geometry.withFriction()) settings.parts.push_back(partOf<WallFriction>());
-    settings.energyAdvice = "a smaller `soundFactor` in `integration`";
+    settings.facts.give(EnergyAdvice{"a smaller `soundFactor` in `integration`"}, soilProperties);
 }
 }
 
@@ -317,7 +335,8 @@ const Model& soilModel()
         soilTerms<2>(),
         soilTerms<3>(),
         prepare,
-        {{"density", [](const Settings& s) { return isSoil(s) && (!s.integratedDensity || s.has("volume", "numberDensity")); },
+        {{"density",
+          [](const Settings& s) { return isSoil(s) && (!s.facts.get<IntegratedDensity>().exists || s.facts.get<VolumeOfPlaces>().exists); },
           "soil has an integrated density and the volume m/rho: take continuity, and leave `volume` out"},
          {"integration",
           [](const Settings& s)
@@ -331,7 +350,8 @@ const Model& soilModel()
          {"system/sphSchemes",
           {{entry::soil,
             {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,
-             entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}}};
+             entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}},
+        declare};
     return model;
 }
 

@@ -40,17 +40,15 @@ Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const Migrat
 
 template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
 {
+    std::vector<std::string> groups;
+    if (corrects_) groups.emplace_back(ofCorrection);
+    groups.emplace_back(ofMigration);
+    if (place == Place::complete)
+        return {{"rates of powder", "mu, shear rate and dphi/dt", [this](Particles<dim>& p, const Substep&) { complete(p); }, groups}};
     if (place != Place::afterKick) return {};
-    auto groups = completes();
     if (steps_.solves) groups.push_back(ofMigrationSolve);
     const std::string equation = steps_.solves ? "(1 - dt K_eta) dphi = dt dphi/dt" : "phi += dt dphi/dt";
     return {{"migrate", equation + ", in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups}};
-}
-
-template<int dim> std::vector<std::string> Migration<dim>::completes() const
-{
-    if (corrects_) return {ofCorrection, ofMigration};
-    return {ofMigration};
 }
 
 template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)

@@ -36,9 +36,6 @@ public:
     Migration(Particles<dim>&, const Numbers& restored, const MigrationSteps&, bool corrects);
 
     std::vector<Stage<dim>> stages(Place) override;
-    /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
-    void complete(Particles<dim>&) override;
-    std::vector<std::string> completes() const override;
     double memory() const override { return limit_; }
     void recall(double limit) override { limit_ = limit; }
     std::vector<StepLimit> limits() const override;
@@ -66,6 +63,8 @@ private:
     std::optional<double> startVolume_; ///< of powder at the first start [m^3]
     Array change_, residual_;           ///< of the owned particles, where J_eta is solved for
 
+    /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
+    void complete(Particles<dim>&);
     void evaluateRates(Particles<dim>&);
     void advance(Particles<dim>&, double deltaT);
     /// dphi/dt of a step in which J_eta is that of its end. Throws DivergedError where nothing is finite, or no solution is found.

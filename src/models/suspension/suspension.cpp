@@ -2,6 +2,7 @@
 #include "Migration.hpp"
 #include "SuspensionConstants.hpp"
 #include "ViscosityFlux.hpp"
+#include "schemeSets.hpp"
 #include "suspensionTerms.hpp"
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,13 @@ Evolving powderFraction(const Suspension& s)
     return powder;
 }
 
+void declare(const Reading& reading)
+{
+    if (const auto* file = "constant/transportProperties";
+        reading.theCase.has(file) && entry::suspension.given(reading.theCase.dictionary(file)))
+        reading.settings.facts.give(VaryingViscosity{true}, file);
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -157,7 +165,6 @@ void prepare(const Reading& reading)
         settings.absent[PowderFraction::info.name] = "is the volume fraction of powder, and constant/transportProperties has no suspension";
         return;
     }
-    settings.variableViscosity = true;
     settings.state.push_back(powderFraction(settings.coefficients.of<Suspension>()));
 }
 
@@ -195,7 +202,7 @@ void read(const Reading& reading)
     c.set(numbers);
     reading.select("krieger" + of);
     std::set<std::string> changed{Velocity::info.name, PowderFraction::info.name};
-    if (!of.empty() && settings.integratedDensity) changed.insert(Density::info.name); // by the kick
+    if (!of.empty() && settings.facts.get<IntegratedDensity>().exists) changed.insert(Density::info.name); // by the kick
     const bool corrects = rate != "gradient";
     if (corrects) settings.groups.push_back({ofCorrection, {"gradientCorrection"}});
     const auto integration = dict.subDictOrEmpty("integration");
@@ -222,9 +229,9 @@ const Model& suspensionModel()
                              suspensionTerms<2>(),
                              suspensionTerms<3>(),
                              prepare,
-                             {{"viscosity", [](const Settings& s) { return suspends(s) && s.has("viscosity", "none"); },
+                             {{"viscosity", [](const Settings& s) { return suspends(s) && !s.facts.get<ViscousForce>().acts; },
                                "none leaves out the viscosity that powder migrates by; take harmonic or cleary"},
-                              {"scheme", [](const Settings& s) { return suspends(s) && s.has("scheme", "paper"); },
+                              {"scheme", [](const Settings& s) { return suspends(s) && s.has(entry::scheme, "paper"); },
                                "paper is Barker et al. (2012), who have no powder; take paperPowder, Kauzlaric et al. (2011)"}},
                              {},
                              {{"constant/transportProperties",
@@ -236,7 +243,8 @@ const Model& suspensionModel()
                               {"system/sphSchemes", {entry::shearRate, entry::subParticleShear, entry::powderFraction}},
                               {"system/sphSchemes",
                                {{SubDictionary{"integration", notGiven, ""},
-                                 {entry::migration, entry::migrationFactor, entry::migrationSteps}}}}}};
+                                 {entry::migration, entry::migrationFactor, entry::migrationSteps}}}}},
+                             declare};
     return model;
 }
 

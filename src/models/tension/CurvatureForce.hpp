@@ -4,6 +4,7 @@
 /// phases at a density ratio of 1000. It does not conserve momentum exactly. Verified by tutorials/verification/laplaceDrop.
 #pragma once
 #include "Coefficients.hpp"
+#include "Tensions.hpp"
 #include "fieldTags.hpp"
 
 namespace sph
@@ -116,7 +117,7 @@ struct CurvatureForce
     using ReadsOwn = Fields<Mass>;
     double gamma; ///< [N/m]
 
-    explicit CurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? c.surfaceTension[1] : 0) {}
+    explicit CurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? tensionsOf(c).between[1] : 0) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
@@ -139,7 +140,7 @@ struct EvenCurvatureForce
     using ReadsOwn = Fields<Mass>;
     double gamma; ///< [N/m]
 
-    explicit EvenCurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? c.surfaceTension[1] : 0) {}
+    explicit EvenCurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? tensionsOf(c).between[1] : 0) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others

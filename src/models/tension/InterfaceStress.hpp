@@ -7,6 +7,7 @@
 /// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. Its divergence (StressDivergence) is the force.
 /// Verified by test/unit/tension (plain loop), tutorials/verification/laplaceDrop and contactAngle.
 #pragma once
+#include "Tensions.hpp"
 #include "terms.hpp"
 
 namespace sph
@@ -28,7 +29,8 @@ struct InterfaceStress
     int phases;
     double least; ///< |gradC| below which there is no interface [1/m]
 
-    explicit InterfaceStress(const Coefficients& c) : gamma(c.surfaceTension.data()), phases(int(c.phases.size())), least(0.01 / c.support)
+    explicit InterfaceStress(const Coefficients& c)
+        : gamma(tensionsOf(c).between.data()), phases(int(c.phases.size())), least(0.01 / c.support)
     {}
 
     /// The other phase of a sweep, counted from the particle's own so that nobody sweeps over itself.

@@ -18,6 +18,7 @@
 /// Conserves linear momentum only without walls, where it is InterfaceStress.
 #pragma once
 #include "InterfaceStress.hpp"
+#include "Tensions.hpp"
 
 namespace sph
 {
@@ -35,10 +36,10 @@ struct SolidPhaseStress
     double least; ///< |gradC| below which there is no interface [1/m]
 
     explicit SolidPhaseStress(const Coefficients& c)
-        : gamma(c.surfaceTension.data()),
-          wallGamma(c.wallTension.data()),
+        : gamma(tensionsOf(c).between.data()),
+          wallGamma(tensionsOf(c).ofWalls.data()),
           phases(int(c.phases.size())),
-          walls(int(c.wallTension.size()) / phases),
+          walls(int(tensionsOf(c).ofWalls.size()) / phases),
           least(0.01 / c.support)
     {}
 
@@ -81,7 +82,10 @@ struct StressOfSolid
     double least; ///< [1/m]
 
     explicit StressOfSolid(const Coefficients& c)
-        : wallGamma(c.wallTension.data()), phases(int(c.phases.size())), walls(int(c.wallTension.size()) / phases), least(0.01 / c.support)
+        : wallGamma(tensionsOf(c).ofWalls.data()),
+          phases(int(c.phases.size())),
+          walls(int(tensionsOf(c).ofWalls.size()) / phases),
+          least(0.01 / c.support)
     {}
 
     int sweeps() const { return walls * phases; }

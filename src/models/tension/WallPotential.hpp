@@ -16,6 +16,7 @@
 /// does, and has angles within 3 degrees; the interface stress does not, and has them too far from 90 (tutorials/verification/contactAngle).
 #pragma once
 #include "Coefficients.hpp"
+#include "Tensions.hpp"
 #include "fieldTags.hpp"
 #include <cmath>
 
@@ -33,7 +34,7 @@ struct WallPotential
     double H;
 
     explicit WallPotential(const Coefficients& c)
-        : tension(c.wallTension.data()), restDensity(c.restDensity.data()), phases(c.phases.size()), H(c.support)
+        : tension(tensionsOf(c).ofWalls.data()), restDensity(c.restDensity.data()), phases(c.phases.size()), H(c.support)
     {}
     /// dPhi/dd/N [1/m^2] at the distance d [m] from a surface of the given principal curvatures [1/m]
     double slope(double d, double k1, double k2) const

@@ -16,6 +16,7 @@
 /// within 1 degree, a factor of R/r or its inverse 2 to 4 degrees off (tutorials/verification/contactAngle, circles).
 #pragma once
 #include "Coefficients.hpp"
+#include "Tensions.hpp"
 #include "fieldTags.hpp"
 #include <algorithm>
 #include <string>
@@ -43,7 +44,7 @@ struct WallTension
     const std::vector<double>* w_1;
 
     explicit WallTension(const Coefficients& c)
-        : tension(c.wallTension.data()), phases(c.phases.size()), H(c.support), w_1(&c.of<KernelMarginal>().w_1)
+        : tension(tensionsOf(c).ofWalls.data()), phases(c.phases.size()), H(c.support), w_1(&c.of<KernelMarginal>().w_1)
     {}
     double marginal(double d) const
     {

@@ -1,4 +1,5 @@
 #include "YoungsLaw.hpp"
+#include "Tensions.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,7 @@ std::vector<double> wallTensions(const std::vector<PhaseAngle>& angles, const Co
     const std::size_t n = c.phases.size();
     std::vector<double> tension(n, 0.0);
     if (angles.empty()) return tension;
-    const auto gamma = [&](std::size_t a, std::size_t b) { return c.surfaceTension[a * n + b]; };
+    const auto gamma = [&](std::size_t a, std::size_t b) { return tensionsOf(c).between[a * n + b]; };
     if (n == 2)
     {
         const double all = c.restDensity[0] + c.restDensity[1], cosTheta = cosineThroughFirst(angles.front());

@@ -1,5 +1,6 @@
 #include "phaseCurvatureTerms.hpp"
 #include "PhaseCurvature.hpp"
+#include "Tensions.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,7 +13,7 @@ std::vector<double> tensionShares(const Coefficients& c)
     const std::size_t n = c.phases.size();
     std::vector<double> sum(n, 0.0);
     for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t l = 0; l < n; ++l) sum[k] += c.surfaceTension[k * n + l];
+        for (std::size_t l = 0; l < n; ++l) sum[k] += tensionsOf(c).between[k * n + l];
     const double all = std::accumulate(sum.begin(), sum.end(), 0.0) / double(2 * n - 2);
     std::vector<double> gamma;
     for (double s : sum) gamma.push_back((s - all) / double(n - 2));
@@ -26,19 +27,20 @@ double missedByShares(const Coefficients& c)
     double most = 0;
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = 0; l < n; ++l)
-            if (k != l) most = std::max(most, std::abs(gamma[k] + gamma[l] - c.surfaceTension[k * n + l]));
-    return most / (*std::max_element(c.surfaceTension.begin(), c.surfaceTension.end()));
+            if (k != l) most = std::max(most, std::abs(gamma[k] + gamma[l] - tensionsOf(c).between[k * n + l]));
+    return most / (*std::max_element(tensionsOf(c).between.begin(), tensionsOf(c).between.end()));
 }
 
 std::vector<double> wallCosines(const Coefficients& c)
 {
-    const std::size_t n = c.phases.size(), walls = c.wallTension.size() / n;
+    const std::size_t n = c.phases.size(), walls = tensionsOf(c).ofWalls.size() / n;
     std::vector<double> cosines;
     for (std::size_t w = 0; w < walls; ++w)
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t l = 0; l < n; ++l)
             {
-                const double gamma = c.surfaceTension[k * n + l], difference = c.wallTension[w * n + l] - c.wallTension[w * n + k];
+                const double gamma = tensionsOf(c).between[k * n + l],
+                             difference = tensionsOf(c).ofWalls[w * n + l] - tensionsOf(c).ofWalls[w * n + k];
                 cosines.push_back(gamma > 0 ? std::clamp(difference / gamma, -1.0, 1.0) : 0);
             }
     return cosines;
@@ -55,10 +57,10 @@ struct Tables
 
 std::shared_ptr<const Tables> tablesOf(const Coefficients& c, std::size_t k)
 {
-    const std::size_t n = c.phases.size(), walls = c.wallTension.size() / n;
+    const std::size_t n = c.phases.size(), walls = tensionsOf(c).ofWalls.size() / n;
     const auto gamma = tensionShares(c), cosine = wallCosines(c);
     Tables t;
-    for (std::size_t l = 0; l < n; ++l) t.share.push_back(l == k ? 0 : 0.5 * (c.surfaceTension[k * n + l] + gamma[k] - gamma[l]));
+    for (std::size_t l = 0; l < n; ++l) t.share.push_back(l == k ? 0 : 0.5 * (tensionsOf(c).between[k * n + l] + gamma[k] - gamma[l]));
     for (std::size_t w = 0; w < walls; ++w)
         for (std::size_t l = 0; l < n; ++l) t.cosine.push_back(cosine[(w * n + k) * n + l]);
     return std::make_shared<const Tables>(std::move(t));

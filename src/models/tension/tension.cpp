@@ -1,9 +1,13 @@
 #include "tension.hpp"
+#include "InterfaceArea.hpp"
+#include "Tensions.hpp"
 #include "WallTension.hpp"
 #include "WettingAngles.hpp"
 #include "YoungsLaw.hpp"
 #include "operatorTerms.hpp"
 #include "phaseCurvatureTerms.hpp"
+#include "readTensions.hpp"
+#include "sigmaEntry.hpp"
 #include "tensionTerms.hpp"
 #include "wettingLaws.hpp"
 #include <algorithm>
@@ -36,9 +40,13 @@ const Choice surfaceTension{
 
 namespace
 {
-bool hasTension(const Coefficients& c)
+void declare(const Reading& reading)
 {
-    return std::any_of(c.surfaceTension.begin(), c.surfaceTension.end(), [](double s) { return s > 0; });
+    auto& c = reading.settings.coefficients;
+    Tensions tensions{readTensions(reading.phases, c), {}};
+    reading.settings.facts.give(InterfaceEnergy{tensions.largest()}, "sigma of constant/phaseProperties");
+    c.constants["sigma"] = tensions.between;
+    c.set(std::move(tensions));
 }
 
 /// An angle is one of an interface that has a tension.
@@ -60,7 +68,7 @@ void setContactAngles(const Reading& reading, Coefficients& c)
         return refuseAngles(reading,
                             "it is one of two phases, and constant/phaseProperties lists one, whose free surface has no tension. Add the "
                             "gas as a phase, and sigma between both; or leave the angle out");
-    if (!hasTension(c) && !entry::surfaceTension.is(reading.schemes, "none"))
+    if (!tensionsOf(c).any() && !entry::surfaceTension.is(reading.schemes, "none"))
         return refuseAngles(reading, "constant/phaseProperties gives no sigma between any two phases. Give it, or leave the angle out");
     WettingAngles angles;
     std::vector<double> tensions;
@@ -74,8 +82,8 @@ void setContactAngles(const Reading& reading, Coefficients& c)
         for (double tension : wallTensions(known, c, complain)) tensions.push_back(tension);
         angles.cosine.push_back(n == 2 && !known.empty() ? cosineThroughFirst(known.front()) : 0);
     }
-    if (!hasTension(c) || neutral) return;
-    c.wallTension = tensions;
+    if (!tensionsOf(c).any() || neutral) return;
+    c.of<Tensions>().ofWalls = tensions;
     c.set(angles);
 }
 
@@ -94,14 +102,15 @@ void prepare(const Reading& reading)
     auto& c = settings.coefficients;
     const auto& dict = reading.schemes;
     setContactAngles(reading, c);
-    const bool tension = hasTension(c);
+    const bool tension = tensionsOf(c).any();
     const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") ||
                         entry::contactAngle.is(dict, "wallStress");
     const auto& form = reading.choose(entry::surfaceTension, !tension ? "none" : stress ? "interfaceStress" : "curvature");
-    settings.surfaceTension = form != "none";
-    if (!settings.surfaceTension) c.wallTension.clear();
-    if (settings.surfaceTension && !tension)
-        entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
+    const bool acts = form != "none";
+    if (acts && tension) settings.facts.give(InterfaceForces{true}, "surfaceTension of system/sphSchemes");
+    settings.facts.give(ForceReach{!acts ? 2 : form == "curvature" ? 4 : 3}, "surfaceTension of system/sphSchemes");
+    if (!acts) c.of<Tensions>().ofWalls.clear();
+    if (acts && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
     else if (form == "curvature" && !haveShares(c))
         settings.reasons.push_back(fmt::format(
             "surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
@@ -113,7 +122,8 @@ void readAngles(const Reading& reading)
 {
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
-    const bool byCurvature = settings.has("surfaceTension", "curvature"), byStress = settings.has("surfaceTension", "interfaceStress");
+    const bool byCurvature = settings.has(entry::surfaceTension, "curvature"),
+               byStress = settings.has(entry::surfaceTension, "interfaceStress");
     const auto& form = reading.choose(entry::contactAngle, byCurvature                   ? "wallPotential"
                                                            : reading.paper() && byStress ? "paper"
                                                                                          : "wallStress");
@@ -121,7 +131,7 @@ void readAngles(const Reading& reading)
         entry::contactAngle.error(
             dict, fmt::format("paper makes the solid a phase of the interface stress and goes with surfaceTension interfaceStress, not "
                               "{}; take wallStress or wallPotential",
-                              settings.chosen.at("surfaceTension")));
+                              settings.chosen.at(entry::surfaceTension.keyword())));
     if (form == "wallPotential" && byStress && reading.geometry.wets())
         dict.diagnostics().warning(
             entry::contactAngle.where(dict),
@@ -131,14 +141,14 @@ void readAngles(const Reading& reading)
         entry::contactAngle.error(
             dict,
             "wallAdhesion turns the normals of surfaceTension curvature, and interfaceStress has none; take wallStress or wallPotential");
-    if (entry::contactAngle.given(dict) && (!settings.surfaceTension || !reading.geometry.wets()))
+    if (entry::contactAngle.given(dict) && (!settings.facts.get<InterfaceForces>().act || !reading.geometry.wets()))
         entry::contactAngle.error(dict, fmt::format("does nothing without {}; give that, or leave this out",
                                                     reading.geometry.wets() ? "surface tension between two phases"
                                                                             : "a wall that has a contactAngle in constant/geometry"));
     // A solid of 90 degrees has no tension, but it is no fluid either: the fluids' colour gradients end at it.
     auto& c = settings.coefficients;
     if (form != "paper" || !byStress || !reading.geometry.wets()) return;
-    c.wallTension.resize(reading.geometry.walls.size() * c.phases.size());
+    c.of<Tensions>().ofWalls.resize(reading.geometry.walls.size() * c.phases.size());
     settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
 }
 
@@ -151,34 +161,37 @@ void read(const Reading& reading)
     auto& c = settings.coefficients;
     const bool seldom = settings.integration.maxSubSteps > 1;
     const auto select = [&](const std::string& term) { (seldom ? settings.slowTerms : settings.terms).push_back(term); };
-    const bool angles = !c.wallTension.empty();
-    const auto by = [&](const char* form) { return angles && settings.has("contactAngle", form); };
+    if (settings.facts.get<InterfaceForces>().act) settings.parts.push_back(partOf<InterfaceArea>());
+    const bool angles = !tensionsOf(c).ofWalls.empty();
+    const auto by = [&](const char* form) { return angles && settings.has(entry::contactAngle, form); };
     if (by("paper"))
     {
         select("solidPhaseStress");
         select("stressOfSolid");
     }
-    else if (settings.has("surfaceTension", "interfaceStress")) select("interfaceStress");
+    else if (settings.has(entry::surfaceTension, "interfaceStress")) select("interfaceStress");
     if (by("wallStress"))
     {
         select("wallTension");
         c.set(KernelMarginal::of(settings.resolution.kernel, c.dimension, c.support));
     }
-    if (settings.has("surfaceTension", "interfaceStress") || by("wallStress"))
-        select(settings.force(settings.has("pressureGradient", "densityWeighted") ? "densityWeightedStressDivergence" : "stressDivergence",
+    if (settings.has(entry::surfaceTension, "interfaceStress") || by("wallStress"))
+        select(settings.force(settings.facts.get<PressureForce>().form == PressureForce::Form::densityWeighted
+                                  ? "densityWeightedStressDivergence"
+                                  : "stressDivergence",
                               operatorTerms<2>(), operatorTerms<3>()));
-    if (settings.has("surfaceTension", "curvature") && c.phases.size() > 2)
+    if (settings.has(entry::surfaceTension, "curvature") && c.phases.size() > 2)
     {
-        const bool even = !seldom && settings.has("pressureGradient", "huAdams");
+        const bool even = !seldom && settings.facts.get<PressureForce>().hasEnergy();
         for (const auto& term : definePhaseCurvature(settings, {.even = even, .adhering = by("wallAdhesion")})) select(term);
     }
-    else if (settings.has("surfaceTension", "curvature"))
+    else if (settings.has(entry::surfaceTension, "curvature"))
     {
-        select(settings.force(!seldom && settings.has("pressureGradient", "huAdams") ? "evenCurvatureForce" : "curvatureForce",
+        select(settings.force(!seldom && settings.facts.get<PressureForce>().hasEnergy() ? "evenCurvatureForce" : "curvatureForce",
                               tensionTerms<2>(), tensionTerms<3>()));
         select(by("wallAdhesion") ? "adheringColourGradient" : "smoothedColourGradient");
     }
-    if (by("wallAdhesion")) settings.continuesInterfaces = true;
+    if (by("wallAdhesion")) settings.facts.give(InterfacesBehindWalls{true}, "contactAngle of system/sphSchemes");
     if (by("wallPotential")) select("wallPotential");
     if (!seldom) return;
     if (settings.slowTerms.empty())
@@ -193,11 +206,13 @@ std::optional<StepLimit> capillaryLimit(const Settings& settings, const Measured
 {
     const auto& c = settings.coefficients;
     const double h = 0.5 * c.support, s = settings.integration.factors.capillary;
+    const auto& between = tensionsOf(c).between;
+    if (between.empty()) return {};
     const std::size_t n = c.phases.size();
     double step = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = 0; l < n; ++l)
-            if (const double gamma = c.surfaceTension[k * n + l]; gamma > 0)
+            if (const double gamma = between[k * n + l]; gamma > 0)
                 step = std::min(step, std::sqrt((c.restDensity[k] + c.restDensity[l]) * h * h * h / (4 * std::numbers::pi * gamma)));
     if (!(step < std::numeric_limits<double>::infinity())) return {};
     return StepLimit{s * step, "capillary"};
@@ -229,7 +244,9 @@ const Model& tensionModel()
                              prepare,
                              {},
                              {capillaryLimit, slowForceLimit},
-                             {{"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}}};
+                             {{"constant/phaseProperties", {entry::sigma}},
+                              {"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}},
+                             declare};
     return model;
 }
 

@@ -36,8 +36,9 @@ void read(const Reading& reading)
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
     const bool unequal = std::any_of(c.viscosity.begin(), c.viscosity.end(), [&](double mu) { return mu != c.viscosity[0]; });
     const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : unequal && !reading.paper() ? "newtonian" : "harmonic");
+    settings.facts.give(ViscousForce{form != "none"}, "viscosity of system/sphSchemes");
     if (!viscous && form != "none") reading.doesNothing(entry::viscosity, "no phase of constant/phaseProperties has mu");
-    const bool variable = settings.variableViscosity, central = form == "cleary", product = form == "clearyMonaghan";
+    const bool variable = settings.hasViscosityField(), central = form == "cleary", product = form == "clearyMonaghan";
     const std::string kind = central    ? variable ? "cleary" : "singlePhaseCleary"
                              : product  ? variable ? "clearyMonaghan" : "singlePhaseClearyMonaghan"
                              : variable ? "harmonic"
@@ -66,7 +67,7 @@ void read(const Reading& reading)
 std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& measured)
 {
     const auto& c = settings.coefficients;
-    if (settings.has("viscosity", "none")) return {};
+    if (settings.has(entry::viscosity, "none")) return {};
     const double h = 0.5 * c.support;
     double nu = 0;
     for (std::size_t k = 0; k < c.phases.size(); ++k)
@@ -99,7 +100,7 @@ const Model& viscosityModel()
                              prepare,
                              {{"integration",
                                [](const Settings& s)
-                               { return s.has("viscosity", "none") && s.integration.solves && !s.integration.solvesPressure; },
+                               { return s.has(entry::viscosity, "none") && s.integration.solves && !s.integration.solvesPressure; },
                                "semiImplicit and quasiSteady solve for viscosity, and there is none"}},
                              {viscousLimit, artificialLimit},
                              {{"system/sphSchemes", {entry::viscosity, entry::artificialViscosity}}}};

@@ -13,6 +13,9 @@ template<int dim> double closestOf(const Particles<dim>& p) { return LeakGuard<d
 
 template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
 {
+    if (place == Place::sorted)
+        return {{"near walls", "particles that may come to a wall before lists are built anew",
+                 [this](Particles<dim>& p, const Substep&) { find(p); }}};
     // The stage stands behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
     if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
     return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
@@ -25,7 +28,7 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
              }}};
 }
 
-template<int dim> void WallContact<dim>::sorted(Particles<dim>& p)
+template<int dim> void WallContact<dim>::find(const Particles<dim>& p)
 {
     near_.clear();
     const auto x = p.store().pointers(Position{});

@@ -35,6 +35,8 @@ template<int dim> class WallContact final : public Part<dim>
     bool ofSoil_, slips_;
 
     static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
+    /// Finds the particles near walls.
+    void find(const Particles<dim>&);
     double holdOff(const Particles<dim>&, const Columns& x, const Columns& v, Near&) const;
     Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 
@@ -42,7 +44,6 @@ public:
     /// `ofSoil`: what touches a wall without slip stays there; `slips`: walls do that say nothing of it.
     WallContact(Particles<dim>&, const Numbers&, bool ofSoil, bool slips) : ofSoil_(ofSoil), slips_(slips) {}
     std::vector<Stage<dim>> stages(Place) override;
-    void sorted(Particles<dim>&) override;
 };
 
 }

@@ -1,5 +1,7 @@
 #include "WallRules.hpp"
 #include "ghostRules.hpp"
+#include "reduce.hpp"
+#include <numeric>
 
 namespace sph
 {
@@ -29,6 +31,30 @@ template<int dim> std::vector<Stage<dim>> WallRules<dim>::stages(Place place)
 {
     if (!filters_ || place != Place::atEnd) return {};
     return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().filterRules(); }}};
+}
+
+template<int dim> double WallRules<dim>::supply(const Particles<dim>& particles, const std::vector<double>& mass) const
+{
+    const auto& geometry = particles.geometry();
+    const double spacing = particles.coefficients().spacing;
+    const Larger larger;
+    const double fastest = reduce(
+        particles.size(), 0.0,
+        [&](std::size_t i)
+        {
+            const auto x = particles.position(i);
+            double speed = 0;
+            particles.images().forEachWallNear(x,
+                                               [&](const Foot& foot, const Patch& patch)
+                                               {
+                                                   if (foot.distance > spacing) return; // the row at the wall
+                                                   larger(speed, mag(geometry.wallVelocity(patch.wallAt(foot.region),
+                                                                                           in3D(x) - foot.distance * foot.normal)));
+                                               });
+            return speed;
+        },
+        larger);
+    return 0.5 * std::accumulate(mass.begin(), mass.end(), 0.0) * sqr(fastest);
 }
 
 template class WallRules<2>;

@@ -1,7 +1,6 @@
 #include "walls.hpp"
 #include "WallContact.hpp"
 #include "WallRules.hpp"
-#include "phaseEntries.hpp"
 #include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -49,13 +48,13 @@ void prepare(const Reading& reading)
     const auto& dict = reading.schemes;
     const auto& geometry = reading.geometry;
     const bool layers = wallsAreLayers(dict);
-    settings.chosen["walls"] = layers ? "layers" : "reflected";
+    settings.chosen[entry::walls.keyword()] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
-    const bool ofSoil = settings.has(entry::stress.keyword(), byLaw);
+    const bool ofSoil = settings.facts.get<ConstitutiveStress>().exists;
     if (layers) reading.choose(entry::layerValues, ofSoil ? "interpolated" : "byPair");
     else if (entry::layerValues.given(dict))
         entry::layerValues.error(dict, "goes with `walls layers;` alone: mirror images have no values of their own");
-    const bool interpolates = settings.has("layerValues", "interpolated");
+    const bool interpolates = settings.has(entry::layerValues, "interpolated");
     if (geometry.slips())
     {
         std::vector<std::string> names;
@@ -81,9 +80,9 @@ void prepare(const Reading& reading)
     // Measured: two layers of water and air have 0.06 % of error by it in place of 0.16 (tutorials/verification/twoLayerPoiseuille). A bed of grains with
     // surface tension has three times the kinetic energy at 4 ms, and a channel of powder, whose gradient of mu the rule leaves out, 5.0 % of error in U
     // in place of 3.0.
-    const bool powder = settings.variableViscosity && !settings.multiphase();
-    const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) && settings.has("pressureGradient", "huAdams") &&
-                        !settings.surfaceTension && !powder;
+    const bool powder = settings.facts.get<VaryingViscosity>().exists;
+    const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) &&
+                        settings.facts.get<PressureForce>().hasEnergy() && !settings.facts.get<InterfaceForces>().act && !powder;
     // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
     const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && ofSoil ? "morris" : "reflected");
     if (rule != "secondOrder") return;
@@ -91,7 +90,7 @@ void prepare(const Reading& reading)
     settings.state.push_back({stateField(WallAcceleration{})});
     auto& reads = settings.ruleReads[Velocity::info.name];
     reads = {stateField(WallAcceleration{})};
-    if (!settings.variableViscosity) return;
+    if (!settings.hasViscosityField()) return;
     reads.push_back(stateField(DynamicViscosity{}));
     reads.push_back(stateField(Density{}));
 }
@@ -112,15 +111,16 @@ void read(const Reading& reading)
                             "without gravity and body force the pressure behind a wall is that of the fluid before it");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (settings.hasGravity() || mag(c.bodyForce) > 0);
     if (continued) settings.ruleReads[Pressure::info.name] = {stateField(Density{})};
-    settings.leaked = readLeakGuard(reading.schemes);
-    settings.weighted = std::any_of(geometry.patches.begin(), geometry.patches.end(),
-                                    [](const Patch& p)
-                                    { return p.shape->smallestRadius() < std::numeric_limits<double>::infinity() || p.shape->hasEdges(); });
-    settings.parts.push_back(partOf<WallRules>(settings.chosen.at("wallVelocity"), continued ? pressure : std::string("mirrored"),
-                                               settings.variableViscosity, settings.has("layerValues", "interpolated")));
+    settings.facts.give(LeakedParticles{readLeakGuard(reading.schemes)}, "leakedParticles of system/sphSchemes");
+    settings.facts.give(WallConditions{settings.has(entry::wallVelocity, "freeSlip"), settings.has(entry::layerValues, "interpolated"),
+                                       pressure},
+                        "the walls of system/sphSchemes");
+    settings.parts.push_back(partOf<WallRules>(settings.chosen.at(entry::wallVelocity.keyword()),
+                                               continued ? pressure : std::string("mirrored"), settings.hasViscosityField(),
+                                               settings.has(entry::layerValues, "interpolated")));
     if (!geometry.patches.empty())
         settings.parts.push_back(
-            partOf<WallContact>(settings.has(entry::stress.keyword(), byLaw), settings.has("wallVelocity", "freeSlip")));
+            partOf<WallContact>(settings.facts.get<ConstitutiveStress>().exists, settings.has(entry::wallVelocity, "freeSlip")));
 }
 }
 
@@ -133,20 +133,22 @@ const Model& wallsModel()
         {},
         {},
         prepare,
-        {{"wallVelocity", [](const Settings& s) { return s.has("layerValues", "byPair") && s.has("wallVelocity", "freeSlip"); },
+        {{"wallVelocity", [](const Settings& s) { return s.has(entry::layerValues, "byPair") && s.has(entry::wallVelocity, "freeSlip"); },
           "freeSlip needs what carries the velocity along the wall from place to place; take walls reflected, or layerValues interpolated"},
-         {"layerValues", [](const Settings& s) { return s.has("layerValues", "interpolated") && s.integration.solves; },
+         {"layerValues", [](const Settings& s) { return s.has(entry::layerValues, "interpolated") && s.integration.solves; },
           "interpolated velocities of walls depend on all particles within reach, which implicit solves do not know of: take byPair, or an explicit scheme"},
-         {"wallVelocity", [](const Settings& s) { return s.has("wallVelocity", "morris") && !s.has("walls", "layers"); },
+         {"wallVelocity", [](const Settings& s) { return s.has(entry::wallVelocity, "morris") && !s.has(entry::walls, "layers"); },
           "morris limits the velocity of a particle of the wall that lies deeper than that of the fluid before it; mirror images lie as deep: take reflected, "
           "or walls layers"},
          {"wallVelocity",
-          [](const Settings& s) { return s.has("wallVelocity", "secondOrder") && (!viscous(s) || !s.has("pressureGradient", "huAdams")); },
+          [](const Settings& s)
+          { return s.has(entry::wallVelocity, "secondOrder") && (!viscous(s) || !s.facts.get<PressureForce>().hasEnergy()); },
           "secondOrder needs viscosity in all phases and pressureGradient huAdams; take reflected"},
          {"wallVelocity",
-          [](const Settings& s) { return s.has("wallVelocity", "secondOrder") && s.surfaceTension && s.integration.maxSubSteps > 1; },
+          [](const Settings& s)
+          { return s.has(entry::wallVelocity, "secondOrder") && s.facts.get<InterfaceForces>().act && s.integration.maxSubSteps > 1; },
           "secondOrder sees surface tension where it acts in every part of a step: take maxSubSteps 1, or reflected"},
-         {"walls", [](const Settings& s) { return s.has("walls", "layers") && s.surfaceTension; },
+         {"walls", [](const Settings& s) { return s.has(entry::walls, "layers") && s.facts.get<InterfaceForces>().act; },
           "layers have no interface to continue: with surface tension take walls reflected"}},
         {},
         {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure, entry::layerValues}},

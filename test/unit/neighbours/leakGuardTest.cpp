@@ -25,7 +25,7 @@ struct Guarded
     std::unique_ptr<Images<2>> images;
     std::unique_ptr<LeakGuard<2>> guard;
 
-    Guarded(const std::vector<Vector<2>>& points, Leaked leaked = Leaked::putBack)
+    Guarded(const std::vector<Vector<2>>& points, LeakAction action = LeakAction::putBack)
     {
         for (const auto& [at, n] : {std::pair{Vector<3>{0, 0, 0}, Vector<3>{1, 0, 0}},
                                     {Vector<3>{1, 0, 0}, Vector<3>{-1, 0, 0}},
@@ -34,7 +34,7 @@ struct Guarded
         addWall(geometry, SolidBox({0.4, 0, -Box::infinity}, {0.6, 0.3, Box::infinity}));
         repeatPeriodically(geometry, 0.2);
         images = std::make_unique<Images<2>>(geometry, 0.2, spacing);
-        guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3 * spacing, leaked);
+        guard = std::make_unique<LeakGuard<2>>(geometry, spacing, 3 * spacing, action);
         store.allocateState(Velocity{});
         store.allocateState(Mass{});
         setPositions(store, points);
@@ -166,7 +166,7 @@ TEST(Images, NameTheParticlesThatAreNearTheirFaces)
 // However deep, and outside the domain: with its mass, 2 + 3 + 5 kg/m. Whoever only touches is put off the wall, the others stay with what they have.
 TEST(LeakGuard, RemovesWhatHasLeakedWhereItIsToldTo)
 {
-    Guarded scene({{0.2, 0.5}, {0.41, 0.1}, {0.5, 0.1}, {0.3, -0.0009}, {0.3, 5}, {0.8, 0.5}}, Leaked::remove);
+    Guarded scene({{0.2, 0.5}, {0.41, 0.1}, {0.5, 0.1}, {0.3, -0.0009}, {0.3, 5}, {0.8, 0.5}}, LeakAction::remove);
     ASSERT_EQ(scene.keep(6), 3);
     EXPECT_EQ(scene.store.owned(), 3);
     const Vector<2> left[]{{0.2, 0.5}, {0.3, 0.001}, {0.8, 0.5}};
@@ -184,13 +184,13 @@ TEST(LeakGuard, RemovesWhatHasLeakedWhereItIsToldTo)
     EXPECT_EQ(leaks.at, (Vector<3>{0.5, 0.1, 0}));
     EXPECT_EQ(wallInWords(scene.geometry, leaks.patch, leaks.at), "\"wall3\"");
 
-    Guarded nowhere({{0.2, 0.5}, {std::nan(""), 0.5}}, Leaked::remove);
+    Guarded nowhere({{0.2, 0.5}, {std::nan(""), 0.5}}, LeakAction::remove);
     EXPECT_THROW(nowhere.keep(2), CaseError) << "a place that is no number is the end of a solution, not a leak";
 }
 
 TEST(LeakGuard, StopsAtTheFirstLeakWhereItIsToldTo)
 {
-    Guarded touching({{0.3, -0.0009}}, Leaked::stop), leaking({{0.3, 0.5}, {0.3, -0.002}}, Leaked::stop);
+    Guarded touching({{0.3, -0.0009}}, LeakAction::stop), leaking({{0.3, 0.5}, {0.3, -0.002}}, LeakAction::stop);
     EXPECT_NO_THROW(touching.keep(1));
     try
     {

@@ -16,7 +16,7 @@ constexpr double spacing = 0.1, support = 2.6;
 Coefficients oneLiquid(int dimension)
 {
     auto c = firstPhases(threePhases(dimension, spacing, support), 1);
-    c.wallTension.clear();
+    c.of<Tensions>().ofWalls.clear();
     c.set(Suspension{0.4, 0.68, 0.66, 1.82, 0.013, 0.037, 0.5 * 0.025 * sqr(spacing)});
     return c;
 }

@@ -71,11 +71,7 @@ TEST(Declared, geometry)
 
 TEST(Declared, phasesAndGravity)
 {
-    const auto read = [](const Case& c)
-    {
-        Settings settings;
-        readPhases(c, settings);
-    };
+    const auto read = [](const Case& c) { readSettings(c, readGeometry(c.dictionary("constant/geometry"), 1)); };
     EXPECT_EQ(differenceOf("constant/phaseProperties", read), "");
     EXPECT_EQ(differenceOf("constant/g", read, {"constant/g.dimensions"}), "");
 }

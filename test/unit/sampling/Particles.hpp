@@ -85,8 +85,7 @@ struct Particles
         v.restDensity = {1000, 1};
         v.viscosity = {1e-3, 2e-5};
         v.soundSpeed = {10, 10};
-        v.surfaceTension = surfaceTension;
-        v.surfaceTensions = surfaceTensions;
+        v.constants["sigma"] = surfaceTensions.empty() ? std::vector<double>{0, surfaceTension, surfaceTension, 0} : surfaceTensions;
         v.g = v.gravity = g;
         v.spacing = spacing;
         v.support = supportInSpacings * spacing;

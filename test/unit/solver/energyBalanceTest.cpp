@@ -104,7 +104,7 @@ TEST(EnergyBalance, KnowsWhatIsStoredByCompression)
     {
         auto cloud = lattice({0, 0, 0}, false);
         cloud.fields["rho"].component.assign(1, std::vector<double>(cloud.x.size(), rho));
-        return makeSimulation(settings, g, cloud, {})->energy().compression;
+        return makeSimulation(settings, g, cloud, {})->energy().stored.at(0).value;
     };
     EXPECT_NEAR(compression(1000), 0, 1e-12);
     EXPECT_NEAR(compression(1010), 1000 * 100 * 0.01 * 0.01 / 2, 0.02 * 5);

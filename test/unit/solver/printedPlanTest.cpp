@@ -123,6 +123,13 @@ template<int dim> Ran printsWhatRuns(const Files& files, int steps)
         EXPECT_TRUE(lines.contains(name)) << "ran, and is not printed: " << name;
         EXPECT_EQ(count, onceAStep[name] * steps + (lines[name] - onceAStep[name]) * parts) << name;
     }
+    // What joins evaluations, sortings and observations is printed where it does.
+    const auto text = plan.str();
+    for (const auto& [name, count] : simulation->countsWithin())
+        EXPECT_TRUE(text.find(": " + name + ", ") != std::string::npos || text.find("; " + name + ": ") != std::string::npos)
+            << "ran " << count << " times, and is not printed: " << name;
+    if (const auto within = simulation->countsWithin(); within.contains("near walls"))
+        EXPECT_EQ(within.at("near walls"), simulation->rebuilds()) << "once for each building of lists";
     // A stage that evaluates its own group runs each of its operations once.
     for (const auto& [group, operations] : ran.groups)
     {

@@ -3,6 +3,7 @@
 #include "Migration.hpp"
 #include "Plane.hpp"
 #include "SuspensionConstants.hpp"
+#include "Tensions.hpp"
 #include "TransportVelocity.hpp"
 #include "readSettings.hpp"
 #include "smallCases.hpp"
@@ -93,8 +94,8 @@ TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
     EXPECT_TRUE(selects(grainCase(), "particleShifting"));
     EXPECT_TRUE(selects(grainCase(), "densityDiffusion"));
     EXPECT_EQ(reading(columnCase()).settings.coefficients.of<ArtificialNumber>().mu, 0.02 * (0.5 * 3 * 0.05) * 40 * 1000);
-    EXPECT_TRUE(reading(columnCase()).settings.has("wallPressure", "detaching"));
-    EXPECT_FALSE(reading(channelCase()).settings.has("wallPressure", "detaching"));
+    EXPECT_EQ(reading(columnCase()).settings.chosen.at("wallPressure"), "detaching");
+    EXPECT_NE(reading(channelCase()).settings.chosen.at("wallPressure"), "detaching");
     expectError(edited(columnCase(), "system/sphSchemes", "tangential", "tangent"), "Did you mean \"tangential\"?");
     expectError(edited(columnCase(), "system/sphSchemes", "Viscosity 0.02", "Viscosity -1"), "system/sphSchemes:4: ");
     expectError(edited(columnCase(), "system/sphSchemes", "density continuity;", ""), "goes with `density continuity;` alone");
@@ -107,8 +108,8 @@ TEST(Settings, WallsByLayersHaveNoInterfaceAndStick)
     const auto with = [&](const Files& files, const std::string& words)
     { return edited(files, schemes, "\nintegration", "\n" + words + "\nintegration"); };
     EXPECT_EQ(reading(with(channelCase(), "walls layers;")).errors, "");
-    EXPECT_TRUE(reading(with(channelCase(), "walls layers;")).settings.has("walls", "layers"));
-    EXPECT_FALSE(reading(with(channelCase(), "walls reflected;")).settings.has("walls", "layers"));
+    EXPECT_EQ(reading(with(channelCase(), "walls layers;")).settings.chosen.at("walls"), "layers");
+    EXPECT_NE(reading(with(channelCase(), "walls reflected;")).settings.chosen.at("walls"), "layers");
     EXPECT_EQ(reading(with(suspensionCase(), "walls layers;")).errors, "");
     expectError(with(channelCase(), "walls layer;"), "system/sphSchemes:3: walls \"layer\" is unknown. Did you mean \"layers\"?");
     expectError(with(dropCase(), "walls layers;"), "system/sphSchemes:2: layers have no interface to continue");
@@ -288,15 +289,16 @@ TEST(Settings, AnglesOfMoreThanTwoPhasesComeInPairs)
     expect(read(three, {{"liquid", "gas", 30}, {"gas", "oil", 60}}).errors, "no angle of (liquid oil) goes with the others");
     const auto good = read(three, {{"liquid", "gas", 60}, {"oil", "gas", 80}});
     EXPECT_EQ(good.errors, "");
-    const auto& tension = good.settings.coefficients.wallTension;
+    const auto& tension = tensionsOf(good.settings.coefficients).ofWalls;
     ASSERT_EQ(tension.size(), 6u); // walls x phases
     EXPECT_EQ(tension[0], 0);
     EXPECT_NEAR(tension[4] - tension[3], 0.5, 1e-14);
     EXPECT_TRUE(std::count(good.settings.terms.begin(), good.settings.terms.end(), "wallPotential") > 0);
 
     const auto plain = read(dropCase(), {}).settings, named = read(dropCase(), {{"gas", "liquid", 120}}).settings;
-    ASSERT_EQ(named.coefficients.wallTension.size(), 4u);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(plain.coefficients.wallTension[k], named.coefficients.wallTension[k], 1e-15);
+    ASSERT_EQ(tensionsOf(named.coefficients).ofWalls.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(tensionsOf(plain.coefficients).ofWalls[k], tensionsOf(named.coefficients).ofWalls[k], 1e-15);
 }
 
 TEST(Settings, WrongDimensionsAndSigns)
@@ -364,7 +366,7 @@ TEST(Settings, WallTensionsObeyYoungsLaw)
     g.walls[0].contactAngle = 60;
     g.walls[1].contactAngle = 120;
     const auto settings = readSettings(c, g);
-    const auto& tension = settings.coefficients.wallTension;
+    const auto& tension = tensionsOf(settings.coefficients).ofWalls;
     ASSERT_EQ(tension.size(), 6u); // walls x phases
     EXPECT_NEAR(tension[0] - tension[1], -0.5, 1e-14);
     EXPECT_NEAR(tension[2] - tension[3], 0.5, 1e-14);
@@ -575,7 +577,7 @@ TEST(Settings, ASolidPhaseOf90DegreesIsASolidPhase)
     EXPECT_FALSE(selects(wetting("", 90, 90), "wallTension"));
     const auto settings = wetting("contactAngle paper;", 90, 90);
     EXPECT_TRUE(selects(settings, "solidPhaseStress"));
-    EXPECT_EQ(settings.coefficients.wallTension, std::vector<double>(4, 0.0));
+    EXPECT_EQ(tensionsOf(settings.coefficients).ofWalls, std::vector<double>(4, 0.0));
 }
 
 TEST(Settings, ASolidPhaseNeedsTheInterfaceStress)
@@ -769,7 +771,7 @@ TEST(Settings, OfASuspensionAreRead)
     EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"subParticleShear", "kriegerSlope", "phillipsFlux"}));
     EXPECT_TRUE(selects(r.settings, "harmonicViscosity"));
     EXPECT_TRUE(selects(r.settings, "harmonicViscousRate"));
-    EXPECT_TRUE(r.settings.has("wallVelocity", "reflected"));
+    EXPECT_EQ(r.settings.chosen.at("wallVelocity"), "reflected");
 
     // D_c and D_eta go with the square of what the case says: a factor 4 in time.
     const std::string transport = "constant/transportProperties";
@@ -784,7 +786,7 @@ TEST(Settings, OfASuspensionAreRead)
     expectError(schemes("scheme paper;"), "paper is Barker et al. (2012), who have no powder; take paperPowder");
     EXPECT_EQ(migrationTerms(reading(schemes("shearRate correctedGradient;")))[0], "correctedGradientShear");
     EXPECT_EQ(migrationTerms(reading(schemes("subParticleShear 0;")))[0], "resolvedShear");
-    EXPECT_TRUE(reading(schemes("")).settings.has("wallVelocity", "reflected"));
+    EXPECT_EQ(reading(schemes("")).settings.chosen.at("wallVelocity"), "reflected");
 }
 
 // Near packing powder moves by steps that solve, where J_eta is 40 times as stiff as J_c: phi_m - phi < 0.04 here.
@@ -840,13 +842,13 @@ TEST(Settings, SetsOfWordsGoTogether)
     EXPECT_EQ(suspension.settings.integration.scheme, "semiImplicit");
 
     auto files = by(channelCase(), "freeSurface");
-    EXPECT_TRUE(reading(files).settings.has("pressureGradient", "tensileControlled"));
+    EXPECT_EQ(reading(files).settings.chosen.at("pressureGradient"), "tensileControlled");
     files[schemes] += "pressureGradient monaghan; integration { scheme predictorCorrector; }\n";
     const auto mixed = reading(files);
     EXPECT_EQ(mixed.errors, "");
-    EXPECT_TRUE(mixed.settings.has("pressureGradient", "monaghan"));
+    EXPECT_EQ(mixed.settings.chosen.at("pressureGradient"), "monaghan");
     EXPECT_EQ(mixed.settings.integration.scheme, "predictorCorrector");
-    EXPECT_TRUE(mixed.settings.integratedDensity);
+    EXPECT_TRUE(mixed.settings.facts.get<IntegratedDensity>().exists);
     // A support goes with its kernel, a set's too.
     const auto supportOf = [&](Files f, const std::string& words)
     {
@@ -880,8 +882,8 @@ TEST(Settings, ThePowdersPaperIsTakenTermByTerm)
         EXPECT_TRUE(selects(r.settings, term)) << term;
     EXPECT_FALSE(selects(r.settings, "gradientNormalisation"));
     EXPECT_EQ(migrationTerms(r), (std::vector<std::string>{"velocityGradientShear", "kriegerSlopeOfDensity", "phillipsFluxOfDensity"}));
-    EXPECT_TRUE(r.settings.has("walls", "layers"));
-    EXPECT_TRUE(r.settings.has("wallVelocity", "morris"));
+    EXPECT_EQ(r.settings.chosen.at("walls"), "layers");
+    EXPECT_EQ(r.settings.chosen.at("wallVelocity"), "morris");
     EXPECT_EQ(r.settings.integration.scheme, "predictorCorrector");
     EXPECT_EQ(r.settings.resolution.kernel, "cubicSpline");
     EXPECT_EQ(r.settings.coefficients.stateEquation[0].n, 7);
@@ -905,11 +907,11 @@ TEST(Settings, AFreeSurfaceIsSeen)
 {
     const std::string schemes = "system/sphSchemes";
     auto channel = edited(channelCase(), schemes, "wallVelocity secondOrder;", "");
-    const auto free = [](const Files& files) { return reading(files).settings.has("pressureGradient", "tensileControlled"); };
+    const auto free = [](const Files& files) { return reading(files).settings.chosen.at("pressureGradient") == "tensileControlled"; };
     const auto half = reading(holding(channel, 200));
     EXPECT_EQ(half.errors, "");
-    EXPECT_TRUE(half.settings.has("pressureGradient", "tensileControlled"));
-    EXPECT_TRUE(half.settings.integratedDensity);
+    EXPECT_EQ(half.settings.chosen.at("pressureGradient"), "tensileControlled");
+    EXPECT_TRUE(half.settings.facts.get<IntegratedDensity>().exists);
     EXPECT_TRUE(std::any_of(half.settings.reasons.begin(), half.settings.reasons.end(),
                             [](const auto& reason) { return reason.find("fills 50 % of its space") != std::string::npos; }));
     EXPECT_TRUE(free(holding(channel, 370)));

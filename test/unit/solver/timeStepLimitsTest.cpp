@@ -1,5 +1,6 @@
 /// Each limit by its formula with numbers worked by hand, and which one binds.
 #include "TimeStepLimits.hpp"
+#include "Tensions.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -19,7 +20,6 @@ Settings quiet()
     c.restDensity = {1000};
     c.viscosity = {0};
     c.soundSpeed = {2};
-    c.surfaceTension = {0};
     return s;
 }
 Settings twoPhases()
@@ -30,7 +30,6 @@ Settings twoPhases()
     c.restDensity = {1000, 1};
     c.viscosity = {0, 0};
     c.soundSpeed = {2, 20};
-    c.surfaceTension = {0, 0, 0, 0};
     return s;
 }
 void expectLimit(const Settings& s, double deltaT, const std::string& by, double speed = 0, double acceleration = 0)
@@ -45,13 +44,14 @@ TEST(StepLimit, ByTheFasterPhase) { expectLimit(twoPhases(), 0.4 * 0.5 / 20, "so
 TEST(StepLimit, ByStiffness)
 {
     auto s = twoPhases();
-    s.stiffnessLimit = true; // c_eff = sqrt(max(1000 x 4, 1 x 400)/1) = sqrt(4000)
+    s.facts.give(PressureForce{PressureForce::Form::huAdams}, "test"); // c_eff = sqrt(max(1000 x 4, 1 x 400)/1) = sqrt(4000)
     expectLimit(s, 1.2 * 0.5 / std::sqrt(4000.0), "stiffness");
 }
 TEST(StepLimit, ByFlowAloneWherePressureIsSolvedFor)
 {
     auto s = twoPhases();
-    s.stiffnessLimit = s.integration.solves = s.integration.solvesPressure = true;
+    s.facts.give(PressureForce{PressureForce::Form::huAdams}, "test");
+    s.integration.solves = s.integration.solvesPressure = true;
     s.coefficients.viscosity = {30, 10};
     expectLimit(s, 0.2 * 0.5 / 3, "flow", 3);
     EXPECT_EQ(leastOf(stepLimits(s, {})).by, "none");
@@ -94,7 +94,7 @@ TEST(StepLimit, BySoundThatImplicitSolveDamps)
 TEST(StepLimit, BySurfaceTension)
 {
     auto s = twoPhases();
-    s.coefficients.surfaceTension = {0, 1e6, 1e6, 0};
+    s.coefficients.set(Tensions{{0, 1e6, 1e6, 0}, {}});
     expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
 }
 TEST(StepLimit, ByForce) { expectLimit(quiet(), 0.25 * std::sqrt(0.5 / 1e4), "force", 0, 1e4); }
@@ -107,7 +107,7 @@ TEST(StepLimit, OfAStepInParts)
     expectLimit(s, 5 * 0.25 * std::sqrt(0.5 / 1e6), "force", 0, 1e6);
     s.coefficients.viscosity = {30, 10};
     expectLimit(s, 5 * 0.125 * 0.25 / 15, "viscosity");
-    s.coefficients.surfaceTension = {0, 1e6, 1e6, 0};
+    s.coefficients.set(Tensions{{0, 1e6, 1e6, 0}, {}});
     expectLimit(s, 0.5 * std::sqrt(1001 * 0.125 / (4 * std::numbers::pi * 1e6)), "capillary");
     const auto limits = stepLimits(s, {0, 1, 1e8, {}, {}});
     EXPECT_EQ(limits.size(), 5u);

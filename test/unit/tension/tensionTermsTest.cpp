@@ -71,14 +71,14 @@ template<int dim> void interfaceStress(int phases, bool weighted, const Terms& f
                             {
                                 if (l == k) continue;
                                 const auto gradC = colourGradient(s, plain, i, [&](std::size_t j) { return int(s.at(Phase{}, j)) == l; });
-                                S += tensionOf(s, gradC, c.surfaceTension[std::size_t(k * phases + l)]);
+                                S += tensionOf(s, gradC, tensionsOf(c).between[std::size_t(k * phases + l)]);
                             }
                             for (const auto& patch : s.geometry.patches)
                             {
                                 const auto foot = patch.shape->foot(in3D(positionOf(s.store, i)));
                                 if (foot.distance >= c.support) continue;
                                 const auto n = in<dim>(foot.normal);
-                                S += 2 * c.wallTension[std::size_t(patch.wall * phases + k)] * wallTension.marginal(foot.distance) *
+                                S += 2 * tensionsOf(c).ofWalls[std::size_t(patch.wall * phases + k)] * wallTension.marginal(foot.distance) *
                                      (identity(n) - outer(n));
                             }
                             return S;
@@ -109,7 +109,7 @@ template<int dim> void ghostsOwnSums(Scene<dim>& s, const std::vector<int>& wall
         SymmTensor<dim> own{};
         for (int k = 0; k < phases; ++k)
             own += tension(gradient(j, [&](std::size_t i) { return wall[i] == 0 && int(s.at(Phase{}, i)) == k; }),
-                           s.coefficients.wallTension[std::size_t((wall[j] - 1) * phases + k)]);
+                           tensionsOf(s.coefficients).ofWalls[std::size_t((wall[j] - 1) * phases + k)]);
         const auto off = s.at(Stress{}, j) - own;
         largest(std::sqrt(doubleDot(own, own)));
         worst(std::sqrt(doubleDot(off, off)));
@@ -136,8 +136,8 @@ template<int dim> void solidPhase(int phases, bool weighted, const Terms& first 
             const auto tension = [&](auto gradC, double gamma) { return tensionOf(s, gradC, gamma); };
             const auto gradient = [&](std::size_t i, auto counts) { return colourGradient(s, plain, i, counts); };
             const auto phase = [&](std::size_t j) { return int(s.at(Phase{}, j)); };
-            const auto gammaOfWall = [&](int w, int k) { return c.wallTension[std::size_t(w * phases + k)]; };
-            const int walls = int(c.wallTension.size()) / phases;
+            const auto gammaOfWall = [&](int w, int k) { return tensionsOf(c).ofWalls[std::size_t(w * phases + k)]; };
+            const int walls = int(tensionsOf(c).ofWalls.size()) / phases;
             expectEqual(s, Stress{},
                         [&](std::size_t i)
                         {
@@ -145,7 +145,7 @@ template<int dim> void solidPhase(int phases, bool weighted, const Terms& first 
                             for (int l = 0; l < phases; ++l)
                                 if (l != phase(i))
                                     S += tension(gradient(i, [&](std::size_t j) { return wall[j] == 0 && phase(j) == l; }),
-                                                 c.surfaceTension[std::size_t(phase(i) * phases + l)]);
+                                                 tensionsOf(c).between[std::size_t(phase(i) * phases + l)]);
                             for (int w = 0; w < walls; ++w)
                                 S += tension(gradient(i, [&](std::size_t j) { return wall[j] == 1 + w; }), gammaOfWall(w, phase(i)));
                             return S;
@@ -267,7 +267,8 @@ template<int dim> void curvatureForm(const Terms& first, const std::string& ofJu
                                   const double kappa = 0.5 * (s.at(Curvature{}, i) + s.at(Curvature{}, j)),
                                                sign = s.at(Phase{}, i) == 0 ? 1 : -1;
                                   const double share = even ? 1 : 2 * plain.rho[i] / (plain.rho[i] + plain.rho[j]);
-                                  force += sign * c.surfaceTension[1] * kappa * share * 0.5 * (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
+                                  force +=
+                                      sign * tensionsOf(c).between[1] * kappa * share * 0.5 * (sqr(plain.V[i]) + sqr(plain.V[j])) * gradW;
                               });
                     return 1 / plain.m(i) * force;
                 },
@@ -302,7 +303,7 @@ template<int dim> void curvatureOfThreePhases(bool even)
                 EXPECT_LT(worst.value(), 1e-12);
                 Images<dim>::template refresh<Curvature>(s.images, s.store, "kappa." + c.phases[std::size_t(k)]);
             }
-            const auto& sigma = c.surfaceTension; // 0.03, 0.02, 0.07: shares -0.01, 0.04, 0.03
+            const auto& sigma = tensionsOf(c).between; // 0.03, 0.02, 0.07: shares -0.01, 0.04, 0.03
             const double half = 0.5 * (sigma[1] + sigma[2] + sigma[5]);
             const double share[3]{half - sigma[5], half - sigma[2], half - sigma[1]};
             expectEqual(

@@ -1,5 +1,6 @@
 /// Tensions of a wall with any number of phases from contact angles, by hand values; and angles that no sigmas allow.
 #include "YoungsLaw.hpp"
+#include "Tensions.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -15,7 +16,7 @@ Coefficients waterOilAir()
     Coefficients c;
     c.phases = {"water", "oil", "air"};
     c.restDensity = {1000, 800, 1};
-    c.surfaceTension = {0, 0.04, 0.07, 0.04, 0, 0.03, 0.07, 0.03, 0};
+    c.set(Tensions{{0, 0.04, 0.07, 0.04, 0, 0.03, 0.07, 0.03, 0}, {}});
     return c;
 }
 
@@ -64,7 +65,7 @@ TEST(YoungsLaw, HangsOnNoOrder)
     Coefficients turned = waterOilAir();
     turned.phases = {"air", "water", "oil"};
     turned.restDensity = {1, 1000, 800};
-    turned.surfaceTension = {0, 0.07, 0.03, 0.07, 0, 0.04, 0.03, 0.04, 0};
+    turned.set(Tensions{{0, 0.07, 0.03, 0.07, 0, 0.04, 0.03, 0.04, 0}, {}});
     const auto third = tell(wall({{"water", "air", 60}, {"oil", "air", 70}}), turned);
     EXPECT_EQ(one.errors + other.errors + third.errors, "");
     for (std::size_t k = 0; k < 3; ++k)
@@ -123,7 +124,7 @@ TEST(YoungsLaw, OneAngleIsOfTwoPhases)
     Coefficients two;
     two.phases = {"water", "air"};
     two.restDensity = {1000, 1};
-    two.surfaceTension = {0, 0.07, 0.07, 0};
+    two.set(Tensions{{0, 0.07, 0.07, 0}, {}});
     const auto plain = tell(one, two), named = tell(wall({{"air", "water", 120}}), two);
     EXPECT_EQ(plain.errors + named.errors, "");
     EXPECT_NEAR(plain.tension[0] - plain.tension[1], -0.035, 1e-15);

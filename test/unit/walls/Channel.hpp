@@ -3,6 +3,7 @@
 #include "Coefficients.hpp"
 #include "Images.hpp"
 #include "Plane.hpp"
+#include "Tensions.hpp"
 #include "terms.hpp"
 #include <algorithm>
 
@@ -24,7 +25,7 @@ template<int dim> struct Channel
     Channel(const std::vector<Vector<dim>>& points, auto result, double left) : geometry(between()), images(geometry, 1.1 * H, 0.1)
     {
         coefficients.phases = {"water", "air"};
-        coefficients.wallTension = {0.01, -0.02, -0.03, 0.05}; // walls x phases
+        coefficients.set(Tensions{{}, {0.01, -0.02, -0.03, 0.05}}); // walls x phases
         store.allocateState(Position{});
         store.allocateState(Phase{});
         store.allocate(result);

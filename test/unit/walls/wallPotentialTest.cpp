@@ -67,7 +67,7 @@ template<int dim> void planeWallsAddUp()
     {
         const std::size_t phase = i % 2;
         const double lower = wall.slope(points[i].y, 0, 0), upper = wall.slope(Channel<dim>::height - points[i].y, 0, 0);
-        const double up = (-c.wallTension[phase] * lower + c.wallTension[2 + phase] * upper) / c.restDensity[phase];
+        const double up = (-tensionsOf(c).ofWalls[phase] * lower + tensionsOf(c).ofWalls[2 + phase] * upper) / c.restDensity[phase];
         double a[3] = {};
         store(channel.at(Acceleration{}, i), [&](int d, double q) { a[d] = q; });
         EXPECT_NEAR(a[1], before + up, 1e-13 * (1 + std::abs(up))) << "particle " << i;
@@ -91,7 +91,7 @@ TEST(WallPotential, DoesNoWorkOnAWayRoundACorner)
     repeatPeriodically(g, 1.1 * H);
     Coefficients c;
     c.phases = {"water", "air"};
-    c.wallTension = {-0.4, 0.4};
+    c.set(Tensions{{}, {-0.4, 0.4}});
     c.restDensity = {1, 1};
     c.support = H;
     const int n = 4000;

@@ -73,7 +73,7 @@ template<int dim> void planeWallsAddUp()
         const std::size_t phase = i % 2;
         double along = 0;
         for (std::size_t w : {0u, 1u})
-            if (d[w] < H) along += 2 * channel.coefficients.wallTension[2 * w + phase] * tension.marginal(d[w]);
+            if (d[w] < H) along += 2 * tensionsOf(channel.coefficients).ofWalls[2 * w + phase] * tension.marginal(d[w]);
         ++(d[0] < H && d[1] < H ? nearBoth : nearOne);
         Vector<dim> n;
         n.y = 1;

@@ -1,0 +1,60 @@
+#include "DensityScale.hpp"
+#include "reduce.hpp"
+#include <cmath>
+
+namespace sph
+{
+
+namespace
+{
+constexpr const char* densityScale = "densityScale";
+}
+
+template<int dim>
+DensityScale<dim>::DensityScale(Particles<dim>& particles, const Numbers& restored) : coefficients_(particles.coefficients())
+{
+    if (const auto found = restored.find(densityScale); found != restored.end()) restored_ = found->second;
+}
+
+template<int dim> double DensityScale<dim>::ofLattice(const Particles<dim>& particles) const
+{
+    const double dx = coefficients_.spacing;
+    const int n = int(coefficients_.support / dx) + 1;
+    double sum = 0;
+    for (int i = -n; i <= n; ++i)
+        for (int k = -n; k <= n; ++k)
+            for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l)
+                sum += particles.kernel().W(dx * std::sqrt(double(i * i + k * k + l * l)));
+    return 1 / (std::pow(dx, dim) * sum);
+}
+
+template<int dim> double DensityScale<dim>::ofPacking(const Particles<dim>& particles) const
+{
+    const auto& store = particles.store();
+    const auto column = [&](const char* name) { return store.fields().at(name).component[0].data(); };
+    const double *m = column(Mass::info.name), *V = column(Volume::info.name);
+    const double* phase = coefficients_.phases.size() > 1 ? column(Phase::info.name) : nullptr;
+    const double compression = *coefficients_.of<StartCompression>().mean;
+    return coefficients_.densityScale * (compression * double(particles.total()) /
+                                         sum(particles.size(), [&](std::size_t i)
+                                             { return m[i] / coefficients_.restDensity[phase ? std::size_t(phase[i]) : 0] / V[i]; }));
+}
+
+template<int dim> std::vector<Stage<dim>> DensityScale<dim>::stages(Place place)
+{
+    if (place != Place::start) return {};
+    return {{"density scale", "mean of rho/rho_0 is exact",
+             [this](Particles<dim>& p, const Substep&)
+             {
+                 if (restored_) return p.setDensityScale(*restored_);
+                 p.setDensityScale(p.settings().endsInside() ? ofLattice(p) : ofPacking(p));
+                 p.evaluate();
+             }}};
+}
+
+template<int dim> void DensityScale<dim>::save(Numbers& numbers) const { numbers[densityScale] = coefficients_.densityScale; }
+
+template class DensityScale<2>;
+template class DensityScale<3>;
+
+}

@@ -1,0 +1,22 @@
+/// Energy of the interfaces between phases, and what walls may give by being wetted.
+///
+///   S = sum_(k < l) gamma_kl A_kl,    A_kl = sum_(i of k, j of l) V_i V_j/(2 H^3/3) in 2-D, /(pi H^4/4) in 3-D
+///
+/// S [J] (per metre of depth in 2-D), gamma_kl [N/m], A_kl the area by the pairs across the interface nearer than the support H [m]: exact for plane
+/// interfaces, and rising with every particle that strays into the other phase. Walls may give the largest difference of their tensions with the phases, on the
+/// area of the row of particles at them: an upper bound.
+#pragma once
+#include "Particles.hpp"
+
+namespace sph
+{
+
+template<int dim> class InterfaceArea final : public Part<dim>
+{
+public:
+    InterfaceArea(Particles<dim>&, const Numbers&) {}
+    std::optional<StoredEnergy> energy(const Particles<dim>&) const override;
+    double supply(const Particles<dim>&, const std::vector<double>& mass) const override;
+};
+
+}

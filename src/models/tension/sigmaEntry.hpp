@@ -1,0 +1,11 @@
+/// The entry `sigma` of constant/phaseProperties, which packParticles reads as well as the solver.
+#pragma once
+#include "EntryList.hpp"
+
+namespace sph::entry
+{
+
+const PairValues sigma{"sigma", "surface tension", units::surfaceTension, nonNegative,
+                       "surface tension of pairs of phases: of none, or of each, 0 included"};
+
+}
