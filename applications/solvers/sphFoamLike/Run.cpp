@@ -225,7 +225,7 @@ void Run::dryRun()
         log_ << fmt::format(
             "; {:.3g} steps to endTime {:.6g} s: {}{}", double(steps + 1) + std::ceil(left - 1e-6), time_.endTime(),
             durationInWords(clockNow + each * (left + 1)),
-            left > 0 ? ", if steps stay as long and cost as much as these: a scene that fills, breaks up or speeds up later takes "
+            left > 0 ? ", if steps stay as long and cost as much as these: a scene that fills, breaks up or speeds up later may take "
                        "two or three times as long"
                      : "");
     }
