@@ -58,7 +58,7 @@ namespace
 constexpr double roundOff = std::numeric_limits<double>::epsilon();
 /// Two times nearer than this part of a write interval are the same.
 constexpr double sameTime = 1e-9;
-/// Nobody means more, and shorter intervals would be lost in the rounding of time.
+/// Most write intervals in the end time: of shorter ones the rounding of time would be a part of 10^-6 and more.
 constexpr double mostWrites = 1e9;
 
 double readInterval(const Dictionary& d, WriteControl control)
@@ -115,8 +115,10 @@ TimeControls TimeControls::read(const Dictionary& d)
     c.writeInterval = readInterval(d, c.writeControl);
     const bool byTime = c.writeControl == WriteControl::runTime || c.writeControl == WriteControl::adjustable;
     if (byTime && std::isfinite(c.endTime) && std::abs(c.endTime) > mostWrites * c.writeInterval)
-        entry::writeInterval.error(d, fmt::format("writeInterval {} s would make {:.2g} time folders until endTime {}", c.writeInterval,
-                                                  std::abs(c.endTime) / c.writeInterval, c.endTime));
+        entry::writeInterval.error(
+            d, fmt::format("writeInterval {} s is less than {:.0e} of endTime {:.10g} s: moments so close to one another are lost "
+                           "in the rounding of time; give a longer interval, or count time from nearer to 0",
+                           c.writeInterval, 1 / mostWrites, c.endTime));
     c.purgeWrite = entry::purgeWrite(d);
     if (c.purgeWrite > 0 && c.writeControl == WriteControl::none)
         entry::purgeWrite.error(d, "purgeWrite does nothing without writeControl: the end of the run is all that is written; leave it out");

@@ -154,6 +154,7 @@ private:
     struct Face
     {
         Vector<3> normal, foot;
+        double turn = 0; ///< largest angle by which the normal turns until lists are built anew [rad]; known while images are made
         double depthOf(const Vector<3>& y) const { return dot(normal, foot - y); }
     };
     using Faces = std::array<Face, mostReflections>;
@@ -165,7 +166,7 @@ private:
         Vector<dim> x;
         double speed; ///< speed of the image over that of its source
         Faces faces = {};
-        double share = 1; ///< largest share until lists are built anew
+        double weight = 1; ///< largest weight, share times volume factor, until lists are built anew
         bool isOfSeveral() const
         {
             return std::any_of(mirrors.begin(), mirrors.begin() + entry.reflections,
@@ -210,11 +211,12 @@ private:
     void prefetchFacets(std::size_t begin, std::size_t end) const;
     Foot footOf(Mirror&, int reflection, const Vector<3>& x, const Vector<3>& source) const;
     double speedOf(const Foot&) const;
+    double turnOf(const Ghost& from, int patch, const Foot&) const;
     bool fillsCorner(int patch, int before, const Vector<3>& x) const;
     bool isPlane(int patch) const;
     bool isOfWedge(const Ghost&) const;
     bool mayGoOn(const Ghost&, int patch) const;
-    double shareSoon(const Ghost&, Foot) const;
+    double weightSoon(const Ghost&, Foot, double speed) const;
     bool goesOnInWedge(const Mirror* mirrors, int last) const;
     double shareAmong(const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0) const;
     /// Makes the images of these sources, and appends them.

@@ -21,14 +21,15 @@ struct Formula
     std::string name, field;
     ExactField (*read)(const Dictionary&);
     EntryList (*entries)();
+    std::vector<std::string> idle = {}; ///< keywords that another field of the formula alone needs
 };
 
-template<class Solution> Formula velocity(const std::string& name)
+template<class Solution> Formula velocity(const std::string& name, const std::vector<std::string>& idle = {})
 {
     return {name, "U",
             [](const Dictionary& dictionary) -> ExactField
             { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return solution.velocity(x, t); }; },
-            Solution::entries};
+            Solution::entries, idle};
 }
 
 template<class Solution> Formula pressure(const std::string& name)
@@ -40,13 +41,13 @@ template<class Solution> Formula pressure(const std::string& name)
             Solution::entries};
 }
 
-template<class Solution> Formula phi(const std::string& name)
+template<class Solution> Formula phi(const std::string& name, const std::vector<std::string>& idle = {})
 {
     return {name, "phi",
             [](const Dictionary& dictionary) -> ExactField {
                 return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; };
             },
-            Solution::entries};
+            Solution::entries, idle};
 }
 
 const std::vector<Formula>& catalogue()
@@ -55,12 +56,12 @@ const std::vector<Formula>& catalogue()
         velocity<PlanePoiseuille>("planePoiseuille"),
         velocity<TwoLayerPoiseuille>("twoLayerPoiseuille"),
         velocity<Couette>("couette"),
-        velocity<TaylorGreen>("taylorGreen"),
+        velocity<TaylorGreen>("taylorGreen", {"rho"}),
         pressure<TaylorGreen>("taylorGreen"),
         pressure<Hydrostatic>("hydrostatic"),
-        velocity<Ritter>("ritter"),
+        velocity<Ritter>("ritter", {"rho", "up"}),
         pressure<Ritter>("ritter"),
-        phi<SuspensionChannel>("suspensionChannel"),
+        phi<SuspensionChannel>("suspensionChannel", {"mu", "pressureGradient"}),
         velocity<SuspensionChannel>("suspensionChannel"),
         pressure<RotatingSquarePatch>("rotatingSquarePatch"),
     };
@@ -84,7 +85,14 @@ ExactField readFormula(const std::string& name, const Dictionary& dictionary, co
     for (const auto& f : catalogue())
     {
         if (f.name != name) continue;
-        if (f.field == field) return f.read(dictionary);
+        if (f.field == field)
+        {
+            for (const auto& entry : f.idle)
+                if (dictionary.found(entry))
+                    dictionary.error(entry,
+                                     fmt::format("{} does nothing here: {} of {} does not need it; leave it out", entry, field, name));
+            return f.read(dictionary);
+        }
         fields.push_back(f.field);
     }
     dictionary.error("name", fmt::format("formula \"{}\" gives {}, not {}", name, list(fields), field));

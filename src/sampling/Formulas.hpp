@@ -14,7 +14,7 @@ using ExactField = std::function<Vector<3>(const Vector<3>& x, double t)>;
 Cases formulas();
 
 /// Reads the parameters of formula `name`, one of these, from the dictionary in which `name planePoiseuille;` stands.
-/// `field` must be one that the formula gives. Mistakes are recorded, and then the result may be empty.
+/// `field` must be one that the formula gives, and parameters that its other fields alone need must not be there. Mistakes are recorded, and then the result may be empty.
 ExactField readFormula(const std::string& name, const Dictionary&, const std::string& field);
 
 }

@@ -156,7 +156,6 @@ void shrink(const SolidsPlan& plan, Bed& bed)
         bed.shrunk = share;
     };
     if (plan.shrink) return apply(*plan.shrink);
-    if (std::ranges::all_of(bed.shapes, [](const auto& s) { return s.isSphere(); })) return;
     constexpr double most = 0.1;
     for (double overlap = bed.overlap; overlap > 0; overlap = largestOverlap(plan.container, bed) / bed.meanSize)
     {

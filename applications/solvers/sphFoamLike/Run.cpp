@@ -222,8 +222,12 @@ void Run::dryRun()
     if (time_.endTime() - time_.startTime() < 1e30)
     {
         const double left = time_.running() ? (time_.endTime() - now) / deltaT : 0;
-        log_ << fmt::format("; {:.3g} steps to endTime {:.6g} s: {}{}", double(steps + 1) + std::ceil(left - 1e-6), time_.endTime(),
-                            durationInWords(clockNow + each * (left + 1)), left > 0 ? ", if steps stay as these are" : "");
+        log_ << fmt::format(
+            "; {:.3g} steps to endTime {:.6g} s: {}{}", double(steps + 1) + std::ceil(left - 1e-6), time_.endTime(),
+            durationInWords(clockNow + each * (left + 1)),
+            left > 0 ? ", if steps stay as long and cost as much as these: a scene that fills, breaks up or speeds up later may take "
+                       "two or three times as long"
+                     : "");
     }
     log_ << ". Nothing was written\n";
 }

@@ -106,7 +106,7 @@ void read(const Reading& reading)
             reading.doesNothing(*entry, "there are no walls in constant/geometry");
     else if (std::ranges::all_of(geometry.walls, &WallProperties::slips))
         reading.doesNothing(entry::wallVelocity, "all walls of constant/geometry have `slip yes`");
-    if (pressure == "detaching" && !settings.hasGravity() && !(mag(c.bodyForce) > 0))
+    if (!geometry.patches.empty() && !settings.hasGravity() && !(mag(c.bodyForce) > 0))
         reading.doesNothing(entry::wallPressure,
                             "without gravity and body force the pressure behind a wall is that of the fluid before it");
     const bool continued = pressure != "mirrored" && !geometry.patches.empty() && (settings.hasGravity() || mag(c.bodyForce) > 0);

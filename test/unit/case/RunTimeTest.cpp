@@ -100,6 +100,11 @@ TEST(RunTime, namesWhatIsWrong)
               "system/controlDict:2: there is no time folder 0.33. Times: 0, 0.5, 1.");
     EXPECT_EQ(saidOf("endTime 1; writeControl timeStep;\nwriteInterval 1.5;"),
               "system/controlDict:3: writeInterval must be a number of steps, found 1.5");
+    // The run may start there too: how many folders it would make is not known.
+    EXPECT_EQ(
+        saidOf("endTime 1e9; writeControl runTime;\nwriteInterval 0.25;"),
+        "system/controlDict:3: writeInterval 0.25 s is less than 1e-09 of endTime 1000000000 s: moments so close to one another are lost in "
+        "the rounding of time; give a longer interval, or count time from nearer to 0");
     EXPECT_EQ(saidOf("endTime 1;\npurgeWrite -1;"), "system/controlDict:3: purgeWrite must not be negative, found -1");
     EXPECT_EQ(saidOf("endTime 1;\nwritePrecision 30;"), "system/controlDict:3: writePrecision must be 1 to 17 digits, found 30");
     EXPECT_EQ(

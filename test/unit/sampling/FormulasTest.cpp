@@ -172,6 +172,34 @@ TEST(Formulas, mistakesNameFileAndLine)
                                       "2 errors");
 }
 
+// What another field of the formula alone needs is an error, as any entry that nobody reads; with that field it is not.
+TEST(Formulas, parametersOfAnotherFieldAreErrors)
+{
+    struct Idle
+    {
+        std::string formula, entry, needs, other;
+        std::string more = {};
+    };
+    for (const auto& [formula, entry, needs, other, more] :
+         {Idle{"taylorGreen", "rho 2;", "p", "U", "speed 1; period 1;"}, Idle{"ritter", "rho 2;", "p", "U", "depth 1;"},
+          Idle{"ritter", "up (0 1 0);", "p", "U", "depth 1;"},
+          Idle{"suspensionChannel", "mu 2;", "U", "phi", "width 1; phi 0.5; phiMax 0.7; exponent 1; ratio 0.5;"},
+          Idle{"suspensionChannel", "pressureGradient 2;", "U", "phi", "width 1; phi 0.5; phiMax 0.7; exponent 1; ratio 0.5;"}})
+    {
+        const auto errorsWith = [&](const std::string& field)
+        {
+            auto diagnostics = std::make_shared<Diagnostics>();
+            readFormula(formula,
+                        Dictionary::parse("name " + formula + "; " + more + "\n" + entry + "\n", "system/controlDict", diagnostics), field);
+            return errorsOf(*diagnostics);
+        };
+        const auto keyword = entry.substr(0, entry.find(' '));
+        EXPECT_EQ(errorsWith(needs), "") << formula << ' ' << keyword;
+        EXPECT_EQ(errorsWith(other), "system/controlDict:2: " + keyword + " does nothing here: " + other + " of " + formula +
+                                         " does not need it; leave it out");
+    }
+}
+
 TEST(Ritter, isTheDamBreakOfShallowWater)
 {
     // c = sqrt(9.81) for a depth of 1 m; at the dam 4/9 of the depth at 2/3 c, whatever the time, so that 8/27 c flows there.

@@ -650,9 +650,12 @@ TEST(Settings, EntriesWithoutAnEffectAreErrors)
     expectError(adding(edited(edited(channelCase(), phases, "mu 10; ", ""), schemes, "wallVelocity secondOrder;", ""),
                        "viscosity harmonic;"),
                 "system/sphSchemes:4: viscosity does nothing here: no phase of constant/phaseProperties has mu; leave it out");
-    expectError(adding(without("(0 0 0)"), "wallPressure detaching;"),
-                "system/sphSchemes:4: wallPressure does nothing here: without gravity");
-    EXPECT_EQ(reading(adding(channelCase(), "wallPressure detaching;")).errors, "");
+    for (const char* word : {"detaching", "hydrostatic", "mirrored"})
+    {
+        const auto entry = fmt::format("wallPressure {};", word);
+        expectError(adding(without("(0 0 0)"), entry), "system/sphSchemes:4: wallPressure does nothing here: without gravity");
+        EXPECT_EQ(reading(adding(channelCase(), entry)).errors, "");
+    }
     EXPECT_EQ(reading(edited(edited(without("(0 0 0)"), schemes, "wallVelocity secondOrder;", "scheme freeSurface;"), schemes,
                              "predictorCorrector", "leapfrog"))
                   .errors,
