@@ -19,7 +19,7 @@ constexpr double rightAngle = 1e-6;
 /// Half of the width over which the images of two surfaces fade into one another at the bisector behind the tip of their wedge [spacings].
 constexpr double halfFade = 0.35;
 /// Images in several bodies with less than this weight are left out. In the pinch between spheres that touch images of images are many and small: with a support of 3.05
-/// spacings and ten of them across a sphere one particle had 1877 neighbours, and has 578, which fill 0.0013 less of its kernel.
+/// spacings and ten of them across a sphere one particle had 1877 neighbours, and has 636, which fill 0.0013 less of its kernel.
 constexpr double leastWeight = 0.01;
 
 /// Products of the normals of two walls, 8 and 20 degrees between them: what is narrower is a gap, which no spacing resolves, and is filled by one image of an image.
