@@ -63,15 +63,17 @@ void read(const Reading& reading)
 
 const Model& thermalModel()
 {
-    static const Model model{"thermal",
-                             "heat conduction, walls that give heat, and buoyancy",
-                             read,
-                             {},
-                             {},
-                             prepare,
-                             {},
-                             {},
-                             {{thermophysicalProperties, thermalEntries(), "heat; without the file there is none"}}};
+    static const Model model{
+        "thermal",
+        "heat conduction, walls that give heat, and buoyancy",
+        read,
+        {},
+        {},
+        prepare,
+        {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has("walls", "layers"); },
+          "heat passes walls by ghosts that mirror the fluid (constant/thermophysicalProperties): take walls reflected"}},
+        {},
+        {{thermophysicalProperties, thermalEntries(), "heat; without the file there is none"}}};
     return model;
 }
 
