@@ -109,6 +109,39 @@ TEST(Conduction, OfAGivenHeatFluxIsExactOnALattice)
     EXPECT_NEAR(column(s, "power(cold)"), -30, 1e-10 * 30);
 }
 
+// In three dimensions too, in a cube: kappa dT/L of 1 m^2, by two walls, with two adiabatic ones beside them and periodic faces; and the account closes where
+// buoyancy stirs it.
+TEST(Conduction, ThroughACubeIsExactOnALattice)
+{
+    auto files = square("kappa 0.5; Cp 2; initial \"310 - 10*$x\"; walls { hot { T 310; } cold { T 300; } }\n");
+    files["system/sphSchemes"] = "resolution { spacing 0.125; support 2.6; kernel wendlandC2; }\n";
+    files["system/packParticlesDict"] = "lattice cubic;\nfill ( { region all; phase fluid; } );\n";
+    files["system/controlDict"] = controls;
+    auto& geometry = files["constant/geometry"];
+    geometry.replace(geometry.find("dimension 2; domain { min (0 0 0); max (1 1 0); }"), 49,
+                     "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (z); }");
+    for (const bool buoyant : {false, true})
+    {
+        if (buoyant)
+        {
+            files["constant/thermophysicalProperties"] += "equationOfState { type Boussinesq; beta 0.1; T0 305; }\n";
+            files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -1 0);\n";
+        }
+        const TestCase cube(files);
+        for (const char* program : {"packParticles", "meshToGhost"}) cube.runWell(program);
+        const auto log = cube.runWell("sphFoamLike");
+        const auto behind = [&](const std::string& words)
+        {
+            const auto at = log.rfind(words);
+            return at == std::string::npos ? std::nan("") : std::stod(log.substr(at + words.size()));
+        };
+        const bool exact = log.find(", 5 W from hot (0.4 J so far), -5 W from cold (-0.4 J so far)") != std::string::npos;
+        EXPECT_EQ(exact, !buoyant) << log;
+        EXPECT_EQ(behind("max|U| ") > 1e-6, buoyant);
+        EXPECT_LT(std::abs(behind("balance off by ")), 1e-14);
+    }
+}
+
 // sin(pi y) between walls at 0 decays as exp(-pi^2 a t): second order in the spacing, 0.1 of its error at 16 spacings from steps.
 TEST(Conduction, OfADecayingSineIsOfSecondOrder)
 {
@@ -167,7 +200,7 @@ TEST(HeatBalance, ClosesToRoundOff)
     auto tank = twoSlabs(materials + "walls { hot { T 350; } cold { q -20; } }");
     tank["constant/geometry"] = square("")["constant/geometry"];
     for (const auto& files : {grain, hotGrain, planes, tank})
-        for (const char* scheme : {"predictorCorrector", "leapfrog", "symplecticEuler", "verlet", "implicit"})
+        for (const char* scheme : {"predictorCorrector", "leapfrog", "symplecticEuler", "verlet", "semiImplicit", "implicit"})
         {
             auto stepped = files;
             stepped["system/sphSchemes"] += std::string("integration { scheme ") + scheme + "; }\n";
