@@ -71,7 +71,11 @@ const Model& thermalModel()
         {},
         prepare,
         {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has("walls", "layers"); },
-          "heat passes walls by ghosts that mirror the fluid (constant/thermophysicalProperties): take walls reflected"}},
+          "heat passes walls by ghosts that mirror the fluid (constant/thermophysicalProperties): take walls reflected"},
+         {"integration",
+          [](const Settings& s)
+          { return !s.integration.moves && s.coefficients.has<ThermalProperties>() && isBuoyant(s.coefficients.of<ThermalProperties>()); },
+          "quasiSteady leaves particles where they are, and a buoyant flow carries its heat: take a scheme that moves them"}},
         {},
         {{thermophysicalProperties, thermalEntries(), "heat; without the file there is none"}}};
     return model;

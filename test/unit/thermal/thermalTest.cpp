@@ -313,6 +313,10 @@ TEST(Conduction, MistakesSayWhereAndWhatIsPossible)
     auto both = slab("kappa 1; Cp 1;");
     both["constant/scalarTransport"] = "T { D 1; }\n";
     expectError(both, "constant/thermophysicalProperties: the temperature is the field T");
+    auto creeping = slab("kappa 1; Cp 1; equationOfState { type Boussinesq; beta 1; T0 0; }");
+    creeping["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -1 0);\n";
+    creeping["system/sphSchemes"] += "integration { scheme quasiSteady; }\n";
+    expectError(creeping, "quasiSteady leaves particles where they are, and a buoyant flow carries its heat");
     expectError(inLayers(slab("kappa 1; Cp 1;")), "take walls reflected");
 }
 
