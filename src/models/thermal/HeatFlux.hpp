@@ -3,7 +3,7 @@
 ///   m_i Cp_i dT_i/dt = sum_j kappa_ij (V_i^2 + V_j^2) (dW_ij/dr)/r_ij (T_i - T_j),    kappa_ij = 2 kappa_i kappa_j/(kappa_i + kappa_j)
 ///
 /// T [K], Cp [J/(kg K)], kappa [W/(m K)], m [kg], V = 1/sigma [m^3], W [1/m^3]. The harmonic mean is that of Cleary & Monaghan (1999), J. Comput. Phys. 148,
-/// eq. (26): temperature and heat flux are continuous where kappa jumps. Pairs exchange what they lose: sum m_i Cp_i T_i changes by what walls give alone, to
+/// 227: temperature and heat flux are continuous where kappa jumps. Pairs exchange what they lose: sum m_i Cp_i T_i changes by what walls give alone, to
 /// round-off. With a normalised gradient (KernelMoment.hpp) of order 2.
 ///
 /// The heat received from wall w alone [J/kg], whose sum over all particles is the heat through that wall [J]:

@@ -5,7 +5,6 @@
 #include "readThermal.hpp"
 #include "thermalTerms.hpp"
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sph
 {
