@@ -47,6 +47,15 @@ Files square(const std::string& thermal)
 }
 const std::string wave = "\"300 + 10*sin(9*$x)*cos(4*$y)\"";
 
+/// The number that stands before these words where they come first; NaN where they do not.
+double numberBefore(const std::string& text, const std::string& words)
+{
+    const auto end = text.find(words);
+    if (end == std::string::npos) return std::nan("");
+    const auto begin = text.rfind(' ', end - 1);
+    return std::stod(text.substr(begin + 1, end - begin));
+}
+
 double column(const CaseScene& s, const char* name) { return s.simulation->summary().columns.at(name); }
 
 // Every pair written out, images in both walls included: a given temperature below, a given flux above, and phases that differ in all.
@@ -107,6 +116,20 @@ TEST(Conduction, OfAGivenHeatFluxIsExactOnALattice)
     EXPECT_LT(s.size("dTdt"), 1e-10 * s.size("dheat_hotdt") / 4000);
     EXPECT_NEAR(column(s, "power(hot)"), 30, 1e-10 * 30);
     EXPECT_NEAR(column(s, "power(cold)"), -30, 1e-10 * 30);
+}
+
+// In a relaxed packing a wall gives what it is told to within 0.5 %: measured are 0.12 % at the wall of given flux and 0.19 % at the other. Particles 0.2 spacings off
+// their lattice, not relaxed, have 6 %.
+TEST(Conduction, OfAGivenHeatFluxInARelaxedPacking)
+{
+    auto files = slab("kappa 0.6; Cp 4000; initial \"300 + 50*$y\"; walls { bottom { T 300; } top { q 30; } }");
+    files["system/packParticlesDict"] = "lattice cubic; jitter 0.2; relax { steps 200; }\nfill ( { region all; phase fluid; } );\n";
+    files["system/controlDict"] = controls;
+    const TestCase relaxed(files);
+    for (const char* program : {"packParticles", "meshToGhost"}) relaxed.runWell(program);
+    const auto log = relaxed.runWell("sphFoamLike");
+    EXPECT_NEAR(numberBefore(log, " W from top"), 0.5 * 30, 0.005 * 15) << log;
+    EXPECT_NEAR(numberBefore(log, " W from bottom"), -0.5 * 30, 0.005 * 15) << log;
 }
 
 // In three dimensions too, in a cube: kappa dT/L of 1 m^2, by two walls, with two adiabatic ones beside them and periodic faces; and the account closes where
