@@ -11,6 +11,7 @@
 #include "LiquidBridge.hpp"
 #include "LiquidLens.hpp"
 #include "MigrationBalance.hpp"
+#include "ModelNumber.hpp"
 #include "VortexDecay.hpp"
 #include "WallDropTime.hpp"
 #include <algorithm>
@@ -65,6 +66,7 @@ const std::vector<Entry>& catalogue()
         {"migrationBalance", measure<MigrationBalance>, MigrationBalance::entries},
         {"earthPressure", measure<EarthPressure>, EarthPressure::entries},
         {"overburden", measure<Overburden>, Overburden::entries},
+        {"modelNumber", measure<ModelNumber>, ModelNumber::entries},
         {"wallDropTime", measure<WallDropTime>, WallDropTime::entries},
     };
     return all;

@@ -11,6 +11,7 @@
 #include "soil.hpp"
 #include "suspension.hpp"
 #include "tension.hpp"
+#include "thermal.hpp"
 #include "viscosity.hpp"
 #include "walls.hpp"
 
@@ -22,7 +23,7 @@ const std::vector<const Model*>& models()
     static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(),
                                                &pressureModel(), &viscosityModel(),  &tensionModel(),         &forcesModel(),
                                                &shiftingModel(), &soilModel(),       &wallsModel(),           &integrationModel(),
-                                               &labelsModel()};
+                                               &labelsModel(),   &thermalModel()};
     return all;
 }
 

@@ -618,7 +618,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,
                                          Scene{"openChannel", openCase, 1e-9}, Scene{"periodicOpenChannel", periodicOpenCase, 1e-9},
                                          Scene{"layersOfTwo", layersCase, 1e-9}, Scene{"drip", dripCase, 1e-9},
                                          Scene{"filling", fillingCase, 1e-9}, Scene{"layeredChannel", layeredChannelCase, 1e-9},
-                                         Scene{"layeredSoil", layeredSoilCase, 1e-9}),
+                                         Scene{"layeredSoil", layeredSoilCase, 1e-9}, Scene{"convection", convectionCase, 1e-9}),
                          [](const auto& scene) { return scene.param.name; });
 INSTANTIATE_TEST_SUITE_P(Scenes, RanksOfARestart,
                          testing::Values(Scene{"channel", channelCase, 1e-9}, Scene{"openChannel", openCase, 1e-9},

@@ -28,6 +28,17 @@ inline Files channelCase()
     };
 }
 
+/// The channel heated from below and cooled from above by a given flux, under gravity that acts on buoyancy as much as on motion.
+inline Files convectionCase()
+{
+    auto files = channelCase();
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -1 0);\n";
+    files["constant/thermophysicalProperties"] =
+        "kappa 20; Cp 2; initial \"310 - 10*$y + sin(6*$x)\";\nequationOfState { type Boussinesq; beta "
+        "0.1; T0 305; }\nwalls { bottom { T 310; } top { q -200; } }\n";
+    return files;
+}
+
 /// A drop on the floor of a channel, with gas above: interface stress, contact angles of both walls, gravity.
 inline Files dropCase()
 {

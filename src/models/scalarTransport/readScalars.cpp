@@ -1,9 +1,8 @@
 #include "readScalars.hpp"
-#include "positionExpression.hpp"
+#include "carriedScalar.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fmt/format.h>
 #include <ranges>
 
@@ -25,37 +24,11 @@ namespace
 {
 using Words = std::vector<std::string>;
 
-/// A value of each phase: `key value;` for all, or `key { water value; air value; }`. `read(dictionary, key)` reads one.
-template<class T, class Read> std::vector<T> ofPhases(const Dictionary& d, const char* key, const Words& phases, const Read& read)
-{
-    if (!d.isDictionary(key)) return std::vector<T>(phases.size(), read(d, key));
-    std::vector<T> values;
-    for (const auto& phase : phases) values.push_back(read(d.subDict(key), phase));
-    return values;
-}
-
 double readDiffusivity(const Dictionary& d, const std::string& key)
 {
     const double D = d.get(key, units::kinematicViscosity);
     if (D < 0) d.error(key, fmt::format("a diffusivity is 0 or more [m^2/s], not {:.6g}", D));
     return std::max(0.0, D);
-}
-
-std::string readInitial(const Dictionary& d, const std::string& key)
-{
-    // A scalar without `initial` starts from 0 in a single phase; with several phases each must have an entry.
-    const auto text = key == "initial" ? d.get(key, "0") : d.get<std::string>(key);
-    if (text.empty()) return "0"; // an error that the dictionary has reported
-    try
-    {
-        if (evaluateAt(text, anyPlace).vector) d.error(key, "the expression gives a vector, not a number");
-    }
-    catch (const ExpressionError& e)
-    {
-        d.error(key, e.what());
-        return "0";
-    }
-    return text;
 }
 
 std::vector<std::optional<double>> readWallValues(const Dictionary& d, const Geometry& geometry)
@@ -123,8 +96,8 @@ std::vector<TransportedScalar> readScalars(const Reading& reading)
         }
         const auto d = dict.subDict(name);
         checkName(d, reading.settings, scalars);
-        scalars.push_back({name, ofPhases<double>(d, "D", phases, readDiffusivity),
-                           ofPhases<std::string>(d, "initial", phases, readInitial), readWallValues(d, reading.geometry)});
+        scalars.push_back(
+            {name, ofPhases<double>(d, "D", phases, readDiffusivity), readInitial(d, phases), readWallValues(d, reading.geometry)});
     }
     dict.reportUnused();
     return scalars;

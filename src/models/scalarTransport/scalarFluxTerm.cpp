@@ -4,16 +4,19 @@
 namespace sph
 {
 
+std::vector<double> harmonicMeans(const std::vector<double>& k)
+{
+    std::vector<double> means;
+    for (const double k_a : k)
+        for (const double k_b : k) means.push_back(k_a > 0 && k_b > 0 ? 2 * k_a * k_b / (k_a + k_b) : 0);
+    return means;
+}
+
 std::vector<double> pairDiffusivities(const TransportedScalar& scalar, const Coefficients& c)
 {
-    std::vector<double> k;
-    for (std::size_t a = 0; a < c.phases.size(); ++a)
-        for (std::size_t b = 0; b < c.phases.size(); ++b)
-        {
-            const double k_a = c.restDensity[a] * scalar.diffusivity[a], k_b = c.restDensity[b] * scalar.diffusivity[b];
-            k.push_back(k_a > 0 && k_b > 0 ? 2 * k_a * k_b / (k_a + k_b) : 0);
-        }
-    return k;
+    auto k = scalar.diffusivity;
+    for (std::size_t a = 0; a < k.size(); ++a) k[a] *= c.restDensity[a];
+    return harmonicMeans(k);
 }
 
 namespace

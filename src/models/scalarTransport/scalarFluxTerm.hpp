@@ -6,6 +6,9 @@
 namespace sph
 {
 
+/// 2 k_a k_b/(k_a + k_b) of all pairs of phases, phases x phases; 0 where one of the two is 0.
+std::vector<double> harmonicMeans(const std::vector<double>& k);
+
 /// k of all pairs of phases, phases x phases: harmonic means of rho_0 D [kg/(m s)].
 std::vector<double> pairDiffusivities(const TransportedScalar&, const Coefficients&);
 

@@ -1,59 +1,21 @@
 #include "scalarTransport.hpp"
 #include "ScalarBalance.hpp"
-#include "positionExpression.hpp"
+#include "carriedScalar.hpp"
+#include "mirrorsPairwise.hpp"
 #include "readScalars.hpp"
 #include "scalarFluxTerm.hpp"
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
-#include <limits>
 
 namespace sph
 {
 
 namespace
 {
-/// Whether mirroring is the same from both sides of a pair: planes alone, parallel or at right angles.
-bool mirrorsPairwise(const Geometry& geometry)
-{
-    if (!geometry.layers.empty()) return false;
-    std::vector<Vector<3>> normals;
-    for (const auto& patch : geometry.patches)
-    {
-        if (patch.shape->smallestRadius() < std::numeric_limits<double>::infinity() || patch.shape->hasEdges()) return false;
-        normals.push_back(patch.shape->foot({}).normal);
-    }
-    const double roundOff = 1e-12;
-    for (const auto& a : normals)
-        for (const auto& b : normals)
-            if (const double along = std::abs(dot(a, b)); along > roundOff && along < 1 - roundOff) return false;
-    return true;
-}
-
 Evolving evolving(const TransportedScalar& scalar)
 {
-    Evolving c{stateField(ScalarValue{}, scalar.name), stateField(ScalarRate{}, scalar.rateName())};
+    auto c = carriedScalar(stateField(ScalarValue{}, scalar.name), stateField(ScalarRate{}, scalar.rateName()), scalar.initial,
+                           "constant/scalarTransport");
     c.amount = scalar.name;
-    c.missing = [initial = scalar.initial, name = scalar.name](const Loading& loading)
-    {
-        for (std::size_t i = 0; i < loading.size(); ++i) try
-            {
-                const Vector<3> x{loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]};
-                loading.values[0][i] = evaluateAt(initial[loading.phaseOf(i)], x).scalar;
-            }
-            catch (const ExpressionError& e)
-            {
-                throw CaseError({"constant/scalarTransport", 0},
-                                fmt::format("`initial` of {}, {}: {}", name, loading.cloud.particle(i), e.what()));
-            }
-    };
-    c.check = [name = scalar.name](const Loading& loading)
-    {
-        for (std::size_t i = 0; i < loading.size(); ++i)
-            if (!std::isfinite(loading.values[0][i]))
-                throw CaseError(fmt::format("{} has {} {}", loading.cloud.particle(i), name, loading.values[0][i]));
-    };
-    c.inlet = [name = scalar.name](const Dictionary& d, std::size_t) { return d.get(name, units::none); };
     return c;
 }
 

@@ -277,7 +277,7 @@ TEST(Errors, unknownWordsAreExplained)
         "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
         "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
         "dragFactor, vortexDecay, frontPosition, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
-        "bridgeNeck, bridgePressure, lensAngle, lensRadius, migrationBalance, earthPressure, overburden, wallDropTime.");
+        "bridgeNeck, bridgePressure, lensAngle, lensRadius, migrationBalance, earthPressure, overburden, modelNumber, wallDropTime.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)

@@ -557,6 +557,47 @@ TEST(WallDropTime, isWhenAShareOfTheWayIsGone)
     EXPECT_EQ(last.reference, 0.7);
 }
 
+// The number of the moment; with meanFrom the mean of the samples from then on, where a time that is sampled again (by a restarted run) counts once.
+TEST(ModelNumber, isOfTheMomentOrAMean)
+{
+    Particles particles(2, {0, 0, 0}, {0.5, 0.1, 0}, 0.1);
+    auto view = particles.view();
+    const auto reader = [&](const std::string& parameters)
+    {
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
+        const auto m = readMeasure("modelNumber", d, particles.geometry, particles.phases, ".");
+        d.reportUnused();
+        EXPECT_EQ(errorsOf(*diagnostics), "");
+        return m;
+    };
+    const auto moment = reader("number \"power(hot)\"; value 3;"), mean = reader("number \"power(hot)\"; value 3; meanFrom 2;");
+    for (const double t : {1.0, 2.0, 3.0, 3.0, 4.0})
+    {
+        view.time = t;
+        view.numbers = {{"power(hot)", t * t}, {"heat", 7}};
+        EXPECT_EQ(moment(view).value, t * t);
+        EXPECT_EQ(moment(view).reference, 3);
+        EXPECT_EQ(std::isnan(mean(view).reference), t < 2); // no row before
+    }
+    EXPECT_NEAR(mean(view).value, (4 + 9 + 16) / 3., 1e-15);
+    view.numbers.clear();
+    EXPECT_TRUE(std::isnan(moment(view).value));
+    EXPECT_EQ(moment(view).note, "stored times have no numbers of models");
+    view.numbers = {{"power(cold)", 1}};
+    try
+    {
+        moment(view);
+        ADD_FAILURE() << "a number that no model publishes was found";
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find("system/controlDict:1: no model publishes a number \"power(hot)\""), std::string::npos)
+            << e.what();
+        EXPECT_NE(std::string(e.what()).find("power(cold)"), std::string::npos) << e.what();
+    }
+}
+
 // A column of 10 rows under 500 Pa a row, K = 0.5 but for a particle in the middle of 0.6; the rows at base and surface, which are left out, have other stresses.
 TEST(EarthPressure, isThatOfTheMiddleOfALayer)
 {

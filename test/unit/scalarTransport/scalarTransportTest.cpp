@@ -1,15 +1,10 @@
 /// Scalars that ride on particles: the plain sum, what it conserves, what walls and phases make of it, several at once, restart, openings, mistakes.
-#include "Case.hpp"
+#include "CaseScene.hpp"
 #include "Kernel.hpp"
 #include "Largest.hpp"
-#include "Simulation.hpp"
-#include "reduce.hpp"
-#include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <omp.h>
-#include <random>
 #include <regex>
 
 namespace sph::test
@@ -42,71 +37,7 @@ Files grain(const std::string& scalars)
     return files;
 }
 
-struct Scene
-{
-    TestCase folder;
-    Case theCase;
-    Geometry geometry;
-    Settings settings;
-    std::string errors;
-    std::unique_ptr<AnySimulation> simulation;
-
-    /// `jitter` in spacings. Without mistakes there is a simulation.
-    explicit Scene(const Files& files, double jitter = 0)
-        : folder(files),
-          theCase(folder.folder()),
-          geometry(readGeometry(theCase.dictionary("constant/geometry"), 0.4)),
-          settings(readSettings(theCase, geometry))
-    {
-        omp_set_num_threads(1); // a few hundred particles are faster by one
-        try
-        {
-            theCase.diagnostics().throwIfAny();
-            simulation = makeSimulation(settings, geometry, cloud(jitter), {});
-        }
-        catch (const CaseError& e)
-        {
-            errors = e.what();
-        }
-    }
-    /// A lattice where walls leave room; masses differ by 5 % where there is jitter.
-    Cloud cloud(double jitter) const
-    {
-        Cloud cloud;
-        std::mt19937_64 random(7);
-        std::uniform_real_distribution<double> any(-1, 1);
-        auto &phase = cloud.fields["phase"].component, &m = cloud.fields["m"].component;
-        phase.resize(1);
-        m.resize(1);
-        for (double x = 0.5 * spacing; x < geometry.high.x; x += spacing)
-            for (double y = 0.5 * spacing; y < geometry.high.y; y += spacing)
-            {
-                const Vector<3> place{x + jitter * spacing * any(random), y + jitter * spacing * any(random), 0};
-                if (geometry.distance(place) < 0.3 * spacing) continue;
-                cloud.x.push_back(place.x);
-                cloud.y.push_back(place.y);
-                cloud.z.push_back(0);
-                phase[0].push_back(settings.multiphase() && y > 0.5);
-                const double rho = settings.coefficients.restDensity[std::size_t(phase[0].back())];
-                m[0].push_back(rho * sqr(spacing) * (1 + (jitter > 0) * 0.05 * any(random)));
-            }
-        return cloud;
-    }
-    const double* operator[](const char* field) const { return simulation->field(field).component[0]; }
-    double total(const char* field) const
-    {
-        double sum = 0;
-        for (std::size_t i = 0; i < simulation->size(); ++i) sum += (*this)["m"][i] * (*this)[field][i];
-        return sum;
-    }
-    /// sum |m q|, what a total is round-off of.
-    double size(const char* field) const
-    {
-        double sum = 0;
-        for (std::size_t i = 0; i < simulation->size(); ++i) sum += std::abs((*this)["m"][i] * (*this)[field][i]);
-        return sum;
-    }
-};
+using Scene = CaseScene;
 
 const std::string wave = "\"1 + sin(9*$x)*cos(4*$y)\"";
 

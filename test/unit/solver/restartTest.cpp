@@ -103,6 +103,14 @@ TEST(Restart, OfATransportVelocity)
         restartEqualsTheWhole(files);
     }
 }
+TEST(Restart, OfNaturalConvection)
+{
+    for (const char* integrator : {"predictorCorrector", "leapfrog", "symplecticEuler", "semiImplicit", "implicit", "verlet"})
+    {
+        SCOPED_TRACE(integrator);
+        restartEqualsTheWhole(with(convectionCase(), integrator));
+    }
+}
 TEST(Restart, OfAFallingColumnWithAFreeSurface) { restartEqualsTheWhole(columnCase()); }
 TEST(Restart, OfAColumnInAShakenVessel)
 {

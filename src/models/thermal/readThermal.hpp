@@ -1,0 +1,15 @@
+/// Heat conduction and buoyancy of a scene, as constant/thermophysicalProperties states them.
+#pragma once
+#include "Model.hpp"
+#include "ThermalProperties.hpp"
+
+namespace sph
+{
+
+inline constexpr const char* thermophysicalProperties = "constant/thermophysicalProperties";
+
+/// Entries of README.md. Mistakes go to the case's Diagnostics.
+ThermalProperties readThermal(const Reading&);
+EntryList thermalEntries();
+
+}
