@@ -76,11 +76,6 @@ template<int dim> double HeatBalance<dim>::total(const Particles<dim>& particles
     return sum(particles.size(), [&](std::size_t i) { return m[i] * q[i]; });
 }
 
-template<int dim> void HeatBalance<dim>::complete(Particles<dim>& particles)
-{
-    if (!start_) start_ = heat(particles, plain);
-}
-
 template<int dim> Numbers HeatBalance<dim>::columns(const Particles<dim>& particles) const
 {
     if (particles.total() == 0) return {};
@@ -118,6 +113,12 @@ template<int dim> std::string HeatBalance<dim>::report(const Particles<dim>& par
 
 template<int dim> std::vector<Stage<dim>> HeatBalance<dim>::stages(Place place)
 {
+    if (place == Place::complete)
+        return {{"heat at the start", "sum m Cp T, which changes are of",
+                 [this](Particles<dim>& particles, const Substep&)
+                 {
+                     if (!start_) start_ = heat(particles, plain);
+                 }}};
     if (place != Place::afterKick || !isBuoyant(thermal_)) return {};
     const auto work = [this](Particles<dim>& particles, const Substep&)
     {

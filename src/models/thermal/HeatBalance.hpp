@@ -21,8 +21,6 @@ public:
     /// `even`: ghosts behind adiabatic walls exchange pairwise; `wallPressure`: rule of the pressure where fluid is buoyant, else empty.
     HeatBalance(Particles<dim>&, const Numbers& restored, bool even, const std::string& wallPressure);
 
-    /// Keeps the heat of the first start.
-    void complete(Particles<dim>&) override;
     std::vector<StepLimit> limits() const override { return limits_; }
     /// Columns: min(T), max(T) [K], heat [J], heatBalanceError, of each heated wall the heat into the fluid,
     /// heat(wall) [J] and power(wall) [W], and what the flow carries, convectionX = sum m Cp (T - T0) v_x, Y, Z [W m].

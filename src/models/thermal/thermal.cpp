@@ -4,6 +4,7 @@
 #include "mirrorsPairwise.hpp"
 #include "readThermal.hpp"
 #include "thermalTerms.hpp"
+#include "wallLayers.hpp"
 #include <algorithm>
 
 namespace sph
@@ -49,7 +50,7 @@ void read(const Reading& reading)
     if (isBuoyant(thermal))
     {
         reading.select(defineBuoyancy(settings, thermal));
-        wallPressure = settings.chosen.at("wallPressure");
+        wallPressure = settings.facts.get<WallConditions>().pressure;
         auto& reads = settings.ruleReads[Pressure::info.name];
         reads.push_back(stateField(Temperature{}));
         if (settings.multiphase()) reads.push_back(stateField(Phase{}));
@@ -69,7 +70,7 @@ const Model& thermalModel()
         {},
         {},
         prepare,
-        {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has("walls", "layers"); },
+        {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has(entry::walls, "layers"); },
           "heat passes walls by ghosts that mirror the fluid (constant/thermophysicalProperties): take walls reflected"},
          {"integration",
           [](const Settings& s)

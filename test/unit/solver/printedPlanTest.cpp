@@ -128,8 +128,10 @@ template<int dim> Ran printsWhatRuns(const Files& files, int steps)
     for (const auto& [name, count] : simulation->countsWithin())
         EXPECT_TRUE(text.find(": " + name + ", ") != std::string::npos || text.find("; " + name + ": ") != std::string::npos)
             << "ran " << count << " times, and is not printed: " << name;
-    if (const auto within = simulation->countsWithin(); within.contains("near walls"))
+    if (const auto& within = simulation->countsWithin(); within.contains("near walls"))
+    {
         EXPECT_EQ(within.at("near walls"), simulation->rebuilds()) << "once for each building of lists";
+    }
     // A stage that evaluates its own group runs each of its operations once.
     for (const auto& [group, operations] : ran.groups)
     {
