@@ -73,9 +73,9 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 }
 }
 
-template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(JoinPoint place)
 {
-    if (place != Place::solve) return {};
+    if (place != JoinPoint::solve) return {};
     const std::string equation =
         withPressure_ ? "(1 - theta dt L - theta^2 dt^2 K) dv = dt a + what the last step has left" : "(1 - theta dt L) dv = dt a";
     return {{"solve",

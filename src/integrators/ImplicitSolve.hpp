@@ -28,14 +28,14 @@
 namespace sph
 {
 
-template<int dim> class ImplicitSolve final : public Part<dim>
+template<int dim> class ImplicitSolve final : public RunningModel<dim>
 {
 public:
     ImplicitSolve(Particles<dim>& particles, const Numbers&)
         : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
     {}
 
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     std::string note() const override;
     Numbers columns(const Particles<dim>&) const override { return {{"solverIterations", iterations_}}; }
     std::size_t bytes() const override;

@@ -90,7 +90,7 @@ std::string chosenScheme(const Reading& reading)
     double tension = infinity;
     StepLimit least{infinity, "none"};
     for (const auto& limit : reading.limits(settings, {}))
-        if (!limit.ofPart) tension = std::min(tension, limit.deltaT);
+        if (!limit.ofSubstep) tension = std::min(tension, limit.deltaT);
         else if (limit.deltaT < least.deltaT) least = limit;
     if (tension < worthSolving * least.deltaT) return explicitScheme;
     settings.reasons.push_back(fmt::format("integration implicit: surface tension allows steps of {:.3g} s, {} explicit ones of {:.3g} s",
@@ -178,7 +178,7 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     if (integration.responses.empty()) return; // an error that viscosity reports
     settings.groups.push_back({ofSolver, integration.responses, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
     if (integration.solvesPressure) settings.state.push_back({.value = stateField(DelayedImpulse{}), .advancedByModel = true});
-    settings.parts.push_back(partOf<ImplicitSolve>());
+    settings.runningModels.push_back(running<ImplicitSolve>());
 }
 
 void read(const Reading& reading)
@@ -206,7 +206,7 @@ void read(const Reading& reading)
 bool scalesALimit(const Reading& reading, double StepFactors::*factor)
 {
     const auto& settings = reading.settings;
-    const auto& ofParts = settings.integration.factorsOfParts;
+    const auto& ofParts = settings.integration.factorsOfRunningModels;
     if (std::ranges::find(ofParts, factor) != ofParts.end()) return true;
     auto halved = settings;
     halved.integration.factors.*factor *= 0.5;

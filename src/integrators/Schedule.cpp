@@ -6,7 +6,7 @@
 namespace sph
 {
 
-template<int dim> Schedule<dim>& Schedule<dim>::join(Place place)
+template<int dim> Schedule<dim>& Schedule<dim>::join(JoinPoint place)
 {
     for (auto& stage : particles_.stages(place)) then(std::move(stage));
     return *this;
@@ -16,7 +16,7 @@ template<int dim> Schedule<dim>& Schedule<dim>::evaluate()
 {
     // Particles::evaluate runs what joins each evaluation; here it is named.
     std::string equation = "all that follows from the state";
-    for (const auto& stage : particles_.stages(Place::afterEvaluation)) equation += fmt::format("; {}: {}", stage.name, stage.equation);
+    for (const auto& stage : particles_.stages(JoinPoint::afterEvaluation)) equation += fmt::format("; {}: {}", stage.name, stage.equation);
     return then({ofEvaluation, equation, [](Particles<dim>& p, const Substep&) { p.evaluate(); }, {ofEvaluation}});
 }
 
@@ -92,8 +92,8 @@ template<int dim> Schedule<dim>& Schedule<dim>::kickOnceAStep()
 template<int dim> Schedule<dim>& Schedule<dim>::complete()
 {
     std::vector<std::string> groups;
-    for (const auto& stage : particles_.stages(Place::complete)) groups.insert(groups.end(), stage.groups.begin(), stage.groups.end());
-    return then({"complete", "at the new velocities", [](Particles<dim>& p, const Substep&) { p.run(Place::complete); }, groups});
+    for (const auto& stage : particles_.stages(JoinPoint::complete)) groups.insert(groups.end(), stage.groups.begin(), stage.groups.end());
+    return then({"complete", "at the new velocities", [](Particles<dim>& p, const Substep&) { p.run(JoinPoint::complete); }, groups});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::measure()
@@ -126,12 +126,12 @@ template<int dim> void Schedule<dim>::print(std::ostream& out) const
                            stage.onceAStep ? " (in the middle one of several parts)" : "");
         for (const auto& group : stage.groups) plan.printGroup(out, plan.group(group), pass, operation);
     }
-    const std::pair<Place, const char*> within[]{{Place::loaded, "once, when particles are loaded"},
-                                                 {Place::start, "once, after the first evaluation"},
-                                                 {Place::exchange, "before particles are sorted"},
-                                                 {Place::sorted, "when lists are built"},
-                                                 {Place::moved, "before an evaluation without sorting"},
-                                                 {Place::complete, "before fields are looked at"}};
+    const std::pair<JoinPoint, const char*> within[]{{JoinPoint::loaded, "once, when particles are loaded"},
+                                                     {JoinPoint::start, "once, after the first evaluation"},
+                                                     {JoinPoint::exchange, "before particles are sorted"},
+                                                     {JoinPoint::sorted, "when lists are built"},
+                                                     {JoinPoint::moved, "before an evaluation without sorting"},
+                                                     {JoinPoint::complete, "before fields are looked at"}};
     for (const auto& [place, when] : within)
         for (const auto& stage : particles_.stages(place)) out << fmt::format("  {}: {}, {}\n", when, stage.name, stage.equation);
     plan.printFields(out, particles_.store());

@@ -18,7 +18,7 @@ public:
         return *this;
     }
     /// The stages of models that join a place.
-    Schedule& join(Place);
+    Schedule& join(JoinPoint);
     /// An evaluation, and what joins it; behind it, in the middle of a step of several parts, what acts once a step.
     Schedule& evaluate();
     Schedule& evaluateOnceAStep();

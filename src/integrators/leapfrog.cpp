@@ -9,18 +9,18 @@ namespace
 {
 template<int dim> void stages(Schedule<dim>& schedule)
 {
-    schedule.join(Place::beforeDrift)
+    schedule.join(JoinPoint::beforeDrift)
         .drift()
-        .join(Place::beforeEvaluation)
+        .join(JoinPoint::beforeEvaluation)
         .predict()
         .evaluate()
         .evaluateOnceAStep()
         .correct()
         .kickOnceAStep()
-        .join(Place::afterKick)
+        .join(JoinPoint::afterKick)
         .driftOn()
-        .join(Place::afterDrift)
-        .join(Place::atEnd)
+        .join(JoinPoint::afterDrift)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }

@@ -9,18 +9,18 @@ namespace
 template<int dim> void stages(Schedule<dim>& schedule)
 {
     schedule.evaluate()
-        .join(Place::beforeDrift)
+        .join(JoinPoint::beforeDrift)
         .drift()
-        .join(Place::beforeEvaluation)
+        .join(JoinPoint::beforeEvaluation)
         .predict()
         .evaluate()
         .evaluateOnceAStep()
         .correct()
         .kickOnceAStep()
-        .join(Place::afterKick)
+        .join(JoinPoint::afterKick)
         .driftOn()
-        .join(Place::afterDrift)
-        .join(Place::atEnd)
+        .join(JoinPoint::afterDrift)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }

@@ -10,12 +10,12 @@ namespace
 {
 template<int dim> void stages(Schedule<dim>& schedule)
 {
-    schedule.join(Place::afterKick)
+    schedule.join(JoinPoint::afterKick)
         .then({"kick what is carried", "q += dt dq/dt", [](Particles<dim>& p, const Substep& s) { kickCarried(p, s.deltaT); }})
         .evaluate()
-        .join(Place::solve)
+        .join(JoinPoint::solve)
         .complete()
-        .join(Place::atEnd)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }

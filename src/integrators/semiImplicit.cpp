@@ -8,16 +8,16 @@ namespace
 {
 template<int dim> void stages(Schedule<dim>& schedule)
 {
-    schedule.join(Place::beforeDrift)
+    schedule.join(JoinPoint::beforeDrift)
         .drift()
-        .join(Place::beforeEvaluation)
+        .join(JoinPoint::beforeEvaluation)
         .evaluate()
-        .join(Place::solve)
+        .join(JoinPoint::solve)
         .kick()
-        .join(Place::afterKick)
+        .join(JoinPoint::afterKick)
         .driftOn()
-        .join(Place::afterDrift)
-        .join(Place::atEnd)
+        .join(JoinPoint::afterDrift)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }

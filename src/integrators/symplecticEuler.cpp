@@ -8,17 +8,17 @@ namespace
 {
 template<int dim> void stages(Schedule<dim>& schedule)
 {
-    schedule.join(Place::beforeDrift)
+    schedule.join(JoinPoint::beforeDrift)
         .drift()
-        .join(Place::beforeEvaluation)
+        .join(JoinPoint::beforeEvaluation)
         .evaluate()
         .evaluateOnceAStep()
         .kick()
         .kickOnceAStep()
-        .join(Place::afterKick)
+        .join(JoinPoint::afterKick)
         .driftOn()
-        .join(Place::afterDrift)
-        .join(Place::atEnd)
+        .join(JoinPoint::afterDrift)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }

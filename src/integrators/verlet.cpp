@@ -17,7 +17,7 @@ namespace sph
 
 namespace
 {
-template<int dim> class Verlet final : public Part<dim>
+template<int dim> class Verlet final : public RunningModel<dim>
 {
     TwoLevels levels_;
 
@@ -26,9 +26,9 @@ public:
     {
         levels_.restore(restored);
     }
-    std::vector<Stage<dim>> stages(Place place) override
+    std::vector<Stage<dim>> stages(JoinPoint place) override
     {
-        if (place != Place::solve) return {};
+        if (place != JoinPoint::solve) return {};
         return {{"drift", "x += dt v + dt^2/2 dv/dt",
                  [](Particles<dim>& p, const Substep& s)
                  {
@@ -45,11 +45,11 @@ public:
 template<int dim> void stages(Schedule<dim>& schedule)
 {
     schedule.evaluate()
-        .join(Place::beforeDrift)
-        .join(Place::solve)
-        .join(Place::afterKick)
-        .join(Place::afterDrift)
-        .join(Place::atEnd)
+        .join(JoinPoint::beforeDrift)
+        .join(JoinPoint::solve)
+        .join(JoinPoint::afterKick)
+        .join(JoinPoint::afterDrift)
+        .join(JoinPoint::atEnd)
         .measure();
 }
 }
@@ -65,7 +65,7 @@ void readVerlet(Settings& settings)
             increments.push_back({.value = field, .advancedByModel = true});
         }
     settings.state.insert(settings.state.end(), increments.begin(), increments.end());
-    settings.parts.push_back(partOf<Verlet>());
+    settings.runningModels.push_back(running<Verlet>());
 }
 
 const Integrator& verletIntegrator()

@@ -27,7 +27,7 @@ struct Group
     std::vector<std::string> terms;
     std::set<std::string> changed = {}; ///< fields whose values differ from those in the groups before
     Names names = {};                   ///< other names of results that are summed separately
-    std::set<std::string> given = {};   ///< fields that the caller writes before the group runs: the change that a solver tries
+    std::set<std::string> inputs = {};  ///< fields that the caller writes before the group runs: the change that a solver tries
 };
 
 template<int dim> class Plan

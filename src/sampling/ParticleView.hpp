@@ -37,7 +37,7 @@ struct ParticleView
     const Geometry* geometry = nullptr;
 
     std::optional<Supply> supply;          ///< none of stored times, which do not know it
-    std::map<std::string, double> numbers; ///< that models tell of the whole scene, by name (Part::columns)
+    std::map<std::string, double> numbers; ///< that models tell of the whole scene, by name (RunningModel::columns)
 
     double time = 0, deltaT = 0, executionTime = 0;
     long step = 0;

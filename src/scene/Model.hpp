@@ -60,7 +60,7 @@ using Limit = std::optional<StepLimit> (*)(const Settings&, const Measured&);
 struct Model
 {
     const char *word, *meaning;
-    void (*read)(const Reading&); ///< words to terms, state, parts
+    void (*read)(const Reading&); ///< words to terms, state, what runs
     Catalogue<2> terms2;
     Catalogue<3> terms3;
     void (*prepare)(const Reading&) = nullptr; ///< before all models read: what others' defaults hang on

@@ -52,7 +52,7 @@ std::set<std::string> givenOf(const Settings& settings)
 {
     std::set<std::string> given{GhostWall::info.name};
     for (const auto& evolving : settings.state) given.insert(evolving.value.name);
-    for (const auto& group : settings.groups) given.insert(group.given.begin(), group.given.end());
+    for (const auto& group : settings.groups) given.insert(group.inputs.begin(), group.inputs.end());
     return given;
 }
 
@@ -104,29 +104,29 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
     if (settings.facts.get<InterfacesBehindWalls>().straight) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : geometry_.bends()) store_.allocate(ImageWeight{});
-    for (const auto& maker : settings.parts) parts_.push_back(maker.template make<dim>()(*this, restored));
+    for (const auto& maker : settings.runningModels) runningModels_.push_back(maker.template make<dim>()(*this, restored));
     for (const auto place : withinStages) joined_[place] = stages(place);
     store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
     load(std::move(cloud), !restored.empty());
-    run(Place::loaded);
+    run(JoinPoint::loaded);
     rebuild();
     checkApart();
     if (restored.empty()) evaluate();
-    run(Place::start);
+    run(JoinPoint::start);
     if (restored.empty() && plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-    if (restored.empty()) run(Place::complete);
+    if (restored.empty()) run(JoinPoint::complete);
     else observe();
 }
 
-template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(Place place) const
+template<int dim> std::vector<Stage<dim>> Particles<dim>::stages(JoinPoint place) const
 {
     std::vector<Stage<dim>> all;
-    for (const auto& part : parts_)
-        for (auto& stage : part->stages(place)) all.push_back(std::move(stage));
+    for (const auto& model : runningModels_)
+        for (auto& stage : model->stages(place)) all.push_back(std::move(stage));
     return all;
 }
 
-template<int dim> void Particles<dim>::run(Place place)
+template<int dim> void Particles<dim>::run(JoinPoint place)
 {
     for (const auto& stage : joined_.at(place))
     {
@@ -179,7 +179,7 @@ template<int dim> void Particles<dim>::rebuild()
 {
     // While lists are still those of the particles as they stand.
     if (halo_) halo_->balance(store_, owned_, settings_.maxImbalance, [this] { return costs(); });
-    run(Place::exchange);
+    run(JoinPoint::exchange);
     owned_ = leakGuard_(store_, owned_, images_);
     if (halo_) owned_ = halo_->migrate(store_, owned_);
     {
@@ -188,7 +188,7 @@ template<int dim> void Particles<dim>::rebuild()
         store_.sortState(cells.order(), plan_.idle());
     }
     makeLists();
-    run(Place::sorted);
+    run(JoinPoint::sorted);
     travelled_ = 0;
     ++rebuilds_;
 }
@@ -255,7 +255,7 @@ template<int dim> void Particles<dim>::evaluate()
     if (travelled_ > 0.5 * skin_) rebuild();
     else
     {
-        run(Place::moved);
+        run(JoinPoint::moved);
         images_.move(store_);
     }
     evaluateFirst();
@@ -264,7 +264,7 @@ template<int dim> void Particles<dim>::evaluate()
 template<int dim> void Particles<dim>::evaluateFirst()
 {
     plan_.evaluate(store_, images_, lists_, kernel_);
-    run(Place::afterEvaluation);
+    run(JoinPoint::afterEvaluation);
 }
 
 template<int dim> void Particles<dim>::evaluate(const std::string& group, double deltaT)
@@ -297,7 +297,7 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
             }
         }
     std::vector<double> memories;
-    for (const auto& part : parts_) memories.push_back(part->memory());
+    for (const auto& model : runningModels_) memories.push_back(model->memory());
 
     // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
     if (travelled_ > 0.5 * skin_) makeLists();
@@ -306,7 +306,7 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 
     for (const auto& [rate, where] : kept) std::copy_n(values(where), owned_, values(rate));
     for (const auto& [rate, copy] : copied) std::copy_n(copy.begin(), owned_, values(rate));
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->recall(memories[k]);
+    for (std::size_t k = 0; k < runningModels_.size(); ++k) runningModels_[k]->recall(memories[k]);
 }
 
 template<int dim> void Particles<dim>::observe()
@@ -331,7 +331,7 @@ template<int dim> void Particles<dim>::observe()
         {
             evaluateFirst();
             if (plan_.hasGroup(onceAStep)) evaluate(onceAStep);
-            run(Place::complete);
+            run(JoinPoint::complete);
             observedAcceleration_ = largestOf(Acceleration::info.name) + largestOf(SlowAcceleration::info.name);
         });
 }
@@ -391,7 +391,7 @@ template<int dim> void Particles<dim>::settle()
 template<int dim> std::size_t Particles<dim>::bytes() const
 {
     std::size_t n = store_.bytes() + images_.bytes() + plan_.bytes();
-    for (const auto& part : parts_) n += part->bytes();
+    for (const auto& model : runningModels_) n += model->bytes();
     return n;
 }
 

@@ -1,4 +1,4 @@
-/// The particles with their images, lists, plan and the parts of models: everything that stages change, and nothing of time.
+/// The particles with their images, lists, plan and the models at run time: everything that stages change, and nothing of time.
 #pragma once
 #include "Images.hpp"
 #include "LeakGuard.hpp"
@@ -44,7 +44,7 @@ public:
     const MovingWalls& movingWalls() const { return movingWalls_; }
 
     std::size_t size() const { return owned_; }
-    /// Number of particles after some have come in or gone, in stages of Place::exchange.
+    /// Number of particles after some have come in or gone, in stages of JoinPoint::exchange.
     void setSize(std::size_t owned) { owned_ = owned; }
     /// Place of a particle or an image [m].
     Vector<dim> position(std::size_t i) const;
@@ -69,11 +69,11 @@ public:
     const Plan<dim>& plan() const { return plan_; }
     Plan<dim>& plan() { return plan_; }
     const Kernel<dim>& kernel() const { return kernel_; }
-    const std::vector<std::unique_ptr<Part<dim>>>& parts() const { return parts_; }
-    /// Stages with which all parts join a place.
-    std::vector<Stage<dim>> stages(Place) const;
-    /// Runs them at a place that lies within a stage of the step: an evaluation, the making of lists, an observation.
-    void run(Place);
+    const std::vector<std::unique_ptr<RunningModel<dim>>>& runningModels() const { return runningModels_; }
+    /// Stages with which all models join a point.
+    std::vector<Stage<dim>> stages(JoinPoint) const;
+    /// Runs them at a point that lies within a stage of the step: an evaluation, the making of lists, an observation.
+    void run(JoinPoint);
     /// Number of runs of each of those, by name.
     const std::map<std::string, long>& joinedRuns() const { return joinedRuns_; }
 
@@ -82,9 +82,9 @@ public:
     void hold(std::vector<int> held) { held_ = std::move(held); }
     /// Whether any rank has buffer particles; all ranks must ask.
     bool holdsAny() const;
-    void holdRate(const std::string& field, double deltaT)
+    void withholdRate(const std::string& field, double deltaT)
     {
-        for (const auto& part : parts_) part->holdRate(*this, field, deltaT);
+        for (const auto& model : runningModels_) model->withholdRate(*this, field, deltaT);
     }
     /// Whether the state is one between prediction and correction: the values at the start of the step are then in q_0 (Evolving::startName).
     bool predicted() const { return predicted_; }
@@ -115,8 +115,8 @@ private:
     LeakGuard<dim> leakGuard_;
     NeighbourLists<dim> lists_;
     Kernel<dim> kernel_;
-    std::vector<std::unique_ptr<Part<dim>>> parts_;
-    std::map<Place, std::vector<Stage<dim>>> joined_;
+    std::vector<std::unique_ptr<RunningModel<dim>>> runningModels_;
+    std::map<JoinPoint, std::vector<Stage<dim>>> joined_;
     std::map<std::string, long> joinedRuns_;
     std::vector<int> held_;
     std::size_t owned_ = 0;

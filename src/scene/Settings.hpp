@@ -4,9 +4,9 @@
 #include "Coefficients.hpp"
 #include "Facts.hpp"
 #include "Geometry.hpp"
-#include "Part.hpp"
 #include "Plan.hpp"
 #include "Resolution.hpp"
+#include "RunningModel.hpp"
 #include "State.hpp"
 #include <algorithm>
 #include <map>
@@ -37,7 +37,8 @@ struct Integration
     double theta = 1, tolerance = 1e-6; ///< theta and relative tolerance of the solve
     int maxIter = 1000;
     StepFactors factors;
-    std::vector<double StepFactors::*> factorsOfParts; ///< factors of the limits that parts give (Part.hpp), beside the models' own
+    std::vector<double StepFactors::*>
+        factorsOfRunningModels;              ///< factors of the limits that models give at run time (RunningModel.hpp), beside their own
     std::vector<std::string> responses;      ///< terms: response of forces to a change in velocity; those of the diagonal go with them
     double dampingRate = 0, dampedUntil = 0; ///< dv/dt = -rate v [1/s] until a time [s], for a start far from equilibrium
 };
@@ -67,12 +68,12 @@ struct Settings
     Catalogue<2> terms2;                                      ///< terms of models that come in any number, beside the catalogues
     Catalogue<3> terms3;
     std::vector<std::pair<std::string, std::string>> shown; ///< derived fields in time folders: name, and that on disk
-    std::vector<PartMaker> parts;                           ///< models that do more at run time than terms can say
+    std::vector<RunningModelMaker> runningModels;           ///< models that do more at run time than terms can say
     std::vector<std::string> reasons;                       ///< choices made for the user, and why: one line each for the log
 
     std::map<std::string, std::string> chosen;      ///< by entry: the word that a model has chosen
     std::map<std::string, FieldClass> fieldClasses; ///< classes of all fields that the models know, in this scene or not
-    Names apart; ///< separate sums: fields into which some forces are summed besides the acceleration (the force on a wall, say)
+    Names separateSums; ///< separate sums: fields into which some forces are summed besides the acceleration (the force on a wall, say)
     /// Fields of models that the scene does not have, and the message where a dictionary gives one.
     std::map<std::string, std::string> absent;
 
@@ -130,13 +131,13 @@ struct Settings
         if constexpr (dim == 2) return terms2;
         else return terms3;
     }
-    /// The name by which to select a term of these catalogues: an entry of its own where its sum is separate (`apart`).
+    /// The name by which to select a term of these catalogues: an entry of its own where its sum is separate (`separateSums`).
     std::string force(const std::string& term, const Catalogue<2>& in2, const Catalogue<3>& in3)
     {
-        if (apart.empty()) return term;
+        if (separateSums.empty()) return term;
         const std::string name = term + "Apart";
-        terms2.push_back(redirected(in2, term, name, apart));
-        terms3.push_back(redirected(in3, term, name, apart));
+        terms2.push_back(redirected(in2, term, name, separateSums));
+        terms3.push_back(redirected(in3, term, name, separateSums));
         return name;
     }
     /// Adds a term of its own numbers under its own name; `make(coefficients)` gives it.

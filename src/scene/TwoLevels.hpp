@@ -11,7 +11,7 @@
 ///
 /// a step, and a re-coupling step leaves lambda dt/2 of it: stable where r^every lambda dt/2 < 1. Verified by test/unit/integrators (Step).
 #pragma once
-#include "Part.hpp"
+#include "RunningModel.hpp"
 #include "State.hpp"
 #include <cmath>
 #include <utility>

@@ -15,8 +15,8 @@ constexpr std::pair<const char*, double Vector<3>::*> impulseComponents[]{{"impu
 template<int dim> std::vector<StoredEnergy> storedIn(const Particles<dim>& particles)
 {
     std::vector<StoredEnergy> all;
-    for (const auto& part : particles.parts())
-        if (auto stored = part->energy(particles)) all.push_back(std::move(*stored));
+    for (const auto& model : particles.runningModels())
+        if (auto stored = model->energy(particles)) all.push_back(std::move(*stored));
     return all;
 }
 }
@@ -40,7 +40,7 @@ template<int dim> EnergyBalance<dim>::EnergyBalance(const Particles<dim>& partic
     for (const bool held : {true, false})
         for (const auto& of : stored)
             if (of.isHeld == held) given_ += of.value;
-    for (const auto& part : particles.parts()) given_ += part->supply(particles, summary.mass);
+    for (const auto& model : particles.runningModels()) given_ += model->supply(particles, summary.mass);
 }
 
 template<int dim> Energy EnergyBalance<dim>::at(const Particles<dim>& particles, const Summary& summary) const

@@ -4,7 +4,7 @@
 ///   held       K(t) + sum_models E(t)
 ///   supplied   K(0) + sum_models (E(0) + S) + max_t W
 ///
-/// K [J] kinetic energy, E [J] what a model stores (Part::energy), S [J] the most that it may give from the start on (Part::supply): an upper bound; W the
+/// K [J] kinetic energy, E [J] what a model stores (RunningModel::energy), S [J] the most that it may give from the start on (RunningModel::supply): an upper bound; W the
 /// work of gravity, of the body force and of models since then. Energy of compression counts at the start alone. Dissipation is left out: a healthy run
 /// holds less than it was given. In 2-D all are per metre of depth. The impulse of gravity and body force is kept beside their work, for whoever balances
 /// momentum (function object conservation). A restarted run goes on with the account of the time folder, where the forces are those that it was written

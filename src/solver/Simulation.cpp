@@ -48,8 +48,8 @@ template<int dim> class Simulation final : public AnySimulation
     {
         if (!settings_.integration.moves && restored.empty())
         {
-            for (const auto& stage : particles_.stages(Place::solve)) stage.run(particles_, {});
-            particles_.run(Place::complete);
+            for (const auto& stage : particles_.stages(JoinPoint::solve)) stage.run(particles_, {});
+            particles_.run(JoinPoint::complete);
         }
         auto summary = measured();
         const auto restore = [&](const std::string& name, double& value)
@@ -83,7 +83,7 @@ template<int dim> class Simulation final : public AnySimulation
         summary_ = measured();
         energy_.addWork(0.5 * (power + summary_.power) * deltaT);
         energy_.addImpulse(deltaT * summary_.force);
-        for (const auto& part : particles_.parts()) energy_.addWork(part->power() * deltaT);
+        for (const auto& model : particles_.runningModels()) energy_.addWork(model->power() * deltaT);
     }
 
 public:
@@ -119,10 +119,10 @@ public:
             measured.leastViscosity = least->second;
             measured.largestViscosity = largest->second;
         }
-        std::vector<StepLimit> ofParts;
-        for (const auto& part : particles_.parts())
-            for (const auto& limit : part->limits()) ofParts.push_back(limit);
-        return sph::stepLimits(settings_, measured, ofParts);
+        std::vector<StepLimit> ofRunningModels;
+        for (const auto& model : particles_.runningModels())
+            for (const auto& limit : model->limits()) ofRunningModels.push_back(limit);
+        return sph::stepLimits(settings_, measured, ofRunningModels);
     }
     Summary summary() const override { return summary_; }
     Vector<3> gravity() const override { return particles_.coefficients().g; }
@@ -167,7 +167,7 @@ public:
         numbers[lastName("power")] = summary_.power;
         if (settings_.integration.moves) energy_.save(numbers);
         for (const auto& [name, value] : summary_.columns) numbers[lastName(name)] = value;
-        for (const auto& part : particles_.parts()) part->save(numbers);
+        for (const auto& model : particles_.runningModels()) model->save(numbers);
         return numbers;
     }
 
@@ -182,21 +182,21 @@ public:
     const std::map<std::string, long>& countsWithin() const override { return particles_.joinedRuns(); }
     std::string introduction() const override
     {
-        return ofParts([](const auto& part) { return part.introduction(); });
+        return ofRunningModels([](const auto& model) { return model.introduction(); });
     }
     std::string report() const override
     {
-        return ofParts([&](const auto& part) { return part.report(particles_); });
+        return ofRunningModels([&](const auto& model) { return model.report(particles_); });
     }
     std::string note() const override
     {
-        return ofParts([](const auto& part) { return part.note(); });
+        return ofRunningModels([](const auto& model) { return model.note(); });
     }
     std::vector<std::string> warnings() override
     {
         std::vector<std::string> all;
-        for (const auto& part : particles_.parts())
-            if (auto warning = part->warning(particles_); !warning.empty()) all.push_back(std::move(warning));
+        for (const auto& model : particles_.runningModels())
+            if (auto warning = model->warning(particles_); !warning.empty()) all.push_back(std::move(warning));
         return all;
     }
     long pairPassesRun() const override { return particles_.plan().pairPassesRun(); }
@@ -242,10 +242,10 @@ public:
     double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
 
 private:
-    std::string ofParts(const auto& words) const
+    std::string ofRunningModels(const auto& words) const
     {
         std::string all;
-        for (const auto& part : particles_.parts()) all += words(*part);
+        for (const auto& model : particles_.runningModels()) all += words(*model);
         return all;
     }
 };

@@ -22,7 +22,7 @@ int partsOf(double deltaT, const Settings& settings, const std::vector<StepLimit
 {
     double parts = 1;
     for (const auto& limit : limits)
-        if (limit.ofPart) parts = std::max(parts, deltaT / limit.deltaT * settings.integration.maxSubSteps);
+        if (limit.ofSubstep) parts = std::max(parts, deltaT / limit.deltaT * settings.integration.maxSubSteps);
     const double roundOff = 1e-9; // a step of the limit itself takes no part more
     return std::min(settings.integration.maxSubSteps,
                     2 * int(std::ceil((std::min<double>(parts, settings.integration.maxSubSteps) - 1) / 2 - roundOff)) + 1);

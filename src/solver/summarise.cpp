@@ -132,7 +132,7 @@ template<int dim> Summary summarise(const Particles<dim>& particles)
         });
     total.power += dot(c.g, total.momentum);
     for (const double mass : total.mass) total.force += mass * c.g;
-    for (const auto& part : particles.parts()) total.columns.merge(part->columns(particles));
+    for (const auto& model : particles.runningModels()) total.columns.merge(model->columns(particles));
     const auto finite = [](double q) { return std::isfinite(q); };
     total.finite = finite(total.kineticEnergy) && finite(total.maxSpeed) && finite(total.power) && finite(total.maxAcceleration) &&
                    finite(total.maxSlowAcceleration) &&

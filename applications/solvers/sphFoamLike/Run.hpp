@@ -30,7 +30,7 @@ public:
 
 private:
     Case case_;
-    RunTime::Place place_;
+    RunTime::JoinPoint place_;
     std::ostream& log_;
     Clock clock_;
     RunTime time_;

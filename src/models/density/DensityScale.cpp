@@ -40,9 +40,9 @@ template<int dim> double DensityScale<dim>::ofPacking(const Particles<dim>& part
                                              { return m[i] / coefficients_.restDensity[phase ? std::size_t(phase[i]) : 0] / V[i]; }));
 }
 
-template<int dim> std::vector<Stage<dim>> DensityScale<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> DensityScale<dim>::stages(JoinPoint place)
 {
-    if (place != Place::start) return {};
+    if (place != JoinPoint::start) return {};
     return {{"density scale", "mean of rho/rho_0 is exact",
              [this](Particles<dim>& p, const Substep&)
              {

@@ -19,7 +19,7 @@ struct StartCompression
     std::shared_ptr<double> mean = std::make_shared<double>(1);
 };
 
-template<int dim> class DensityScale final : public Part<dim>
+template<int dim> class DensityScale final : public RunningModel<dim>
 {
     std::optional<double> restored_;
     const Coefficients& coefficients_;
@@ -29,7 +29,7 @@ template<int dim> class DensityScale final : public Part<dim>
 
 public:
     DensityScale(Particles<dim>&, const Numbers& restored);
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     void save(Numbers&) const override;
 };
 

@@ -142,7 +142,7 @@ void read(const Reading& reading)
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
-    if (volume == "numberDensity" && normalises) settings.parts.push_back(partOf<DensityScale>());
+    if (volume == "numberDensity" && normalises) settings.runningModels.push_back(running<DensityScale>());
     readDiffusion(reading);
     readRelaxation(reading);
 }

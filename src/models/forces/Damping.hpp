@@ -7,15 +7,15 @@
 namespace sph
 {
 
-template<int dim> class Damping final : public Part<dim>
+template<int dim> class Damping final : public RunningModel<dim>
 {
     double rate_, until_;
 
 public:
     Damping(Particles<dim>&, const Numbers&, double rate, double until) : rate_(rate), until_(until) {}
-    std::vector<Stage<dim>> stages(Place place) override
+    std::vector<Stage<dim>> stages(JoinPoint place) override
     {
-        if (place != Place::afterKick) return {};
+        if (place != JoinPoint::afterKick) return {};
         return {{"damp", "v *= exp(-rate dt)",
                  [this](Particles<dim>& p, const Substep& substep)
                  {

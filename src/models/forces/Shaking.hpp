@@ -29,7 +29,7 @@ inline Vector<3> gravityAt(const Vector<3>& g_0, const std::string& a, double t)
     }
 }
 
-template<int dim> class Shaking final : public Part<dim>
+template<int dim> class Shaking final : public RunningModel<dim>
 {
     Vector<3> g_0_, g_;
     std::string a_;
@@ -50,10 +50,10 @@ public:
             if (const auto found = restored.find(nameOf(k)); found != restored.end()) g_.*component(k) = found->second;
         particles.setGravity(g_);
     }
-    std::vector<Stage<dim>> stages(Place place) override
+    std::vector<Stage<dim>> stages(JoinPoint place) override
     {
-        if (place == Place::beforeDrift) return {shake("shake", "g = g_0 + a(t + dt/2)", 0.5)};
-        if (place == Place::atEnd) return {shake("shake on", "g = g_0 + a(t + dt)", 1)};
+        if (place == JoinPoint::beforeDrift) return {shake("shake", "g = g_0 + a(t + dt/2)", 0.5)};
+        if (place == JoinPoint::atEnd) return {shake("shake on", "g = g_0 + a(t + dt)", 1)};
         return {};
     }
     void save(Numbers& numbers) const override

@@ -19,7 +19,7 @@ void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     if (settings.hasGravity()) reading.select("gravity");
-    if (!settings.shaking.empty()) settings.parts.push_back(partOf<Shaking>(settings.coefficients.g, settings.shaking));
+    if (!settings.shaking.empty()) settings.runningModels.push_back(running<Shaking>(settings.coefficients.g, settings.shaking));
     if (!settings.shaking.empty() && !settings.integration.moves)
         reading.schemes.error("integration", "scheme quasiSteady leaves particles where they are, and constant/g has `shaking`");
     if (mag(settings.coefficients.bodyForce) > 0) reading.select("bodyForce");
@@ -28,7 +28,7 @@ void read(const Reading& reading)
     if ((rate > 0) != (until > 0))
         (rate > 0 ? entry::rate : entry::until)
             .error(damping, rate > 0 ? "does nothing without `until`, the time at which damping ends" : "does nothing without `rate`");
-    if (until > 0) settings.parts.push_back(partOf<Damping>(rate, until));
+    if (until > 0) settings.runningModels.push_back(running<Damping>(rate, until));
 }
 }
 

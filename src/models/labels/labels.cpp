@@ -1,5 +1,5 @@
 #include "labels.hpp"
-#include "LabelsPart.hpp"
+#include "RunningLabels.hpp"
 #include "reduce.hpp"
 
 namespace sph
@@ -10,7 +10,7 @@ namespace
 template<class F> Evolving label(F field)
 {
     Evolving evolving{stateField(field)};
-    evolving.inlet = [](const Dictionary&, std::size_t) { return LabelsPart<3>::notYet; };
+    evolving.inlet = [](const Dictionary&, std::size_t) { return RunningLabels<3>::notYet; };
     return evolving;
 }
 
@@ -36,7 +36,7 @@ void read(const Reading& reading)
 {
     const auto isLabel = [](const Evolving& e) { return e.value.name == origId || e.value.name == origProcId; };
     // The part is made after all models have prepared: what openings bring must be there first.
-    if (std::ranges::any_of(reading.settings.state, isLabel)) reading.settings.parts.push_back(partOf<LabelsPart>());
+    if (std::ranges::any_of(reading.settings.state, isLabel)) reading.settings.runningModels.push_back(running<RunningLabels>());
 }
 }
 

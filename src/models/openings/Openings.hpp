@@ -104,7 +104,7 @@ public:
     /// Prescribes pressures and velocities of the buffer particles, once a step, after the kick. `time` [s] is that of the end of the step.
     void drive(FieldStore<dim>&, double deltaT, double time = 0);
     /// Sets a rate that is about to act for `deltaT` [s] to 0 at the buffer particles, and counts the amount that it would have brought into them.
-    void holdRate(FieldStore<dim>&, const std::string& field, double deltaT);
+    void withholdRate(FieldStore<dim>&, const std::string& field, double deltaT);
     /// Names of the amounts that are counted.
     const std::vector<std::string>& amounts() const { return amountNames_; }
 

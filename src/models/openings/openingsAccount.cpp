@@ -83,7 +83,7 @@ template<int dim> std::vector<Flow> Openings<dim>::flows() const
     return flows;
 }
 
-template<int dim> void Openings<dim>::holdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
+template<int dim> void Openings<dim>::withholdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
 {
     const double* const m = store.component(Mass::info.name, 0);
     const auto phase = phasesOf(store);

@@ -1,5 +1,5 @@
 #include "openingsModel.hpp"
-#include "OpeningsPart.hpp"
+#include "RunningOpenings.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ void read(const Reading& reading)
                             opening.name));
     if (std::ranges::any_of(openings, [](const Opening& opening) { return opening.markFrom.has_value(); }))
         settings.state.push_back(mark());
-    if (!openings.empty()) settings.parts.push_back(partOf<OpeningsPart>(openings));
+    if (!openings.empty()) settings.runningModels.push_back(running<RunningOpenings>(openings));
 }
 }
 

@@ -11,7 +11,7 @@
 namespace sph
 {
 
-template<int dim> class CompressionEnergy final : public Part<dim>
+template<int dim> class CompressionEnergy final : public RunningModel<dim>
 {
 public:
     CompressionEnergy(Particles<dim>&, const Numbers&) {}

@@ -86,13 +86,13 @@ void read(const Reading& reading)
     auto& settings = reading.settings;
     readBackground(reading);
     if (settings.facts.get<ConstitutiveStress>().exists) return;
-    settings.parts.push_back(partOf<CompressionEnergy>());
+    settings.runningModels.push_back(running<CompressionEnergy>());
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
     reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : ""));
     const auto& gradient = settings.chosen.at(entry::pressureGradient.keyword());
     reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
-    if (!settings.apart.empty()) reading.select("addPressure");
+    if (!settings.separateSums.empty()) reading.select("addPressure");
     if (gradient == "densityWeighted") warnOfWeighing(reading);
     if (!settings.integration.solvesPressure) return;
     reading.select(settings.multiphase() ? "volumeStiffness" : "uniformVolumeStiffness");

@@ -56,9 +56,9 @@ template<int dim> double ScalarBalance<dim>::change(const std::string& name, con
     return start != start_.end() && now.size > 0 ? (now.amount - start->second) / now.size : 0;
 }
 
-template<int dim> std::vector<Stage<dim>> ScalarBalance<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> ScalarBalance<dim>::stages(JoinPoint place)
 {
-    if (place != Place::complete) return {};
+    if (place != JoinPoint::complete) return {};
     return {{"amounts of scalars", "sum m c at the first start, which changes are of",
              [this](Particles<dim>& particles, const Substep&)
              {

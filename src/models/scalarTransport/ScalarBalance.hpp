@@ -8,13 +8,13 @@
 namespace sph
 {
 
-template<int dim> class ScalarBalance final : public Part<dim>
+template<int dim> class ScalarBalance final : public RunningModel<dim>
 {
 public:
     ScalarBalance(Particles<dim>&, const Numbers& restored, const std::vector<TransportedScalar>&);
 
     /// Keeps what there is at the first start.
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     std::vector<StepLimit> limits() const override { return limits_; }
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;

@@ -35,10 +35,10 @@ void read(const Reading& reading)
     const auto scalars = settings.coefficients.of<std::vector<TransportedScalar>>();
     const bool walls = !reading.geometry.patches.empty() || !reading.geometry.layers.empty(), even = mirrorsPairwise(reading.geometry);
     for (const auto& scalar : scalars) reading.select(defineScalarFlux(settings, scalar, walls, even));
-    settings.parts.push_back(partOf<ScalarBalance>(scalars));
+    settings.runningModels.push_back(running<ScalarBalance>(scalars));
     const bool diffuses = std::ranges::any_of(scalars, [](const auto& scalar)
                                               { return std::ranges::any_of(scalar.diffusivity, [](double D) { return D > 0; }); });
-    if (diffuses) settings.integration.factorsOfParts.push_back(&StepFactors::diffusive);
+    if (diffuses) settings.integration.factorsOfRunningModels.push_back(&StepFactors::diffusive);
 }
 }
 

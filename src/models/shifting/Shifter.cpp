@@ -6,9 +6,9 @@
 namespace sph
 {
 
-template<int dim> std::vector<Stage<dim>> Shifter<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> Shifter<dim>::stages(JoinPoint place)
 {
-    if (place != Place::afterDrift) return {};
+    if (place != JoinPoint::afterDrift) return {};
     return {{"shift", byImplicitSteps_ ? "x += min(C |v| dt Delta_x, H^2/50) shift" : "x += C |v| dt Delta_x shift",
              [this](Particles<dim>& p, const Substep& s) { shift(p, s.deltaT); }}};
 }
@@ -30,9 +30,9 @@ template<int dim> void Shifter<dim>::shift(Particles<dim>& p, double deltaT) con
                  }));
 }
 
-template<int dim> std::vector<Stage<dim>> Transporter<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> Transporter<dim>::stages(JoinPoint place)
 {
-    if (place != Place::beforeDrift) return {};
+    if (place != JoinPoint::beforeDrift) return {};
     return {{"transport velocity", "w = dt/2 a",
              [](Particles<dim>& p, const Substep& substep)
              {

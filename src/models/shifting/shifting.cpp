@@ -56,7 +56,7 @@ void read(const Reading& reading)
             reading.select(within ? "concentrationWithinPhase" : "concentrationGradient");
         }
         else reading.select(within ? "interfaceShifting" : "particleShifting");
-        settings.parts.push_back(partOf<Shifter>(C, largest));
+        settings.runningModels.push_back(running<Shifter>(C, largest));
     }
     if (transport > 0)
     {
@@ -66,7 +66,7 @@ void read(const Reading& reading)
         settings.state.push_back({stateField(TransportVelocity{})});
         settings.state.push_back({stateField(TransportAcceleration{})}); // of the last evaluation
         settings.facts.give(DriftVelocity{TransportVelocity::info.name}, "transportVelocity of system/sphSchemes");
-        settings.parts.push_back(partOf<Transporter>());
+        settings.runningModels.push_back(running<Transporter>());
     }
 }
 }

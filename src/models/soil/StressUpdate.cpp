@@ -50,17 +50,17 @@ template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts:
     return *this;
 }
 
-template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint place)
 {
-    if (place == Place::sorted)
+    if (place == JoinPoint::sorted)
         return {{"first sound", "c = sqrt(M/rho), once",
                  [this](Particles<dim>& p, const Substep&)
                  {
                      if (!std::exchange(measured_, true)) measure(p);
                  }}};
-    if (levels_ && place == Place::afterKick)
+    if (levels_ && place == JoinPoint::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
-    if (place != (levels_ ? Place::beforeDrift : Place::afterKick)) return {};
+    if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
     return {{"stress",
              levels_ ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
                      : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",

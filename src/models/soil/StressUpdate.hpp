@@ -26,12 +26,12 @@
 namespace sph
 {
 
-template<int dim> class StressUpdate final : public Part<dim>
+template<int dim> class StressUpdate final : public RunningModel<dim>
 {
 public:
     StressUpdate(Particles<dim>&, const Numbers&);
 
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     /// The speeds of sound of the stress that was read, before the first evaluation.
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;

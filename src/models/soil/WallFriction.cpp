@@ -14,11 +14,11 @@ template<int dim>
 WallFriction<dim>::WallFriction(Particles<dim>& particles, const Numbers&) : atEnds_(particles.coefficients().template has<TwoLevels>())
 {}
 
-template<int dim> std::vector<Stage<dim>> WallFriction<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> WallFriction<dim>::stages(JoinPoint place)
 {
-    if (place == Place::sorted)
+    if (place == JoinPoint::sorted)
         return {{"joints", "tau = 0 of particles that have left the walls", [this](Particles<dim>& p, const Substep&) { find(p); }}};
-    if (place != (atEnds_ ? Place::beforeDrift : Place::afterKick)) return {};
+    if (place != (atEnds_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
     return {{"wall friction", "tau += dt k v_s, |tau| <= tan(delta) max(0, -n.sigma n - p_f)",
              [this](Particles<dim>& p, const Substep& s)
              {

@@ -15,7 +15,7 @@
 namespace sph
 {
 
-template<int dim> class WallFriction final : public Part<dim>
+template<int dim> class WallFriction final : public RunningModel<dim>
 {
     std::vector<std::size_t> near_; ///< particles that may be within a support of a wall
     bool atEnds_;                   ///< of steps the stress is known, and not in their middles
@@ -25,7 +25,7 @@ template<int dim> class WallFriction final : public Part<dim>
 
 public:
     WallFriction(Particles<dim>&, const Numbers&);
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
 };
 
 }

@@ -319,9 +319,9 @@ void read(const Reading& reading)
     if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
-    settings.parts.push_back(partOf<StressUpdate>());
-    settings.integration.factorsOfParts.push_back(&StepFactors::sound);
-    if (reading.geometry.withFriction()) settings.parts.push_back(partOf<WallFriction>());
+    settings.runningModels.push_back(running<StressUpdate>());
+    settings.integration.factorsOfRunningModels.push_back(&StepFactors::sound);
+    if (reading.geometry.withFriction()) settings.runningModels.push_back(running<WallFriction>());
     settings.facts.give(EnergyAdvice{"a smaller `soundFactor` in `integration`"}, soilProperties);
 }
 }

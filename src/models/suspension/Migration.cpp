@@ -38,14 +38,14 @@ Migration<dim>::Migration(Particles<dim>&, const Numbers& restored, const Migrat
     if (const auto found = restored.find("migrationLimit"); found != restored.end()) limit_ = found->second;
 }
 
-template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(JoinPoint place)
 {
     std::vector<std::string> groups;
     if (corrects_) groups.emplace_back(ofCorrection);
     groups.emplace_back(ofMigration);
-    if (place == Place::complete)
+    if (place == JoinPoint::complete)
         return {{"rates of powder", "mu, shear rate and dphi/dt", [this](Particles<dim>& p, const Substep&) { complete(p); }, groups}};
-    if (place != Place::afterKick) return {};
+    if (place != JoinPoint::afterKick) return {};
     if (steps_.solves) groups.push_back(ofMigrationSolve);
     const std::string equation = steps_.solves ? "(1 - dt K_eta) dphi = dt dphi/dt" : "phi += dt dphi/dt";
     return {{"migrate", equation + ", in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups}};
@@ -90,7 +90,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
         // The remaining time is cut into equal parts, so that no last one is a sliver.
         const double parts = std::max(1.0, std::ceil(deltaT / limit_ - 1e-9)), part = deltaT / parts;
         if (steps_.solves) solve(particles, part);
-        particles.holdRate(PowderFraction::info.name, part);
+        particles.withholdRate(PowderFraction::info.name, part);
 #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i) phi[i] += part * rate[i];
         if (parts == 1) return;

@@ -30,12 +30,12 @@ struct MigrationSteps
     bool solves = false;  ///< for J_eta at the end of a step
 };
 
-template<int dim> class Migration final : public Part<dim>
+template<int dim> class Migration final : public RunningModel<dim>
 {
 public:
     Migration(Particles<dim>&, const Numbers& restored, const MigrationSteps&, bool corrects);
 
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     double memory() const override { return limit_; }
     void recall(double limit) override { limit_ = limit; }
     std::vector<StepLimit> limits() const override;

@@ -215,7 +215,7 @@ void read(const Reading& reading)
     steps.factor = entry::migrationFactor(integration) * entry::stepFactor(integration);
     steps.most = entry::migrationSteps(integration, steps.solves ? 1 : 4);
     settings.shown.insert(settings.shown.end(), {{ShearRate::info.name, ShearRate::info.name}, {DynamicViscosity::info.name, "eta"}});
-    settings.parts.push_back(partOf<Migration>(steps, corrects));
+    settings.runningModels.push_back(running<Migration>(steps, corrects));
 }
 
 bool suspends(const Settings& s) { return s.coefficients.has<Suspension>(); }

@@ -11,7 +11,7 @@
 namespace sph
 {
 
-template<int dim> class InterfaceArea final : public Part<dim>
+template<int dim> class InterfaceArea final : public RunningModel<dim>
 {
 public:
     InterfaceArea(Particles<dim>&, const Numbers&) {}

@@ -79,7 +79,7 @@ std::vector<std::string> definePhaseCurvature(Settings& settings, PhaseCurvature
         for (const char* field : {SmoothedColour::info.name, ColourGradient::info.name, RawCurvature::info.name, Curvature::info.name})
             names[field] = std::string(field) + "." + c.phases[std::size_t(k)];
         Names ofForce = names;
-        ofForce.insert(settings.apart.begin(), settings.apart.end());
+        ofForce.insert(settings.separateSums.begin(), settings.separateSums.end());
         const auto tables = tablesOf(c, std::size_t(k));
         const double phase = k;
         const std::string gradient = "colourGradient" + of, force = "curvatureForce" + of;

@@ -161,7 +161,7 @@ void read(const Reading& reading)
     auto& c = settings.coefficients;
     const bool seldom = settings.integration.maxSubSteps > 1;
     const auto select = [&](const std::string& term) { (seldom ? settings.slowTerms : settings.terms).push_back(term); };
-    if (settings.facts.get<InterfaceForces>().act) settings.parts.push_back(partOf<InterfaceArea>());
+    if (settings.facts.get<InterfaceForces>().act) settings.runningModels.push_back(running<InterfaceArea>());
     const bool angles = !tensionsOf(c).ofWalls.empty();
     const auto by = [&](const char* form) { return angles && settings.has(entry::contactAngle, form); };
     if (by("paper"))

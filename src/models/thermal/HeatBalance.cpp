@@ -111,15 +111,15 @@ template<int dim> std::string HeatBalance<dim>::report(const Particles<dim>& par
     return line + "\n";
 }
 
-template<int dim> std::vector<Stage<dim>> HeatBalance<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> HeatBalance<dim>::stages(JoinPoint place)
 {
-    if (place == Place::complete)
+    if (place == JoinPoint::complete)
         return {{"heat at the start", "sum m Cp T, which changes are of",
                  [this](Particles<dim>& particles, const Substep&)
                  {
                      if (!start_) start_ = heat(particles, plain);
                  }}};
-    if (place != Place::afterKick || !isBuoyant(thermal_)) return {};
+    if (place != JoinPoint::afterKick || !isBuoyant(thermal_)) return {};
     const auto work = [this](Particles<dim>& particles, const Substep&)
     {
         const auto& store = particles.store();

@@ -15,7 +15,7 @@
 namespace sph
 {
 
-template<int dim> class HeatBalance final : public Part<dim>
+template<int dim> class HeatBalance final : public RunningModel<dim>
 {
 public:
     /// `even`: ghosts behind adiabatic walls exchange pairwise; `wallPressure`: rule of the pressure where fluid is buoyant, else empty.
@@ -27,7 +27,7 @@ public:
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
     void save(Numbers&) const override;
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     double power() const override { return power_; }
 
 private:

@@ -55,9 +55,9 @@ void read(const Reading& reading)
         reads.push_back(stateField(Temperature{}));
         if (settings.multiphase()) reads.push_back(stateField(Phase{}));
     }
-    settings.parts.push_back(partOf<HeatBalance>(mirrorsPairwise(geometry), wallPressure));
+    settings.runningModels.push_back(running<HeatBalance>(mirrorsPairwise(geometry), wallPressure));
     if (std::ranges::any_of(thermal.kappa, [](double kappa) { return kappa > 0; }))
-        settings.integration.factorsOfParts.push_back(&StepFactors::diffusive);
+        settings.integration.factorsOfRunningModels.push_back(&StepFactors::diffusive);
 }
 }
 

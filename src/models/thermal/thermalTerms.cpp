@@ -72,7 +72,7 @@ std::string defineBuoyancy(Settings& settings, const ThermalProperties& thermal)
             [make, T0 = thermal.T0](const Coefficients& c) {
                 return Force{make(), T0, c.g};
             },
-            settings.apart);
+            settings.separateSums);
         return Force::name;
     };
     const auto beta = std::make_shared<const std::vector<double>>(thermal.beta);

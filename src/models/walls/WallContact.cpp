@@ -11,13 +11,13 @@ namespace
 template<int dim> double closestOf(const Particles<dim>& p) { return LeakGuard<dim>::closestInSpacings * p.coefficients().spacing; }
 }
 
-template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(JoinPoint place)
 {
-    if (place == Place::sorted)
+    if (place == JoinPoint::sorted)
         return {{"near walls", "particles that may come to a wall before lists are built anew",
                  [this](Particles<dim>& p, const Substep&) { find(p); }}};
     // The stage stands behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
-    if (place != Place::beforeEvaluation && place != Place::atEnd) return {};
+    if (place != JoinPoint::beforeEvaluation && place != JoinPoint::atEnd) return {};
     return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
              {

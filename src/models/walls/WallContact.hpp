@@ -20,7 +20,7 @@
 namespace sph
 {
 
-template<int dim> class WallContact final : public Part<dim>
+template<int dim> class WallContact final : public RunningModel<dim>
 {
     /// A particle that may come to a wall before lists are built anew. Until it has moved by `clear` [m] from x, or walls beyond `walls` [m], it cannot be nearer than d_0.
     struct Near
@@ -43,7 +43,7 @@ template<int dim> class WallContact final : public Part<dim>
 public:
     /// `ofSoil`: what touches a wall without slip stays there; `slips`: walls do that say nothing of it.
     WallContact(Particles<dim>&, const Numbers&, bool ofSoil, bool slips) : ofSoil_(ofSoil), slips_(slips) {}
-    std::vector<Stage<dim>> stages(Place) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
 };
 
 }

@@ -27,9 +27,9 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
 }
 
-template<int dim> std::vector<Stage<dim>> WallRules<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> WallRules<dim>::stages(JoinPoint place)
 {
-    if (!filters_ || place != Place::atEnd) return {};
+    if (!filters_ || place != JoinPoint::atEnd) return {};
     return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().filterRules(); }}};
 }
 

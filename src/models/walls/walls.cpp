@@ -86,7 +86,7 @@ void prepare(const Reading& reading)
     // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
     const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && ofSoil ? "morris" : "reflected");
     if (rule != "secondOrder") return;
-    settings.apart[Acceleration::info.name] = PressureAcceleration::info.name;
+    settings.separateSums[Acceleration::info.name] = PressureAcceleration::info.name;
     settings.state.push_back({stateField(WallAcceleration{})});
     auto& reads = settings.ruleReads[Velocity::info.name];
     reads = {stateField(WallAcceleration{})};
@@ -115,12 +115,12 @@ void read(const Reading& reading)
     settings.facts.give(WallConditions{settings.has(entry::wallVelocity, "freeSlip"), settings.has(entry::layerValues, "interpolated"),
                                        pressure},
                         "the walls of system/sphSchemes");
-    settings.parts.push_back(partOf<WallRules>(settings.chosen.at(entry::wallVelocity.keyword()),
-                                               continued ? pressure : std::string("mirrored"), settings.hasViscosityField(),
-                                               settings.has(entry::layerValues, "interpolated")));
+    settings.runningModels.push_back(running<WallRules>(settings.chosen.at(entry::wallVelocity.keyword()),
+                                                        continued ? pressure : std::string("mirrored"), settings.hasViscosityField(),
+                                                        settings.has(entry::layerValues, "interpolated")));
     if (!geometry.patches.empty())
-        settings.parts.push_back(
-            partOf<WallContact>(settings.facts.get<ConstitutiveStress>().exists, settings.has(entry::wallVelocity, "freeSlip")));
+        settings.runningModels.push_back(
+            running<WallContact>(settings.facts.get<ConstitutiveStress>().exists, settings.has(entry::wallVelocity, "freeSlip")));
 }
 }
 

@@ -109,7 +109,7 @@ TEST(Reconstruct, BringsBackWhatWasDivided)
     }
 }
 
-TEST(Decompose, LabelsParticlesWhereLabelsAreAskedFor)
+TEST(Decompose, RunningLabelsiclesWhereLabelsAreAskedFor)
 {
     const Row row;
     row.write("system/sphSchemes", "shown (origId origProcId);\n");

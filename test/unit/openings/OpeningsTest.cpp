@@ -336,7 +336,7 @@ TEST(Openings, GoOnFromTheNumbersOfTheirState)
     Openings<2> first({gate}, scene.geometry, scene.c, scene.evolving, {});
     scene.exchange(first);
     std::fill_n(scene.store.component("dphidt", 0), scene.owned, 0.02);
-    first.holdRate(scene.store, "phi", 0.5);
+    first.withholdRate(scene.store, "phi", 0.5);
     EXPECT_NEAR(first.state().at("openingsHeldPowder"), double(first.held().size()) * 0.01 * dx * dx, 1e-15);
     for (std::size_t i = 0; i < scene.owned; ++i)
         EXPECT_EQ(scene.store.component("dphidt", 0)[i], scene.store.component("positions", 0)[i] < 0 ? 0 : 0.02);

@@ -1,7 +1,7 @@
 /// What evolves is declared once: fields that only this test knows are allocated, loaded, sorted, stepped, let in, held, written and restarted by
 /// the walks over the state, and their rates come from terms that the scene defines.
 #include "CaseError.hpp"
-#include "OpeningsPart.hpp"
+#include "RunningOpenings.hpp"
 #include "Simulation.hpp"
 #include "periodicSquare.hpp"
 #include <cmath>
@@ -315,7 +315,7 @@ TEST(State, ComesInThroughInletsAndIsHeldThere)
     withCharge.diagnostics().throwIfAny();
     EXPECT_EQ(openings.at(0).stream.values.at("charge"), 3);
     EXPECT_FALSE(openings.at(0).stream.values.contains("salt"));
-    settings.parts.front() = partOf<OpeningsPart>(openings);
+    settings.runningModels.front() = running<RunningOpenings>(openings);
 
     const auto simulation = makeSimulation(settings, geometry, {}, {});
     EXPECT_GT(simulation->size(), 0u);

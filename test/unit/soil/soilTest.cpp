@@ -96,7 +96,7 @@ void deform(Cloud cloud, const Files& files, double half, Tensor<dim> L, Tensor<
          [&](std::size_t i) { return std::vector{1850 * std::pow(spacing, dim) * (1 + 1e-9 * double(i))}; }); // numbers them
     Particles<dim> particles(settings, geometry, allTerms<dim>(), cloud, {});
     auto& store = particles.store();
-    const auto stages = particles.stages(Place::afterKick);
+    const auto stages = particles.stages(JoinPoint::afterKick);
     ASSERT_EQ(stages.size(), 1u);
     Vector<dim> middle;
     fetch(middle, [](int) { return 3.0; });
@@ -248,7 +248,7 @@ double stressError(const std::string& law, double dx, double jitter, const std::
     const SmoothBlock block("rho 1850; " + law + "initialStress { type isotropic; pressure 1e4; }\n", dx, jitter, ofSoil);
     auto& particles = *block.particles;
     auto& store = particles.store();
-    const auto stages = particles.stages(Place::afterKick);
+    const auto stages = particles.stages(JoinPoint::afterKick);
     const int steps = 20, ofPath = 10;
     const double dt = 0.01 / steps, fine = dt / ofPath;
     const auto carry = [&](double by)
@@ -451,7 +451,7 @@ void smoothed(const std::string& ofSoil, int steps, double deltaT, double shear,
     for (std::size_t i = 0; i < particles.size(); ++i) start.push_back(stressOf(particles, i));
     const auto v = particles.store().pointers(Velocity{});
     for (std::size_t i = 0; i < particles.size(); ++i) v[0][i] = shear * positionOf(particles.store(), i).y;
-    for (int step = 0; step < steps; ++step) particles.stages(Place::afterKick)[0].run(particles, {0, deltaT, deltaT});
+    for (int step = 0; step < steps; ++step) particles.stages(JoinPoint::afterKick)[0].run(particles, {0, deltaT, deltaT});
     for (std::size_t i = 0; i < particles.size(); ++i) visit(start[i], stressOf(particles, i));
 }
 // A stress that is linear in space stays as it is, at every particle, those at the edge of the block included.

@@ -6,7 +6,7 @@
 namespace sph
 {
 
-template<int dim> class OpeningsPart final : public Part<dim>
+template<int dim> class RunningOpenings final : public RunningModel<dim>
 {
     Openings<dim> openings_;
     std::vector<std::string> phases_;
@@ -15,10 +15,10 @@ template<int dim> class OpeningsPart final : public Part<dim>
     std::string ofPhases(const std::vector<double>&, const std::string& format) const;
 
 public:
-    OpeningsPart(Particles<dim>&, const Numbers& restored, const std::vector<Opening>&);
+    RunningOpenings(Particles<dim>&, const Numbers& restored, const std::vector<Opening>&);
 
-    std::vector<Stage<dim>> stages(Place) override;
-    void holdRate(Particles<dim>&, const std::string& field, double deltaT) override;
+    std::vector<Stage<dim>> stages(JoinPoint) override;
+    void withholdRate(Particles<dim>&, const std::string& field, double deltaT) override;
     Numbers columns(const Particles<dim>&) const override;
     std::string introduction() const override;
     std::string report(const Particles<dim>&) const override;

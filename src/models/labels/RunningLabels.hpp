@@ -23,7 +23,7 @@ struct RankOfOrigin
     };
 };
 
-template<int dim> class LabelsPart final : public Part<dim>
+template<int dim> class RunningLabels final : public RunningModel<dim>
 {
     static constexpr const char* nextName = "nextOrigId";
     std::optional<double> next_; ///< number of the next new particle; nothing before the first is known
@@ -34,8 +34,8 @@ template<int dim> class LabelsPart final : public Part<dim>
 public:
     static constexpr double notYet = -1;
 
-    LabelsPart(Particles<dim>&, const Numbers& restored);
-    std::vector<Stage<dim>> stages(Place) override;
+    RunningLabels(Particles<dim>&, const Numbers& restored);
+    std::vector<Stage<dim>> stages(JoinPoint) override;
     void save(Numbers&) const override;
 };
 

@@ -1,5 +1,15 @@
-/// A model at run time, beside its terms: stages of a step, actions where lists are rebuilt, limits of the step, lines of the log, numbers of
+/// A model at run time, beside its terms: stages of a step and of the making of lists, limits of the step, energy, lines of the log, numbers of
 /// a restart. It is made at start-up; a model without such needs has none.
+///
+///     template<int dim> class Damping final : public RunningModel<dim>
+///     {
+///         std::vector<Stage<dim>> stages(JoinPoint point) override
+///         {
+///             if (point != JoinPoint::afterKick) return {};
+///             return {{"damp", "v *= exp(-rate dt)", [this](Particles<dim>& p, const Substep& s) { damp(p, s.deltaT); }}};
+///         }
+///     };
+///     settings.runningModels.push_back(running<Damping>(rate, until));               // in the model's `read`
 #pragma once
 #include <functional>
 #include <map>
@@ -41,8 +51,8 @@ template<int dim> struct Stage
     {}
 };
 
-/// Hooks of a step: the places at which stages of models join those of an integrator.
-enum class Place
+/// Points of a step, and of what is done within its stages, at which stages of models join those of an integrator.
+enum class JoinPoint
 {
     loaded,   ///< once, when the particles of a time folder have been loaded, before any are removed or inserted
     start,    ///< once, after the first evaluation of a run or the loading of a restart, before what acts once a step is evaluated
@@ -59,16 +69,16 @@ enum class Place
     atEnd
 };
 
-/// Places that lie within a stage of the step, and those of the start.
-inline constexpr Place withinStages[]{Place::loaded, Place::start,           Place::exchange, Place::sorted,
-                                      Place::moved,  Place::afterEvaluation, Place::complete};
+/// Points that lie within a stage of the step, and those of the start.
+inline constexpr JoinPoint withinStages[]{JoinPoint::loaded, JoinPoint::start,           JoinPoint::exchange, JoinPoint::sorted,
+                                          JoinPoint::moved,  JoinPoint::afterEvaluation, JoinPoint::complete};
 
 /// A step that is stable, and the criterion that binds.
 struct StepLimit
 {
     double deltaT;
     std::string by;
-    bool ofPart = false;              ///< limit by what acts in each substep, with the most substeps; else by what acts once
+    bool ofSubstep = false;           ///< limit by what acts in each substep, with the most substeps; else by what acts once
     const FieldInfo* field = nullptr; ///< field whose largest value, of one particle, sets the limit; none where constants of the scene do
 };
 
@@ -81,17 +91,17 @@ struct StoredEnergy
         true; ///< held against what the scene has supplied; else it is a supply at the start alone, as compression is, which sound carries
 };
 
-template<int dim> class Part
+template<int dim> class RunningModel
 {
 public:
-    virtual ~Part() = default;
+    virtual ~RunningModel() = default;
     /// Stages that join the step at a place, in order.
-    virtual std::vector<Stage<dim>> stages(Place) { return {}; }
+    virtual std::vector<Stage<dim>> stages(JoinPoint) { return {}; }
     /// A number that an observation must leave as it was, and its return.
     virtual double memory() const { return 0; }
     virtual void recall(double) {}
     /// Sets to 0, at buffer particles, a rate that is about to act for `deltaT` [s] by a model's own step.
-    virtual void holdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
+    virtual void withholdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
     /// Further limits of the step.
     virtual std::vector<StepLimit> limits() const { return {}; }
     /// Numbers of the log's columns, by name.
@@ -114,10 +124,10 @@ public:
     virtual std::size_t bytes() const { return 0; }
 };
 
-/// Makes a part in either dimension.
-struct PartMaker
+/// Makes a model at run time in either dimension.
+struct RunningModelMaker
 {
-    template<int dim> using Make = std::function<std::unique_ptr<Part<dim>>(Particles<dim>&, const Numbers& restored)>;
+    template<int dim> using Make = std::function<std::unique_ptr<RunningModel<dim>>(Particles<dim>&, const Numbers& restored)>;
     Make<2> make2;
     Make<3> make3;
     template<int dim> const Make<dim>& make() const
@@ -126,13 +136,13 @@ struct PartMaker
         else return make3;
     }
 };
-/// `P<dim>(particles, restored, args...)`
-template<template<int> class P, class... Args> PartMaker partOf(Args... args)
+/// Maker of `M<dim>(particles, restored, args...)`.
+template<template<int> class M, class... Args> RunningModelMaker running(Args... args)
 {
-    const auto make = [=]<int dim>(std::integral_constant<int, dim>) -> PartMaker::Make<dim>
+    const auto make = [=]<int dim>(std::integral_constant<int, dim>) -> RunningModelMaker::Make<dim>
     {
-        return [=](Particles<dim>& particles, const Numbers& restored) -> std::unique_ptr<Part<dim>>
-        { return std::make_unique<P<dim>>(particles, restored, args...); };
+        return [=](Particles<dim>& particles, const Numbers& restored) -> std::unique_ptr<RunningModel<dim>>
+        { return std::make_unique<M<dim>>(particles, restored, args...); };
     };
     return {make(std::integral_constant<int, 2>{}), make(std::integral_constant<int, 3>{})};
 }

@@ -1,25 +1,25 @@
-#include "LabelsPart.hpp"
+#include "RunningLabels.hpp"
 #include "reduce.hpp"
 #include <algorithm>
 
 namespace sph
 {
 
-template<int dim> LabelsPart<dim>::LabelsPart(Particles<dim>&, const Numbers& restored)
+template<int dim> RunningLabels<dim>::RunningLabels(Particles<dim>&, const Numbers& restored)
 {
     if (const auto found = restored.find(nextName); found != restored.end()) next_ = found->second;
 }
 
-template<int dim> std::vector<Stage<dim>> LabelsPart<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> RunningLabels<dim>::stages(JoinPoint place)
 {
-    if (place == Place::loaded)
+    if (place == JoinPoint::loaded)
         return {{"first label", "of the particles to come", [this](Particles<dim>& p, const Substep&) { begin(p); }}};
-    if (place == Place::exchange)
+    if (place == JoinPoint::exchange)
         return {{"label", "of particles that have come in", [this](Particles<dim>& p, const Substep&) { label(p); }}};
     return {};
 }
 
-template<int dim> void LabelsPart<dim>::begin(const Particles<dim>& particles)
+template<int dim> void RunningLabels<dim>::begin(const Particles<dim>& particles)
 {
     const auto& store = particles.store();
     if (next_ || !store.has(ParticleNumber{})) return;
@@ -27,7 +27,7 @@ template<int dim> void LabelsPart<dim>::begin(const Particles<dim>& particles)
     next_ = std::max(0.0, 1 + most(particles.size(), [&](std::size_t i) { return id[i]; }));
 }
 
-template<int dim> void LabelsPart<dim>::label(Particles<dim>& particles)
+template<int dim> void RunningLabels<dim>::label(Particles<dim>& particles)
 {
     const std::size_t owned = particles.size();
     auto& store = particles.store();
@@ -47,12 +47,12 @@ template<int dim> void LabelsPart<dim>::label(Particles<dim>& particles)
     *next_ += double(ofAllRanks(own, std::size_t(0), Add{}));
 }
 
-template<int dim> void LabelsPart<dim>::save(Numbers& numbers) const
+template<int dim> void RunningLabels<dim>::save(Numbers& numbers) const
 {
     if (next_) numbers[nextName] = *next_;
 }
 
-template class LabelsPart<2>;
-template class LabelsPart<3>;
+template class RunningLabels<2>;
+template class RunningLabels<3>;
 
 }

@@ -1,4 +1,4 @@
-#include "OpeningsPart.hpp"
+#include "RunningOpenings.hpp"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -13,46 +13,46 @@ double sumOf(const std::vector<double>& q) { return std::accumulate(q.begin(), q
 }
 
 template<int dim>
-OpeningsPart<dim>::OpeningsPart(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
+RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
     : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
                 particles.settings().facts.template get<ForceReach>().supports),
       phases_(particles.coefficients().phases)
 {}
 
-template<int dim> std::vector<Stage<dim>> OpeningsPart<dim>::stages(Place place)
+template<int dim> std::vector<Stage<dim>> RunningOpenings<dim>::stages(JoinPoint place)
 {
     const auto hold = [this](Particles<dim>& p) { p.hold({openings_.held().begin(), openings_.held().end()}); };
-    if (place == Place::exchange)
+    if (place == JoinPoint::exchange)
         return {{"let in and out", "particles beyond planes come, go, and are held",
                  [this](Particles<dim>& p, const Substep&) { p.setSize(openings_.exchange(p.store(), p.size(), p.predicted())); }}};
-    if (place == Place::sorted)
+    if (place == JoinPoint::sorted)
         return {{"find held", "what lies beyond planes, and free particles near them",
                  [this, hold](Particles<dim>& p, const Substep&)
                  {
                      openings_.locate(p.store(), p.size());
                      hold(p);
                  }}};
-    if (place == Place::moved)
+    if (place == JoinPoint::moved)
         return {{"follow held", "what has passed a plane is held, or free, from now on",
                  [this, hold](Particles<dim>& p, const Substep&)
                  {
                      openings_.follow(p.store(), p.predicted());
                      hold(p);
                  }}};
-    if (place == Place::afterEvaluation)
+    if (place == JoinPoint::afterEvaluation)
         return {{"hold", "dq/dt = 0 of what openings hold", [this](Particles<dim>& p, const Substep&) { openings_.hold(p.store()); }}};
-    if (place == Place::afterKick)
+    if (place == JoinPoint::afterKick)
         return {{"drive", "U and p of what openings hold",
                  [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT, s.time + s.deltaT); }}};
     return {};
 }
 
-template<int dim> void OpeningsPart<dim>::holdRate(Particles<dim>& particles, const std::string& field, double deltaT)
+template<int dim> void RunningOpenings<dim>::withholdRate(Particles<dim>& particles, const std::string& field, double deltaT)
 {
-    openings_.holdRate(particles.store(), field, deltaT);
+    openings_.withholdRate(particles.store(), field, deltaT);
 }
 
-template<int dim> std::string OpeningsPart<dim>::ofPhases(const std::vector<double>& q, const std::string& format) const
+template<int dim> std::string RunningOpenings<dim>::ofPhases(const std::vector<double>& q, const std::string& format) const
 {
     if (q.size() == 1) return fmt::format(fmt::runtime(format), q[0]);
     std::string text;
@@ -61,7 +61,7 @@ template<int dim> std::string OpeningsPart<dim>::ofPhases(const std::vector<doub
     return text;
 }
 
-template<int dim> std::string OpeningsPart<dim>::introduction() const
+template<int dim> std::string RunningOpenings<dim>::introduction() const
 {
     std::string lines;
     for (const auto& flow : openings_.flows())
@@ -73,7 +73,7 @@ template<int dim> std::string OpeningsPart<dim>::introduction() const
     return lines;
 }
 
-template<int dim> std::string OpeningsPart<dim>::report(const Particles<dim>& particles) const
+template<int dim> std::string RunningOpenings<dim>::report(const Particles<dim>& particles) const
 {
     auto names = openings_.amounts();
     for (auto& name : names) name[0] = char(std::tolower(name[0]));
@@ -100,7 +100,7 @@ template<int dim> std::string OpeningsPart<dim>::report(const Particles<dim>& pa
     return lines + '\n';
 }
 
-template<int dim> Numbers OpeningsPart<dim>::columns(const Particles<dim>&) const
+template<int dim> Numbers RunningOpenings<dim>::columns(const Particles<dim>&) const
 {
     Numbers columns;
     if (!openings_.marks()) return columns;
@@ -112,9 +112,9 @@ template<int dim> Numbers OpeningsPart<dim>::columns(const Particles<dim>&) cons
     return columns;
 }
 
-template<int dim> void OpeningsPart<dim>::save(Numbers& numbers) const { numbers.merge(openings_.state()); }
+template<int dim> void RunningOpenings<dim>::save(Numbers& numbers) const { numbers.merge(openings_.state()); }
 
-template class OpeningsPart<2>;
-template class OpeningsPart<3>;
+template class RunningOpenings<2>;
+template class RunningOpenings<3>;
 
 }
