@@ -117,8 +117,10 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
     const auto r = particles.store().pointers(DelayedImpulse{});
     const double* const m = store.component(Mass::info.name, 0);
     const std::size_t n = particles.size();
+    // Without walls all forces upon a common velocity cancel: it is its own response, and a remainder of it would never be found as fast.
+    const bool isFree = particles.geometry().patches.empty();
     const double mass = sum(n, [&](std::size_t i) { return m[i]; });
-    for (int c = 0; c < dim; ++c)
+    for (int c = 0; isFree && c < dim; ++c)
     {
         const double mean = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
 #pragma omp parallel for simd schedule(static)

@@ -13,12 +13,15 @@
 /// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept.
 ///
 /// The remaining residual r must not change the momentum. With viscosity alone r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv
-/// before, a sum over pairs of forces that cancel. With the stiffness of pressure r would be a large velocity of single particles: its mean is
-/// added. The momentum that a step gives is then that of its forces, in pairs and from walls, to round-off whatever the tolerance: without it a drop in gas
-/// between walls fell 2 to 5 % too fast. What else of r is smooth is an impulse that the forces have given and the particles have not had. Its means over
-/// boxes of two supports (averageInBoxes.hpp) are kept, as the state DelayedImpulse, and added to dt a of the next step: a body that is slow to be
-/// found by the iteration gets all of its impulse, a step late. Without it the loss is of one sign and adds up: a drop above a pool at rest was 5 % too
-/// slow after 0.1 s. Single particles' residuals are not kept: a particle that leaves a stiff surrounding would take its own as a velocity.
+/// before, a sum over pairs of forces that cancel. With the stiffness of pressure r would be a large velocity of single particles. What of it is smooth is an
+/// impulse that the forces have given and the particles have not had: its means over boxes of two supports (averageInBoxes.hpp) are kept, as the state
+/// DelayedImpulse, and added to dt a of the next step. A body that is slow to be found by the iteration gets all of its impulse, a step late. Without it the
+/// loss is of one sign and adds up: a drop above a pool at rest was 5 % too slow after 0.1 s. Single particles' residuals are not kept: a particle that leaves
+/// a stiff surrounding would take its own as a velocity.
+///
+/// Without walls the mean of r is its own response, since forces in pairs cancel, and is added to dv at once. Walls hold a common velocity: beside them the
+/// mean goes into the next step as all else does. Added at once it is a velocity that viscosity would have taken from all but the first step of a flow: that
+/// through an array of spheres, whose momentum goes into them within a tenth of a step, had -0.5 to 1.6 times its drag (tutorials/verification/facetedSphere).
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
@@ -54,7 +57,7 @@ private:
     void solveSteady(Particles<dim>&);
     /// Adds the remaining residual to dv: all forces are then those at dv, in pairs that cancel.
     void addResidual(const Particles<dim>&);
-    /// Adds the mean of the remaining residual to dv, and keeps its means over boxes for the next step.
+    /// Keeps the means of the remaining residual over boxes for the next step; without walls adds the mean of all to dv first.
     void delayResidual(Particles<dim>&);
     void solveForChange(Particles<dim>&, double inertia, double deltaT);
 };
