@@ -72,8 +72,7 @@ EntryList RunTime::entries()
     return all;
 }
 
-RunTime::RunTime(const Case& c, JoinPoint place)
-    : caseFolder_(c.folder()), place_(std::move(place)), control_(c.dictionary(controlDictFile))
+RunTime::RunTime(const Case& c, Place place) : caseFolder_(c.folder()), place_(std::move(place)), control_(c.dictionary(controlDictFile))
 {
     stamp_ = stamp();
     const auto start = std::make_shared<Clock>();

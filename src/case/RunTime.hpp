@@ -122,7 +122,7 @@ private:
     std::filesystem::path timesFolder() const { return caseFolder_ / place_.folder; }
 
     std::filesystem::path caseFolder_;
-    JoinPoint place_;
+    Place place_;
     Dictionary control_;
     FileStamp stamp_;
     TimeControls controls_;

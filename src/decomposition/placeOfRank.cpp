@@ -30,7 +30,7 @@ std::map<std::string, int> countOfTimes(const Ranks& all, const std::vector<std:
 }
 }
 
-RunTime::JoinPoint placeOfRank(const Case& theCase, const Ranks* all)
+RunTime::Place placeOfRank(const Case& theCase, const Ranks* all)
 {
     const int folders = countProcessorFolders(theCase.folder()), ranks = all ? all->count() : 1, rank = all ? all->rank() : 0;
     if (folders == 0) return {};
@@ -40,7 +40,7 @@ RunTime::JoinPoint placeOfRank(const Case& theCase, const Ranks* all)
                         "divides the case anew; without the directories, ranks share its time folders",
                         folders, ranks));
     readPortion(theCase, rank, folders);
-    RunTime::JoinPoint place{processorFolder(rank), theCase.times(processorFolder(rank))};
+    RunTime::Place place{processorFolder(rank), theCase.times(processorFolder(rank))};
     if (!all) return place;
     std::vector<std::string> ofSome;
     for (const auto& [time, count] : countOfTimes(*all, place.times))

@@ -10,6 +10,6 @@ namespace sph
 /// Folder in which a process of a parallel run reads and writes: processorN of a decomposed case, of which those times count that all ranks have
 /// (the others are a warning of the case); else in the case itself. All ranks ask; `all` null: the one process of a run on one rank. Throws
 /// CaseError where there are not as many folders as ranks, or not those of one decomposition.
-RunTime::JoinPoint placeOfRank(const Case&, const Ranks* all);
+RunTime::Place placeOfRank(const Case&, const Ranks* all);
 
 }

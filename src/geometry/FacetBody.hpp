@@ -201,7 +201,7 @@ private:
     /// Round the end of an edge of a patch's border (the one where the corner (edge + turn) % 3 is), within the patch, to the next edge of its border.
     void goAlongBorder(int& facet, int& edge, int turn) const;
     void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<Place>& found) const;
-    JoinPoint placeOf(int facet, const Vector<3>& x, Hidden hidden) const;
+    Place placeOf(int facet, const Vector<3>& x, Hidden hidden) const;
     Foot withMargin(const Place&, const Vector<3>& x, Hidden hidden) const;
     /// Distance of y to a facet, and t_f(y), see above: infinite where y is in front of it.
     struct Claim

@@ -97,7 +97,7 @@ template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, doub
 {
     solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
-    else delayResidual(particles);
+    else delayResidual(particles, deltaT);
     const auto a = particles.store().pointers(Acceleration{});
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -111,23 +111,46 @@ template<int dim> void ImplicitSolve<dim>::addResidual(const Particles<dim>& par
         for (int c = 0; c < dim; ++c) change_[c][i] += residual_[c][i];
 }
 
-template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particles)
+/// By component c: sum_i m_i u_c u_c/sum_i m_i u_c ((1 - theta dt L) u)_c of a velocity u that all particles have in common, 1 where viscosity holds it nowhere.
+template<int dim>
+std::array<double, dim> ImplicitSolve<dim>::shareKept(Particles<dim>& particles, const std::array<double, dim>& u, double deltaT)
+{
+    std::array<double, dim> share;
+    share.fill(1);
+    if (!viscous_ || particles.geometry().patches.empty()) return share;
+    const std::size_t n = particles.size();
+    const double* const m = particles.store().component(Mass::info.name, 0);
+    const auto p = particles.store().pointers(VelocityChange{}), Lp = particles.store().pointers(ViscousResponse{});
+    for (int c = 0; c < dim; ++c) std::fill_n(p[c], n, u[c]);
+    particles.evaluate(ofSolver);
+    const double implicit = particles.settings().integration.theta * deltaT, mass = sum(n, [&](std::size_t i) { return m[i]; });
+    for (int c = 0; c < dim; ++c)
+        if (u[c] != 0)
+        {
+            const double held = -implicit * sum(n, [&](std::size_t i) { return m[i] * Lp[c][i]; }) / (mass * u[c]);
+            share[c] = 1 / (1 + std::max(held, 0.0));
+        }
+    return share;
+}
+
+template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particles, double deltaT)
 {
     const auto& store = std::as_const(particles).store();
     const auto r = particles.store().pointers(DelayedImpulse{});
     const double* const m = store.component(Mass::info.name, 0);
     const std::size_t n = particles.size();
-    // Without walls all forces upon a common velocity cancel: it is its own response, and a remainder of it would never be found as fast.
-    const bool isFree = particles.geometry().patches.empty();
     const double mass = sum(n, [&](std::size_t i) { return m[i]; });
-    for (int c = 0; isFree && c < dim; ++c)
+    std::array<double, dim> mean;
+    for (int c = 0; c < dim; ++c) mean[c] = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
+    const auto share = shareKept(particles, mean, deltaT);
+    for (int c = 0; c < dim; ++c)
     {
-        const double mean = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
+        const double added = share[c] * mean[c];
 #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i)
         {
-            change_[c][i] += mean;
-            r[c][i] -= mean;
+            change_[c][i] += added;
+            r[c][i] -= added;
         }
     }
     averageInBoxes<dim>(r, store.pointers(Position{}), m, n, boxSize * particles.coefficients().support);

@@ -33,7 +33,7 @@ double volume(const Corner& a, const Corner& b, const Corner& c, const Corner& d
 using Tetrahedron = std::array<Corner, 4>;
 
 /// The volume of a tetrahedron where `colour` > 0, as a sum of `part` over tetrahedra.
-template<class RunningModel> double wherePositive(const Tetrahedron& t, const Part& part)
+template<class Part> double wherePositive(const Tetrahedron& t, const Part& part)
 {
     std::array<Corner, 4> inside, outside;
     int in = 0, out = 0;

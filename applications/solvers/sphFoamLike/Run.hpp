@@ -30,7 +30,7 @@ public:
 
 private:
     Case case_;
-    RunTime::JoinPoint place_;
+    RunTime::Place place_;
     std::ostream& log_;
     Clock clock_;
     RunTime time_;
