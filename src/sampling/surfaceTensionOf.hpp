@@ -9,8 +9,8 @@ namespace sph
 inline double surfaceTensionOf(const ParticleView& view, std::size_t a = 0, std::size_t b = 1)
 {
     const auto sigma = view.constants.find("sigma");
-    const std::size_t n = view.phases.size();
-    return sigma == view.constants.end() || a >= n || b >= n ? 0 : sigma->second.at(a * n + b);
+    const std::size_t pair = a * view.phases.size() + b;
+    return sigma == view.constants.end() || pair >= sigma->second.size() ? 0 : sigma->second[pair];
 }
 
 }

@@ -28,7 +28,7 @@ TEST(Facts, BeginWithTheirDefaultAndKeepWhatIsGiven)
 {
     Facts facts;
     EXPECT_EQ(facts.get<ForceReach>().supports, 2);
-    EXPECT_EQ(facts.by<OpenBoundary>(), "");
+    EXPECT_EQ(facts.by<FreeSurface>(), "");
     facts.give(OpenBoundary{true}, "constant/openings");
     EXPECT_TRUE(facts.get<OpenBoundary>().exists);
     EXPECT_EQ(facts.by<OpenBoundary>(), "constant/openings");
