@@ -113,7 +113,8 @@ template<int dim> void ImplicitSolve<dim>::addResidual(const Particles<dim>& par
 
 /// By component c: sum_i m_i u_c u_c/sum_i m_i u_c ((1 - theta dt L) u)_c of a velocity u that all particles have in common, 1 where viscosity holds it nowhere.
 template<int dim>
-std::array<double, dim> ImplicitSolve<dim>::shareKept(Particles<dim>& particles, const std::array<double, dim>& u, double deltaT)
+std::array<double, dim> ImplicitSolve<dim>::shareKept(Particles<dim>& particles, const std::array<double, dim>& u, double mass,
+                                                      double deltaT)
 {
     std::array<double, dim> share;
     share.fill(1);
@@ -123,7 +124,7 @@ std::array<double, dim> ImplicitSolve<dim>::shareKept(Particles<dim>& particles,
     const auto p = particles.store().pointers(VelocityChange{}), Lp = particles.store().pointers(ViscousResponse{});
     for (int c = 0; c < dim; ++c) std::fill_n(p[c], n, u[c]);
     particles.evaluate(ofSolver);
-    const double implicit = particles.settings().integration.theta * deltaT, mass = sum(n, [&](std::size_t i) { return m[i]; });
+    const double implicit = particles.settings().integration.theta * deltaT;
     for (int c = 0; c < dim; ++c)
         if (u[c] != 0)
         {
@@ -142,7 +143,7 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
     const double mass = sum(n, [&](std::size_t i) { return m[i]; });
     std::array<double, dim> mean;
     for (int c = 0; c < dim; ++c) mean[c] = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
-    const auto share = shareKept(particles, mean, deltaT);
+    const auto share = shareKept(particles, mean, mass, deltaT);
     for (int c = 0; c < dim; ++c)
     {
         const double added = share[c] * mean[c];

@@ -21,7 +21,7 @@
 ///
 /// A velocity u that all particles have in common is its own response where no wall holds it, since forces in pairs cancel: of the mean of r the share
 /// u.u/u.(1 - theta dt L) u is added to dv at once, and the rest goes into the next step. All of it added is a velocity that viscosity would have taken in the
-/// same step from what creeps between walls: the flow through an array of spheres had -0.5 to 1.6 times its drag (tutorials/verification/facetedSphere). None of it
+/// same step from what creeps between walls: the flow through an array of spheres had -1.6 to 1.0 times its drag (tutorials/verification/facetedSphere). None of it
 /// added is a step's delay for a drop that falls in a vessel: it was 0.9905 of g t in place of 0.9950 (test/accuracy fallingDrop).
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
@@ -60,7 +60,7 @@ private:
     void addResidual(const Particles<dim>&);
     /// Adds of the mean of the remaining residual to dv what walls let pass, and keeps means over boxes of the rest for the next step.
     void delayResidual(Particles<dim>&, double deltaT);
-    std::array<double, dim> shareKept(Particles<dim>&, const std::array<double, dim>& u, double deltaT);
+    std::array<double, dim> shareKept(Particles<dim>&, const std::array<double, dim>& u, double mass, double deltaT);
     void solveForChange(Particles<dim>&, double inertia, double deltaT);
 };
 

@@ -6,8 +6,8 @@
 /// A fact that no model gives has the value that its type begins with, which is that of a scene of one enclosed phase with a state equation. A fact that two
 /// models give is an error which names both. All types stand on this page: models tell one another things both ways, and their folders may not.
 ///
-/// Models give facts in `declare` (what files say without any other model) or in `prepare` (what hangs on the choice of schemes); who asks for a fact before
-/// it is given is an error of the program, not of the case, and is found by the first scene that has such a model.
+/// Models give facts in `declare` (what files say without any other model), in `prepare` (what hangs on the choice of schemes) or in `read` (what only a
+/// run or a conflict asks for). A fact that is asked for before it is given is an error of the program, not of the case, and the first such scene finds it.
 #pragma once
 #include "LeakGuard.hpp"
 #include <any>

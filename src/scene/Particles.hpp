@@ -46,8 +46,6 @@ public:
     std::size_t size() const { return owned_; }
     /// Number of particles after some have come in or gone, in stages of JoinPoint::exchange.
     void setSize(std::size_t owned) { owned_ = owned; }
-    /// Place of a particle or an image [m].
-    Vector<dim> position(std::size_t i) const;
     /// Number of particles of all ranks.
     std::size_t total() const;
     const Settings& settings() const { return settings_; }
@@ -129,6 +127,7 @@ private:
     void allocateState();
     void load(Cloud, bool restarted);
     void checkApart() const;
+    Vector<dim> position(std::size_t i) const;
     void bind();
     /// Evaluates the first group and the stages that join it, for the present positions and images.
     void evaluateFirst();

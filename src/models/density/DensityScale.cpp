@@ -31,9 +31,8 @@ template<int dim> double DensityScale<dim>::ofLattice(const Particles<dim>& part
 template<int dim> double DensityScale<dim>::ofPacking(const Particles<dim>& particles) const
 {
     const auto& store = particles.store();
-    const auto column = [&](const char* name) { return store.fields().at(name).component[0].data(); };
-    const double *m = column(Mass::info.name), *V = column(Volume::info.name);
-    const double* phase = coefficients_.phases.size() > 1 ? column(Phase::info.name) : nullptr;
+    const double *m = store.component(Mass::info.name, 0), *V = store.component(Volume::info.name, 0);
+    const double* phase = coefficients_.phases.size() > 1 ? store.component(Phase::info.name, 0) : nullptr;
     const double compression = *coefficients_.of<StartCompression>().mean;
     return coefficients_.densityScale * (compression * double(particles.total()) /
                                          sum(particles.size(), [&](std::size_t i)

@@ -13,6 +13,8 @@ template<int dim> std::optional<StoredEnergy> InterfaceArea<dim>::energy(const P
     const auto& gamma = tensionsOf(c).between;
     const double H = c.support, norm = dim == 2 ? 2 * H * H * H / 3 : std::numbers::pi * H * H * H * H / 4;
     const double *phase = particles.store().pointers(Phase{})[0], *V = particles.store().pointers(Volume{})[0];
+    const auto x = particles.store().pointers(Position{});
+    const auto at = [&x](std::size_t i) { return valueAt<Vector<dim>>(x, i); };
     const std::size_t n = c.phases.size();
     const double twice = sum(particles.size(),
                              [&](std::size_t i)
@@ -20,7 +22,7 @@ template<int dim> std::optional<StoredEnergy> InterfaceArea<dim>::energy(const P
                                  double across = 0;
                                  typename NeighbourLists<dim>::Room room;
                                  for (const int j : particles.lists().of(i, room))
-                                     if (phase[j] != phase[i] && mag(particles.position(std::size_t(j)) - particles.position(i)) < H)
+                                     if (phase[j] != phase[i] && mag(at(std::size_t(j)) - at(i)) < H)
                                          across += gamma[std::size_t(phase[i]) * n + std::size_t(phase[j])] * V[j];
                                  return V[i] * across;
                              });
@@ -33,12 +35,13 @@ template<int dim> double InterfaceArea<dim>::supply(const Particles<dim>& partic
     const auto& tensions = tensionsOf(c).ofWalls;
     if (tensions.empty()) return 0;
     const double* const V = particles.store().pointers(Volume{})[0];
+    const auto x = particles.store().pointers(Position{});
     const std::size_t n = c.phases.size();
     return sum(particles.size(),
                [&](std::size_t i)
                {
                    double wetting = 0;
-                   particles.images().forEachWallNear(particles.position(i),
+                   particles.images().forEachWallNear(valueAt<Vector<dim>>(x, i),
                                                       [&](const Foot& foot, const Patch& patch)
                                                       {
                                                           if (foot.distance > c.spacing) return; // the row at the wall

@@ -38,18 +38,19 @@ template<int dim> double WallRules<dim>::supply(const Particles<dim>& particles,
     const auto& geometry = particles.geometry();
     const double spacing = particles.coefficients().spacing;
     const Larger larger;
+    const auto x = particles.store().pointers(Position{});
     const double fastest = reduce(
         particles.size(), 0.0,
         [&](std::size_t i)
         {
-            const auto x = particles.position(i);
+            const auto x_i = valueAt<Vector<dim>>(x, i);
             double speed = 0;
-            particles.images().forEachWallNear(x,
+            particles.images().forEachWallNear(x_i,
                                                [&](const Foot& foot, const Patch& patch)
                                                {
                                                    if (foot.distance > spacing) return; // the row at the wall
                                                    larger(speed, mag(geometry.wallVelocity(patch.wallAt(foot.region),
-                                                                                           in3D(x) - foot.distance * foot.normal)));
+                                                                                           in3D(x_i) - foot.distance * foot.normal)));
                                                });
             return speed;
         },
