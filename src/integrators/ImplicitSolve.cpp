@@ -16,6 +16,11 @@ namespace
 /// velocity at 0.1 s and the largest of the gas: single particles 0.999, 3.1 m/s; 1: 0.994, 2.5; 2: 0.993, 1.6; 4: 0.995, 1.4; all together 0.952, 1.2.
 constexpr double boxSize = 2;
 
+/// Steps from one measurement of gamma, a sum over pairs, to the next, of another component. In between particles move by a spacing at most.
+constexpr long stepsBetween = 6;
+
+constexpr const char* wallRateNames[] = {"wallRateX", "wallRateY", "wallRateZ"};
+
 struct Norms
 {
     double rr = 0, vv = 0; ///< r.r and v_1.v_1, weighed by mass
@@ -73,6 +78,16 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 }
 }
 
+template<int dim>
+ImplicitSolve<dim>::ImplicitSolve(Particles<dim>& particles, const Numbers& restored)
+    : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
+{
+    const auto steps = restored.find("implicitSteps");
+    if (steps == restored.end()) return;
+    steps_ = long(steps->second);
+    for (int c = 0; c < dim; ++c) wallRate_[c] = restored.at(wallRateNames[c]);
+}
+
 template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(JoinPoint place)
 {
     if (place != JoinPoint::solve) return {};
@@ -111,27 +126,21 @@ template<int dim> void ImplicitSolve<dim>::addResidual(const Particles<dim>& par
         for (int c = 0; c < dim; ++c) change_[c][i] += residual_[c][i];
 }
 
-/// By component c: sum_i m_i u_c u_c/sum_i m_i u_c ((1 - theta dt L) u)_c of a velocity u that all particles have in common, 1 where viscosity holds it nowhere.
-template<int dim>
-std::array<double, dim> ImplicitSolve<dim>::shareKept(Particles<dim>& particles, const std::array<double, dim>& u, double mass,
-                                                      double deltaT)
+template<int dim> void ImplicitSolve<dim>::measureWallRates(Particles<dim>& particles, double mass)
 {
-    std::array<double, dim> share;
-    share.fill(1);
-    if (!viscous_ || particles.geometry().patches.empty()) return share;
     const std::size_t n = particles.size();
     const double* const m = particles.store().component(Mass::info.name, 0);
     const auto p = particles.store().pointers(VelocityChange{}), Lp = particles.store().pointers(ViscousResponse{});
-    for (int c = 0; c < dim; ++c) std::fill_n(p[c], n, u[c]);
-    particles.evaluate(ofSolver);
-    const double implicit = particles.settings().integration.theta * deltaT;
-    for (int c = 0; c < dim; ++c)
-        if (u[c] != 0)
-        {
-            const double held = -implicit * sum(n, [&](std::size_t i) { return m[i] * Lp[c][i]; }) / (mass * u[c]);
-            share[c] = 1 / (1 + std::max(held, 0.0));
-        }
-    return share;
+    const auto ask = [&](int c)
+    {
+        for (int k = 0; k < dim; ++k) std::fill_n(p[k], n, k == c ? 1 : 0);
+        particles.evaluate(ofSolver);
+        wallRate_[c] = std::max(0.0, -sum(n, [&](std::size_t i) { return m[i] * Lp[c][i]; }) / mass);
+    };
+    if (steps_ == 0)
+        for (int c = 0; c < dim; ++c) ask(c);
+    else if (steps_ % stepsBetween == 0) ask(steps_ / stepsBetween % dim);
+    ++steps_;
 }
 
 template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particles, double deltaT)
@@ -143,10 +152,10 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
     const double mass = sum(n, [&](std::size_t i) { return m[i]; });
     std::array<double, dim> mean;
     for (int c = 0; c < dim; ++c) mean[c] = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
-    const auto share = shareKept(particles, mean, mass, deltaT);
+    if (viscous_ && !particles.geometry().patches.empty()) measureWallRates(particles, mass);
     for (int c = 0; c < dim; ++c)
     {
-        const double added = share[c] * mean[c];
+        const double added = mean[c] / (1 + particles.settings().integration.theta * deltaT * wallRate_[c]);
 #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i)
         {
@@ -243,6 +252,13 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         return false;
     };
     iterations_ = conjugateGradients(LinearSystem<dim>{name, n, m, dv, r, p}, diagonal, apply, applied, norms, done);
+}
+
+template<int dim> void ImplicitSolve<dim>::save(Numbers& numbers) const
+{
+    if (steps_ == 0) return;
+    numbers["implicitSteps"] = double(steps_);
+    for (int c = 0; c < dim; ++c) numbers[wallRateNames[c]] = wallRate_[c];
 }
 
 template<int dim> std::size_t ImplicitSolve<dim>::bytes() const

@@ -19,10 +19,14 @@
 /// loss is of one sign and adds up: a drop above a pool at rest was 5 % too slow after 0.1 s. Single particles' residuals are not kept: a particle that leaves
 /// a stiff surrounding would take its own as a velocity.
 ///
-/// A velocity u that all particles have in common is its own response where no wall holds it, since forces in pairs cancel: of the mean of r the share
-/// u.u/u.(1 - theta dt L) u is added to dv at once, and the rest goes into the next step. All of it added is a velocity that viscosity would have taken in the
-/// same step from what creeps between walls: the flow through an array of spheres had -1.6 to 1.0 times its drag (tutorials/verification/facetedSphere). None of it
-/// added is a step's delay for a drop that falls in a vessel: it was 0.9905 of g t in place of 0.9950 (test/accuracy fallingDrop).
+/// A velocity that all particles have in common is its own response where no wall holds it, since forces in pairs cancel; viscosity at walls takes
+///
+///   gamma_c = -sum_i m_i (L e_c)_i.e_c/sum_i m_i        e_c: unit vector of the component c
+///
+/// of it in a time. The share 1/(1 + theta dt gamma_c) of the mean of r is added to dv at once, and the rest goes into the next step. All of it added is a
+/// velocity that viscosity would have taken in the same step from what creeps between walls: the flow through an array of spheres had -1.6 to 1.0 times its
+/// drag (tutorials/verification/facetedSphere). None of it added is a step's delay for a drop that falls in a vessel: it was 0.9905 of g t in place of 0.9950
+/// (test/accuracy fallingDrop). gamma varies as slowly as the particles move: it is asked for every few steps, and kept in between and over restarts.
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
@@ -35,19 +39,20 @@ namespace sph
 template<int dim> class ImplicitSolve final : public RunningModel<dim>
 {
 public:
-    ImplicitSolve(Particles<dim>& particles, const Numbers&)
-        : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
-    {}
+    ImplicitSolve(Particles<dim>&, const Numbers& restored);
 
     std::vector<Stage<dim>> stages(JoinPoint) override;
     std::string note() const override;
     Numbers columns(const Particles<dim>&) const override { return {{"solverIterations", iterations_}}; }
+    void save(Numbers&) const override;
     std::size_t bytes() const override;
 
 private:
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
     const bool withPressure_, viscous_;
     int iterations_ = 0;
+    std::array<double, dim> wallRate_{}; ///< gamma [1/s]
+    long steps_ = 0;                     ///< solves in which gamma was needed
 
     /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. It iterates until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2), or with pressure until |r| <= tolerance times |dt a|, both in sqrt(sum_i m_i r_i^2/diagonal_i): forces that
@@ -60,7 +65,8 @@ private:
     void addResidual(const Particles<dim>&);
     /// Adds of the mean of the remaining residual to dv what walls let pass, and keeps means over boxes of the rest for the next step.
     void delayResidual(Particles<dim>&, double deltaT);
-    std::array<double, dim> shareKept(Particles<dim>&, const std::array<double, dim>& u, double mass, double deltaT);
+    /// Sets gamma of one component every few steps, of each in turn, and of all at the start.
+    void measureWallRates(Particles<dim>&, double mass);
     void solveForChange(Particles<dim>&, double inertia, double deltaT);
 };
 
