@@ -75,7 +75,7 @@ template<int dim> std::string RunningOpenings<dim>::introduction() const
 
 template<int dim> std::string RunningOpenings<dim>::report(const Particles<dim>& particles) const
 {
-    auto names = openings_.amounts();
+    auto names = openings_.account().amounts();
     for (auto& name : names) name[0] = char(std::tolower(name[0]));
     std::string lines;
     for (const auto& flow : openings_.flows())
@@ -96,14 +96,14 @@ template<int dim> std::string RunningOpenings<dim>::report(const Particles<dim>&
     const auto off = openings_.imbalance(particles.store());
     lines += "balance: mass off by " + ofPhases(off.mass, "{:.2g}");
     for (std::size_t q = 0; q < names.size(); ++q) lines += fmt::format(", {} by {:.2g}", names[q], off.amounts[q]);
-    if (phases_.size() > 1) lines += fmt::format(", volume let in {:.6g} m^3", openings_.volume());
+    if (phases_.size() > 1) lines += fmt::format(", volume let in {:.6g} m^3", openings_.account().volume());
     return lines + '\n';
 }
 
 template<int dim> Numbers RunningOpenings<dim>::columns(const Particles<dim>&) const
 {
     Numbers columns;
-    if (!openings_.marks()) return columns;
+    if (!openings_.account().marks()) return columns;
     for (const auto& flow : openings_.flows())
         if (!flow.inlet)
             columns.merge(Numbers{{"marked(" + flow.name + ")", flow.marked->mass},

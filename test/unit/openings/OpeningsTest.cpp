@@ -413,7 +413,7 @@ TEST(Openings, LetInPhasesByLayers)
     EXPECT_NEAR(gate.flowRates.at(0), 0.25, 1e-12);
     EXPECT_NEAR(vent.flowRates.at(1), -0.25, 1e-12);
     for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-14);
-    EXPECT_NEAR(openings.volume(), 0, 1e-14);
+    EXPECT_NEAR(openings.account().volume(), 0, 1e-14);
 
     // The state survives a restart.
     Openings<2> second({scene.gateOfBoth(), outlet(0)}, scene.geometry, scene.c, scene.evolving, openings.state());
@@ -492,7 +492,7 @@ TEST(Openings, LetComeBackWhatMay)
     const double half = 3 * dx * 0.5; // three rows have passed either way
     EXPECT_NEAR(openings.flows().at(0).mass.at(0), -2 * half, 1e-12);
     EXPECT_NEAR(openings.flows().at(0).mass.at(1), 0.5 * half, 1e-12);
-    EXPECT_NEAR(openings.volume(), 0, 1e-13);
+    EXPECT_NEAR(openings.account().volume(), 0, 1e-13);
     for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-13);
     EXPECT_EQ(openings.held().size(), 60u); // filled up from behind
     for (const int i : openings.held())
