@@ -7,27 +7,36 @@
 /// Close: a field that is read, that is no state and that no group before provides, needs exactly one provider; it is added. Fields that the
 /// rule of an image reads count as read by the term whose neighbours' values it makes.
 /// Where a term that provides gradientScale is selected, every pair term but those of the raw gradient waits for it, and its pass sees
-/// the normalised gradW.
+/// the normalised gradW, unless its group has a kernel of its own.
 /// Order: wall laws and local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass; wall laws that
 /// add to a rate come last.
 #pragma once
 #include "Catalogue.hpp"
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <set>
 #include <span>
 
 namespace sph
 {
 
+/// A kernel by which a group sees its neighbours, beside the scene's: an average over more than the neighbours that forces see, say.
+struct OwnKernel
+{
+    std::string name;
+    double support; ///< [m]
+};
+
 /// A group of passes as a scene asks for it.
 struct Group
 {
     std::string name; ///< name of the stage that runs it
     std::vector<std::string> terms;
-    std::set<std::string> changed = {}; ///< fields whose values differ from those in the groups before
-    Names names = {};                   ///< other names of results that are summed separately
-    std::set<std::string> inputs = {};  ///< fields that the caller writes before the group runs: the change that a solver tries
+    std::set<std::string> changed = {};   ///< fields whose values differ from those in the groups before
+    Names names = {};                     ///< other names of results that are summed separately
+    std::set<std::string> inputs = {};    ///< fields that the caller writes before the group runs: the change that a solver tries
+    std::optional<OwnKernel> kernel = {}; ///< none: the scene's; not for the first group
 };
 
 template<int dim> class Plan
@@ -96,7 +105,8 @@ private:
         std::vector<const Entry*> chosen;
         std::map<const Entry*, std::string> reason;
         std::vector<Pass> passes;
-        bool keepsPairs = false; ///< pairs are kept for passes behind its first pair pass, or for later groups
+        std::optional<Kernel<dim>> kernel; ///< its own, which finds its neighbours in the lists at each pass
+        bool keepsPairs = false;           ///< pairs are kept for passes behind its first pair pass, or for later groups
         std::string resultName(const FieldUse<dim>& f) const { return nameIn(group.names, f.name.c_str()); }
     };
     const Catalogue<dim>& catalogue_;

@@ -191,14 +191,14 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
 {
     const auto& g = groups_[group];
     const std::size_t n = images.owned(), block = 512;
-    bool within = group > 0; // the pairs that an evaluation before has kept
+    bool within = group > 0 && !g.kernel; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {
         if (counts_)
             for (const auto* e : pass.entries) ++(*counts_)[g.group.name + "/" + e->name];
         if (pass.pair())
         {
-            evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, kernel);
+            evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, g.kernel ? *g.kernel : kernel);
             ++pairPassesRun_;
             within = g.keepsPairs;
             continue;
@@ -220,7 +220,12 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
     for (const auto& pass : g.passes)
     {
         const auto over = pass.entries[0]->over;
-        out << fmt::format("    pass {} over {}\n", ++number, over == Over::pairs ? "pairs" : over == Over::walls ? "walls" : "particles");
+        out << fmt::format("    pass {} over {}{}\n", ++number,
+                           over == Over::pairs   ? "pairs"
+                           : over == Over::walls ? "walls"
+                                                 : "particles",
+                           pass.pair() && g.kernel ? fmt::format(", {} of support {:.4g} m", g.group.kernel->name, g.group.kernel->support)
+                                                   : "");
         for (const auto* e : pass.entries)
         {
             std::string results;

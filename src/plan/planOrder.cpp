@@ -21,6 +21,7 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     {
         auto& passes = groups_.emplace_back();
         passes.group = group;
+        if (group.kernel) passes.kernel.emplace(group.kernel->name, group.kernel->support);
         select(passes);
         const auto outdated = outdatedBy(group.changed);
         auto available = given;
@@ -47,6 +48,7 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     bool pairsBehind = false;
     for (auto g = groups_.rbegin(); g != groups_.rend(); ++g)
     {
+        if (g->kernel) continue; // what the scene's kernel reaches is not what theirs does
         const auto pairs = std::count_if(g->passes.begin(), g->passes.end(), [](const Pass& p) { return p.pair(); });
         g->keepsPairs = pairs > 1 || (pairs > 0 && pairsBehind);
         pairsBehind = pairsBehind || pairs > 0;
@@ -171,7 +173,7 @@ template<int dim> void Plan<dim>::order(Passes& passes, const std::set<std::stri
         if (!given.contains(field)) waiting.insert(field);
     auto left = passes.chosen;
     const std::string scale = GradientScale::info.name;
-    const bool normalises = waiting.contains(scale) || given.contains(scale);
+    const bool normalises = !passes.kernel && (waiting.contains(scale) || given.contains(scale));
     const auto normalised = [&](const Entry* e) { return normalises && e->over == Over::pairs && !e->ofRawGradient; };
     enum class Turn
     {

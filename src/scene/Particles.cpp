@@ -85,9 +85,9 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
       catalogue_(catalogue),
       coefficients_(settings.coefficients),
       plan_(catalogue, groupsOf(settings), givenOf(settings), rulesOf<dim>(settings)),
-      halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.resolution.H() + skinInSpacings * settings.resolution.spacing)
+      halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.searchReach() + skinInSpacings * settings.resolution.spacing)
                     : nullptr),
-      images_(geometry_, settings.resolution.H() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
+      images_(geometry_, settings.searchReach() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
               skinInSpacings * settings.resolution.spacing, halo_.get()),
       leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.facts.get<LeakedParticles>().action),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
@@ -101,7 +101,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
         throw CaseError({"constant/geometry", 0},
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
     if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
-    if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.resolution.H() + skin_, settings.resolution.spacing});
+    if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.searchReach() + skin_, settings.resolution.spacing});
     if (settings.facts.get<InterfacesBehindWalls>().straight) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : geometry_.bends()) store_.allocate(ImageWeight{});
     for (const auto& maker : settings.runningModels) runningModels_.push_back(maker.template make<dim>()(*this, restored));
@@ -184,7 +184,7 @@ template<int dim> void Particles<dim>::rebuild()
     if (halo_) owned_ = halo_->migrate(store_, owned_);
     {
         CellList<dim> cells;
-        cells.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.resolution.H() + skin_));
+        cells.build(std::as_const(store_).pointers(Position{}), owned_, 0.5 * (settings_.searchReach() + skin_));
         store_.sortState(cells.order(), plan_.idle());
     }
     makeLists();
@@ -214,7 +214,7 @@ template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held
 template<int dim> void Particles<dim>::makeLists()
 {
     images_.build(store_, owned_);
-    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.resolution.H() + skin_,
+    lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.searchReach() + skin_,
                  NeighbourLists<dim>::Stored::yes, plan_.idle());
     images_.keepSeen(lists_.seen());
     images_.listLayers(lists_);

@@ -81,6 +81,14 @@ struct Settings
     double maxImbalance = 1.02;                          ///< of ranks: recent processor time of the busiest over the mean
 
     bool multiphase() const { return coefficients.phases.size() > 1; }
+    /// Distance within which particles are listed as neighbours, the skin aside [m]: the support of the kernel, or of a group's own that reaches farther.
+    double searchReach() const
+    {
+        double reach = resolution.H();
+        for (const auto& group : groups)
+            if (group.kernel) reach = std::max(reach, group.kernel->support);
+        return reach;
+    }
     /// Whether viscosity is a field of the particles.
     bool hasViscosityField() const { return multiphase() || facts.get<VaryingViscosity>().exists; }
     /// Whether some particles lack neighbours: at a free surface, or at the end of an opening's buffer.

@@ -134,7 +134,8 @@ struct Toy
     void evaluate(const std::string& group, double deltaT = 0) { plan.evaluate(store, images, lists, kernel, plan.group(group), deltaT); }
     double* of(const std::string& field) { return store.component(field, 0); }
     /// sum_j f(j) W_ij over the neighbours of i and itself, images by their sources.
-    double sum(std::size_t i, const auto& f)
+    double sum(std::size_t i, const auto& f) { return sum(i, f, kernel); }
+    double sum(std::size_t i, const auto& f, const Kernel<dim>& W)
     {
         double total = 0;
         for (std::size_t j = 0; j < n; ++j)
@@ -142,7 +143,7 @@ struct Toy
             auto x = positionOf(store, i) - positionOf(store, j);
             for (auto [k, length] : {std::pair(&x.x, geometry.length(0)), {&x.y, geometry.length(1)}})
                 *k -= std::round(*k / length) * length;
-            if (mag(x) < kernel.support()) total += f(j) * kernel.W(mag(x));
+            if (mag(x) < W.support()) total += f(j) * W.W(mag(x));
         }
         return total;
     }

@@ -90,6 +90,39 @@ TEST(Groups, RefreshStaleImagesAlone)
     EXPECT_NE(log.str().find("images     positions b\n"), std::string::npos) << log.str();
 }
 
+// A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of
+// the scene's kernel as they were.
+TEST(Groups, SeeNeighboursByAKernelOfTheirOwn)
+{
+    const OwnKernel wide{"quinticSpline", 0.275}, narrow{"wendlandC4", 0.15};
+    Toy toy(torus(), catalogue<2, Twice, OtherSum, Sum, Mixed>(),
+            {{"first", {"sum"}},
+             {.name = "wide", .terms = {"otherSum"}, .kernel = wide},
+             {.name = "narrow", .terms = {"mixed"}, .kernel = narrow},
+             {"again", {"sum"}, {"a"}}},
+            Fields<A, Z>{});
+    for (const char* group : {"first", "wide", "narrow"}) toy.evaluate(group);
+    for (std::size_t i = 0; i < toy.n; ++i) toy.of("a")[i] += 1;
+    toy.evaluate("again");
+    for (std::size_t i = 0; i < toy.n; ++i)
+    {
+        const auto expect = [&](const char* field, const OwnKernel& by, const auto& f)
+        {
+            const double value = toy.sum(i, f, Kernel<2>(by.name, by.support));
+            EXPECT_NEAR(toy.of(field)[i], value, 1e-12 * value) << field << " of " << i;
+        };
+        expect("e", wide, [&](std::size_t j) { return toy.of("z")[j]; });
+        expect("d", narrow, [&](std::size_t j) { return 2 * (toy.of("a")[j] - 1) + 1000 * toy.of("z")[j]; });
+        expect("c", {"wendlandC2", 0.25}, [&](std::size_t j) { return 2 * toy.of("a")[j]; });
+    }
+    std::ostringstream log;
+    int pass = 0, operation = 0;
+    toy.plan.printGroup(log, 1, pass, operation);
+    EXPECT_NE(log.str().find("pass 1 over pairs, quinticSpline of support 0.275 m"), std::string::npos) << log.str();
+    toy.plan.printGroup(log, 3, pass, operation);
+    EXPECT_EQ(log.str().find("wendlandC2"), std::string::npos) << log.str();
+}
+
 /// (d, e) = (a + z, a - z)
 struct Both
 {
