@@ -87,14 +87,14 @@ std::string chosenScheme(const Reading& reading)
         !facts.get<PressureForce>().hasEnergy() || facts.get<OpenBoundary>().exists)
         return explicitScheme;
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
-    double tension = infinity;
+    double slow = infinity;
     StepLimit least{infinity, "none"};
     for (const auto& limit : reading.limits(settings, {}))
-        if (!limit.ofSubstep) tension = std::min(tension, limit.deltaT);
+        if (!limit.ofSubstep) slow = std::min(slow, limit.deltaT);
         else if (limit.deltaT < least.deltaT) least = limit;
-    if (tension < worthSolving * least.deltaT) return explicitScheme;
+    if (slow < worthSolving * least.deltaT) return explicitScheme;
     settings.reasons.push_back(fmt::format("integration implicit: surface tension allows steps of {:.3g} s, {} explicit ones of {:.3g} s",
-                                           tension, least.by, least.deltaT));
+                                           slow, least.by, least.deltaT));
     return "implicit";
 }
 

@@ -73,17 +73,17 @@ template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, cons
     const auto held =
         offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
     v_i = velocity;
-    if (const auto& geometry = p.geometry(); ofSoil_)
+    if (const auto& geometry = p.geometry(); rubs_)
     {
         const int wall = geometry.patches[std::size_t(patch)].wallAt(foot.region);
-        v_i = ofSoil(v_i, before, geometry.walls[std::size_t(wall)], in<dim>(geometry.wallVelocity(wall, in3D(held))));
+        v_i = rubbed(v_i, before, geometry.walls[std::size_t(wall)], in<dim>(geometry.wallVelocity(wall, in3D(held))));
     }
     sph::store(held, [&](int c, double q) { x[c][i] = q; });
     sph::store(v_i, [&](int c, double q) { v[c][i] = q; });
     return mag(held - x_i);
 }
 
-template<int dim> Vector<dim> WallContact<dim>::ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties& wall, Vector<dim> v_w) const
+template<int dim> Vector<dim> WallContact<dim>::rubbed(Vector<dim> v, Vector<dim> before, const WallProperties& wall, Vector<dim> v_w) const
 {
     if (!wall.frictionAngle) return wall.slips || slips_ ? v : v_w;
     const auto sliding = v - v_w;

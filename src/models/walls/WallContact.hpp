@@ -32,17 +32,17 @@ template<int dim> class WallContact final : public RunningModel<dim>
     /// Columns of positions or velocities.
     using Columns = std::array<double*, dim>;
     std::vector<Near> near_;
-    bool ofSoil_, slips_;
+    bool rubs_, slips_;
 
     static std::vector<std::pair<std::size_t, double>> nearFeet(const Particles<dim>&, double distance);
     /// Finds the particles near walls.
     void find(const Particles<dim>&);
     double holdOff(const Particles<dim>&, const Columns& x, const Columns& v, Near&) const;
-    Vector<dim> ofSoil(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
+    Vector<dim> rubbed(Vector<dim> v, Vector<dim> before, const WallProperties&, Vector<dim> v_w) const;
 
 public:
-    /// `ofSoil`: what touches a wall without slip stays there; `slips`: walls do that say nothing of it.
-    WallContact(Particles<dim>&, const Numbers&, bool ofSoil, bool slips) : ofSoil_(ofSoil), slips_(slips) {}
+    /// `rubs`: what touches a wall without slip stays there, as soil does; `slips`: walls do that say nothing of it.
+    WallContact(Particles<dim>&, const Numbers&, bool rubs, bool slips) : rubs_(rubs), slips_(slips) {}
     std::vector<Stage<dim>> stages(JoinPoint) override;
 };
 

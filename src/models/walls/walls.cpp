@@ -50,8 +50,8 @@ void prepare(const Reading& reading)
     const bool layers = wallsAreLayers(dict);
     settings.chosen[entry::walls.keyword()] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
-    const bool ofSoil = settings.facts.get<ConstitutiveStress>().exists;
-    if (layers) reading.choose(entry::layerValues, ofSoil ? "interpolated" : "byPair");
+    const bool hasStress = settings.facts.get<ConstitutiveStress>().exists;
+    if (layers) reading.choose(entry::layerValues, hasStress ? "interpolated" : "byPair");
     else if (entry::layerValues.given(dict))
         entry::layerValues.error(dict, "goes with `walls layers;` alone: mirror images have no values of their own");
     const bool interpolates = settings.has(entry::layerValues, "interpolated");
@@ -84,7 +84,7 @@ void prepare(const Reading& reading)
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) &&
                         settings.facts.get<PressureForce>().hasEnergy() && !settings.facts.get<InterfaceForces>().act && !powder;
     // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
-    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && ofSoil ? "morris" : "reflected");
+    const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && hasStress ? "morris" : "reflected");
     if (rule != "secondOrder") return;
     settings.separateSums[Acceleration::info.name] = PressureAcceleration::info.name;
     settings.state.push_back({stateField(WallAcceleration{})});
