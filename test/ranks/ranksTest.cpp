@@ -4,6 +4,7 @@
 #include "Largest.hpp"
 #include "SmallDisk.hpp"
 #include "smallCases.hpp"
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -411,6 +412,29 @@ TEST(RanksOfADecomposedCase, ReadAndWriteTheirFolders)
 }
 
 // Particles that ranks read of the case itself have the same numbers, too.
+// Stages, passes and operations, which the unit tests of the solver hold to what runs, are those of one process; the numbers of fields are not.
+TEST(RanksOfACase, PrintThePlanOfOneProcess)
+{
+    for (const auto& files : {openCase(), soilCase(), bedCase()})
+    {
+        const Prepared c(files);
+        const auto plan = [](const std::string& log)
+        {
+            std::string numbered;
+            std::istringstream lines(log);
+            for (std::string line; std::getline(lines, line);)
+                if (const auto at = line.find_first_not_of(' '); at != std::string::npos && at > 1 && std::isdigit(line[at]))
+                    numbered += line + '\n';
+            return numbered;
+        };
+        const auto alone = plan(c.runWell("sphFoamLike", "-dry-run"));
+        const auto shared = onRanks(2, "sphFoamLike -parallel -dry-run -case " + c.folder().string(), c);
+        EXPECT_EQ(shared.code, 0) << shared.err;
+        EXPECT_GT(std::ranges::count(alone, '\n'), 8) << alone;
+        EXPECT_EQ(plan(shared.out), alone);
+    }
+}
+
 TEST(RanksOfACase, NumberItsParticles)
 {
     const Prepared c(labelledChannel());

@@ -178,6 +178,26 @@ TEST(PrintedPlan, IsWhatRunsInABed)
     EXPECT_EQ(ran.stages.at("evaluate"), 3 * steps);
 }
 
+// Water that drips on a grain and drains, with its surface tension: what openings let in and hold is printed where lists are built and behind evaluations.
+TEST(PrintedPlan, IsWhatRunsInABedWithOpenings)
+{
+    auto files = dripCase();
+    auto& walls = files["constant/geometry"];
+    walls.insert(walls.rfind('}'), "    grain { type sphere; centre (0.3 0.4 0); radius 0.15; fluid outside; contactAngle 60; }\n");
+    const int steps = 4;
+    const auto ran = printsWhatRuns<2>(files, steps);
+    EXPECT_EQ(ran.stages.at("drive"), steps);
+    for (const char* term : {"curvatureForce", "wallPotential"}) EXPECT_TRUE(ran.operations.contains(term)) << term;
+}
+
+// Soil on its walls: its stress is advanced by the law, and what touches a wall stays there.
+TEST(PrintedPlan, IsWhatRunsInSoil)
+{
+    const int steps = 5;
+    const auto ran = printsWhatRuns<2>(soilCase(), steps);
+    EXPECT_EQ(ran.stages.at("stress"), steps);
+}
+
 // Powder migrates in steps of its own, what openings hold is driven, and viscosity is solved for.
 TEST(PrintedPlan, IsWhatRunsInASuspensionWithOpenings)
 {
