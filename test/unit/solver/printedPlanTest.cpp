@@ -187,7 +187,7 @@ TEST(PrintedPlan, IsWhatRunsInABedWithOpenings)
     const int steps = 4;
     const auto ran = printsWhatRuns<2>(files, steps);
     EXPECT_EQ(ran.stages.at("drive"), steps);
-    for (const char* term : {"curvatureForce", "wallPotential"}) EXPECT_TRUE(ran.operations.contains(term)) << term;
+    for (const char* term : {"evenCurvatureForce", "wallPotential"}) EXPECT_TRUE(ran.operations.contains(term)) << term;
 }
 
 // Soil on its walls: its stress is advanced by the law, and what touches a wall stays there.
