@@ -23,7 +23,7 @@ template<int dim> struct Imaged
     Imaged(Geometry g, double reach, const std::vector<Vector<dim>>& points, double spacing = 0.1)
         : geometry((repeatPeriodically(g, reach), std::move(g))), images(geometry, reach, spacing)
     {
-        images.setRule(Velocity{}, std::make_unique<Reversed<dim>>());
+        images.rules().set(Velocity{}, std::make_unique<Reversed<dim>>());
         store.allocate(ImageWeight{});
         setPositions(store, points);
         images.build(store, points.size());
@@ -195,12 +195,12 @@ TEST(Images, AreNotOfHiddenFaces)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_DOUBLE_EQ(found[0].first.x, 0.5);
     int walls = 0;
-    scene.images.forEachWallNear({0.4, 0.5},
-                                 [&](const Foot&, const Patch& patch)
-                                 {
-                                     ++walls;
-                                     EXPECT_EQ(patch.wall, 1);
-                                 });
+    scene.images.nearWalls().forEachFoot({0.4, 0.5, 0},
+                                         [&](const Foot&, const Patch& patch)
+                                         {
+                                             ++walls;
+                                             EXPECT_EQ(patch.wall, 1);
+                                         });
     EXPECT_EQ(walls, 1);
 }
 
@@ -215,7 +215,7 @@ TEST(Images, TellHowFastTheyMove)
     repeatPeriodically(disc, 0.5);
     FieldStore<2> store;
     Images<2> images(disc, 0.5, 0.1, skin);
-    images.setRule(Velocity{}, std::make_unique<Reversed<2>>());
+    images.rules().set(Velocity{}, std::make_unique<Reversed<2>>());
     setPositions<2>(store, {{R - d, 0}});
     images.build(store, 1);
     const auto before = positionOf(store, 1);
@@ -504,7 +504,7 @@ TEST(Images, TellTheFootPointOfEveryReflection)
     Imaged<2> scene(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     auto owned = std::make_unique<Listening>();
     const auto& rule = *owned;
-    scene.images.setRule(Velocity{}, std::move(owned));
+    scene.images.rules().set(Velocity{}, std::move(owned));
     scene.store.allocate(Velocity{});
     omp_set_num_threads(1); // the listener's notebook is not shared
     Images<2>::refresh<Velocity>(scene.images, scene.store);
@@ -528,15 +528,16 @@ TEST(Images, TellEachWallNearOnce)
     for (const auto& x : points)
     {
         std::vector<int> walls;
-        channel.images.forEachWallNear(x,
-                                       [&](const Foot& foot, const Patch& patch)
-                                       {
-                                           if (foot.distance > 0.6) return; // within reach of some particles of its cell, not of this
-                                           walls.push_back(patch.wall);
-                                           EXPECT_NEAR(foot.distance, patch.wall == 0 ? x.y : 1 - x.y, 1e-15);
-                                           EXPECT_EQ(foot.normal.y, patch.wall == 0 ? 1 : -1);
-                                           EXPECT_EQ(foot.exposure, 1);
-                                       });
+        channel.images.nearWalls().forEachFoot(in3D(x),
+                                               [&](const Foot& foot, const Patch& patch)
+                                               {
+                                                   if (foot.distance > 0.6)
+                                                       return; // within reach of some particles of its cell, not of this
+                                                   walls.push_back(patch.wall);
+                                                   EXPECT_NEAR(foot.distance, patch.wall == 0 ? x.y : 1 - x.y, 1e-15);
+                                                   EXPECT_EQ(foot.normal.y, patch.wall == 0 ? 1 : -1);
+                                                   EXPECT_EQ(foot.exposure, 1);
+                                               });
         std::sort(walls.begin(), walls.end());
         std::vector<int> expected;
         if (x.y <= 0.6) expected.push_back(0);
@@ -546,12 +547,12 @@ TEST(Images, TellEachWallNearOnce)
 
     Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     int told = 0;
-    corner.images.forEachWallNear({0.1, 0.15},
-                                  [&](const Foot& foot, const Patch& patch)
-                                  {
-                                      ++told;
-                                      EXPECT_NEAR(foot.distance, patch.wall == 0 ? 0.1 : 0.15, 1e-15);
-                                  });
+    corner.images.nearWalls().forEachFoot({0.1, 0.15, 0},
+                                          [&](const Foot& foot, const Patch& patch)
+                                          {
+                                              ++told;
+                                              EXPECT_NEAR(foot.distance, patch.wall == 0 ? 0.1 : 0.15, 1e-15);
+                                          });
     EXPECT_EQ(told, 2);
 }
 
@@ -607,6 +608,20 @@ TEST(Images, ThatNobodySeesAreForgotten)
     {
         EXPECT_EQ(mag(positionOf(seen.store, std::size_t(j)) - positionOf(all.store, std::size_t(j))), 0) << j;
         EXPECT_EQ(seen.store.component("volumeFactor", 0)[j], all.store.component("volumeFactor", 0)[j]) << j;
+    }
+}
+
+// Of the three within 0.06 m of the floor or of the block one is also near both, and is told once.
+TEST(Images, NameTheParticlesThatAreNearTheirFaces)
+{
+    Imaged<2> scene(tankWithBlock(), 0.2, {{0.2, 0.5}, {0.2, 0.05}, {0.35, 0.05}, {0.36, 0.2}, {0.2, 0.07}}, 0.05);
+    const auto near = scene.images.nearFaces(0.06);
+    ASSERT_EQ(near.size(), 3);
+    const std::pair<std::size_t, double> expected[]{{1, 0.05}, {2, 0.05}, {3, 0.04}};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        EXPECT_EQ(near[k].first, expected[k].first);
+        EXPECT_NEAR(near[k].second, expected[k].second, 1e-15);
     }
 }
 
