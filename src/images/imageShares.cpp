@@ -24,21 +24,19 @@ double changeOfProduct(const Vector<3>& n, const Vector<3>& m, double angle)
     const double product = std::clamp(dot(n, m), -1.0, 1.0);
     return std::min(mostTurn, std::cos(std::max(std::acos(product) - angle, 0.0)) - product);
 }
+}
 
-/// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m],
-/// in a solid behind both: half of it each on the bisecting plane. `slack`: what the image may have moved by [m].
+double shareOfWedge(const Vector<3>& n, const Vector<3>& m, double slack)
+{
+    return smoothStep((dot(n, m) + slack - ofGap) / (ofWedge - ofGap));
+}
+
 double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, double spacing, double slack)
 {
     const double ofAngle = smoothStep((mostAlignedNormals - dot(n, m)) / (mostAlignedNormals - alignedNormals));
     if (ofAngle == 0) return 0;
     const double turn = mag(n - m), width = std::min(halfFade * spacing, (h + k) / turn);
     return ofAngle * smoothStep(0.5 + 0.5 * ((h - k) / turn + slack) / width);
-}
-}
-
-double shareOfWedge(const Vector<3>& n, const Vector<3>& m, double slack)
-{
-    return smoothStep((dot(n, m) + slack - ofGap) / (ofWedge - ofGap));
 }
 
 double shareAmong(const ReflectingWalls& walls, const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack)

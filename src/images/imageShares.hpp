@@ -15,6 +15,10 @@ namespace sph
 /// Share of what is mirrored again in a wall of normal n after one of normal m: all of it in a wedge, nothing in a gap. `slack`: what their product may grow by.
 double shareOfWedge(const Vector<3>& n, const Vector<3>& m, double slack = 0);
 
+/// Share of what was mirrored in a face of normal n, and lies h behind it, beside the images that end with another face, of normal m, and lies k behind [m],
+/// in a solid behind both: half of it each on the bisecting plane. `slack`: what the image may have moved by [m].
+double shareBeside(const Vector<3>& n, double h, const Vector<3>& m, double k, double spacing, double slack = 0);
+
 /// Share of an image y, last mirrored in `faces[last]`, beside those that end with the other bodies of its chain; of one that has moved by `slack` [m] at most.
 /// What is in one solid alone is its own.
 double shareAmong(const ReflectingWalls&, const Mirror* mirrors, const Face* faces, int last, const Vector<3>& y, double slack = 0);
