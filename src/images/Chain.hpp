@@ -45,7 +45,6 @@ struct Reflector
 
 struct Chain
 {
-    int source;       ///< the particle
     Vector<3> x;      ///< position of the image, or of the particle before the first reflection
     double speed = 1; ///< speed of the image over that of its source
     int reflections = 0;

@@ -3,8 +3,8 @@
 ///   q_j  = sum_i w_ij q_g(q_i, d_i, d_j)
 ///   w_ij = W_ij (1 - u.(t_i - t_m))/sum_i W_ij,   u = C^-1 t_m min(1, 3/(t_m.C^-1 t_m))
 ///
-/// t_i [m] way from j to i along the wall, t_m its mean with weights W, C that of (t_i - t_m)(t_i - t_m): the w take the value at t = 0 of what is fitted to the q_g along the wall, exact for
-/// values that are linear there. Where j lies beyond those of the fluid, above its surface, the fit is flattened.
+/// t_i [m] way from j to i along the wall, t_m its mean with weights W, C that of (t_i - t_m)(t_i - t_m): the w take the value at t = 0 of what is fitted to the
+/// q_g along the wall, exact for values that are linear there. Where j lies beyond those of the fluid, above its surface, the fit is flattened.
 #pragma once
 #include "SymmTensor.hpp"
 #include "Vector.hpp"

@@ -61,10 +61,9 @@ template<int dim> class Chains
     }
 
 public:
-    Chains(const ReflectingWalls& walls, int source, const Vector<dim>& x, std::vector<Chain>& room)
-        : walls_(walls), source_(in3D(x)), chains_(room)
+    Chains(const ReflectingWalls& walls, const Vector<dim>& x, std::vector<Chain>& room) : walls_(walls), source_(in3D(x)), chains_(room)
     {
-        chains_.assign(1, {source, source_});
+        chains_.assign(1, {source_});
     }
     /// Mirrors the particle, and each image once it is made.
     void grow()
@@ -82,7 +81,7 @@ public:
 template<int dim> void reflect(const ReflectingWalls& walls, int source, const Vector<dim>& x, MadeImages<dim>& made)
 {
     static thread_local std::vector<Chain> chains;
-    Chains<dim>(walls, source, x, chains).grow();
+    Chains<dim>(walls, x, chains).grow();
     for (std::size_t k = 1; k < chains.size(); ++k)
     {
         made.add({source, {}, static_cast<unsigned char>(chains[k].reflections)}, in<dim>(chains[k].x), chains[k].mirrors.data());

@@ -34,7 +34,7 @@ const std::vector<Reflector> reflectors{{Reflector::Kind::plane, {0, 1, 0}},
 /// A chain of weight 1 that was mirrored in these patches in turn, with normals at 60 degrees to one another.
 Chain chainOf(const std::vector<int>& patches, const Vector<3>& x = {})
 {
-    Chain chain{0, x};
+    Chain chain{x};
     for (const int p : patches)
     {
         chain.faces[std::size_t(chain.reflections)].normal = p % 2 ? Vector<3>{s60, -0.5, 0} : Vector<3>{0, 1, 0};
