@@ -63,7 +63,7 @@ struct Patch
     int wallAt(int region) const { return walls.empty() ? wall : walls[std::size_t(region)]; }
 };
 
-/// A particle that lies in the solid (wallLayers.hpp).
+/// A particle that lies in the solid (makeWallLayers.hpp).
 struct LayerParticle
 {
     Vector<3> x;

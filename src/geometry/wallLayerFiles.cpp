@@ -2,7 +2,7 @@
 #include "OutputFile.hpp"
 #include "TimeFolder.hpp"
 #include "components.hpp"
-#include "wallLayers.hpp"
+#include "makeWallLayers.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -55,18 +55,18 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
             fetch(x_i, [&](int k) { return x[k][i]; });
             fetch(v_i, [&](int k) { return v[k][i]; });
             Speeds speeds;
-            particles.images().forEachWallNear(x_i,
-                                               [&](const Foot& foot, const Patch& patch)
-                                               {
-                                                   if (foot.distance > c.spacing) return;
-                                                   const auto relative =
-                                                       in3D(v_i) -
-                                                       particles.geometry().wallVelocity(patch.wallAt(foot.region),
-                                                                                         in3D(x_i) - foot.distance * foot.normal);
-                                                   const double normal = dot(relative, foot.normal);
-                                                   larger(speeds.through, std::fabs(normal));
-                                                   larger(speeds.along, mag(relative - normal * foot.normal));
-                                               });
+            particles.nearWalls().forEachFoot(in3D(x_i),
+                                              [&](const Foot& foot, const Patch& patch)
+                                              {
+                                                  if (foot.distance > c.spacing) return;
+                                                  const auto relative =
+                                                      in3D(v_i) -
+                                                      particles.geometry().wallVelocity(patch.wallAt(foot.region),
+                                                                                        in3D(x_i) - foot.distance * foot.normal);
+                                                  const double normal = dot(relative, foot.normal);
+                                                  larger(speeds.through, std::fabs(normal));
+                                                  larger(speeds.along, mag(relative - normal * foot.normal));
+                                              });
             return speeds;
         },
         [&](Speeds& total, const Speeds& speeds)

@@ -1,9 +1,9 @@
 #include "Packing.hpp"
 #include "components.hpp"
+#include "makeWallLayers.hpp"
 #include "openFaces.hpp"
 #include "overFluid.hpp"
 #include "reduce.hpp"
-#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -141,7 +141,7 @@ public:
         plan_.allocate(store_);
         store_.allocate(ImageWeight{});
         // No term reads a velocity; layers ask for a rule all the same.
-        images_.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
+        images_.rules().set(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
         store_.resize(owned_ + 1, owned_);
         x_ = store_.pointers(Position{});
@@ -341,8 +341,8 @@ private:
     Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
         const double inset = wallInset * spacing_;
-        const auto reached = offWalls(images_, wanted, inset, Box::infinity, [](const Vector<dim>&) {});
-        return images_.nearestFoot(reached, Box::infinity).foot.distance > 0.5 * inset ? reached : from;
+        const auto reached = offWalls(images_.nearWalls(), wanted, inset, Box::infinity, [](const Vector<dim>&) {});
+        return images_.nearWalls().nearestFoot(in3D(reached), Box::infinity).foot.distance > 0.5 * inset ? reached : from;
     }
 
     KernelResidual measured() const

@@ -1,7 +1,7 @@
 #include "Packing.hpp"
+#include "makeWallLayers.hpp"
 #include "phaseEntries.hpp"
 #include "sigmaEntry.hpp"
-#include "wallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 /// Allocating, binding, evaluating and printing a plan.
 #include "Plan.hpp"
 #include "Stretches.hpp"
+#include "layerPairs.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
@@ -132,7 +133,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
     const long null = long(images.nullParticle());
     const auto* const layers = images.layers();
     std::vector<InLayersOf> inLayers; // of the columns
-    for (const auto& f : pass.columns) inLayers.push_back({images.anyRule(f.info.ofRule), images.interpolates(f.info)});
+    for (const auto& f : pass.columns) inLayers.push_back({images.rules().any(f.info.ofRule), images.rules().interpolates(f.info)});
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const double* records = nullptr;
 
@@ -208,7 +209,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
         for (std::size_t begin = 0; begin < n; begin += block)
             for (const auto& o : pass.operations)
             {
-                if (walls) o->atWalls(images, begin, std::min(n, begin + block));
+                if (walls) o->atWalls(images.nearWalls(), begin, std::min(n, begin + block));
                 else o->evaluate(begin, std::min(n, begin + block), deltaT);
             }
     }

@@ -219,7 +219,7 @@ template<int dim> struct Operation
     virtual ~Operation() = default;
     virtual void gather(const Stencil<dim>&) const {}                                             ///< pair term: the particle stencil.i
     virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
-    virtual void atWalls(const Images<dim>&, std::size_t /*begin*/, std::size_t /*end*/) const {} ///< wall law: likewise
+    virtual void atWalls(const NearWalls&, std::size_t /*begin*/, std::size_t /*end*/) const {}   ///< wall law: likewise
 };
 
 template<class T, int dim> class Bound final : public Operation<dim>
@@ -329,7 +329,7 @@ public:
         }
     }
 
-    void atWalls([[maybe_unused]] const Images<dim>& images, [[maybe_unused]] std::size_t begin,
+    void atWalls([[maybe_unused]] const NearWalls& walls, [[maybe_unused]] std::size_t begin,
                  [[maybe_unused]] std::size_t end) const override
     {
         if constexpr (WallLaw<T, dim>)
@@ -341,14 +341,13 @@ public:
                 SoFarOf<T, dim> soFar{};
                 if constexpr (std::same_as<SoFarOf<T, dim>, Result>)
                     if (adds_) fetch(soFar, [&](int c) { return result_[c][i]; });
-                images.forEachWallNear(x,
-                                       [&](const Foot& foot, const Patch& patch)
-                                       {
-                                           soFar =
-                                               term_(soFar, own,
-                                                     WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2,
-                                                                   patch.wallAt(foot.region), foot.smooth, patch.shape->uniformlyCurved()});
-                                       });
+                walls.forEachFoot(in3D(x),
+                                  [&](const Foot& foot, const Patch& patch)
+                                  {
+                                      soFar = term_(soFar, own,
+                                                    WallFoot<dim>{foot.distance, in<dim>(foot.normal), foot.k1, foot.k2,
+                                                                  patch.wallAt(foot.region), foot.smooth, patch.shape->uniformlyCurved()});
+                                  });
                 const auto set = [&](int c, double q) { result_[c][i] = q; };
                 if constexpr (requires { term_.finish(soFar); }) eachComponent(term_.finish(soFar), set);
                 else eachComponent(soFar, set);

@@ -180,7 +180,7 @@ template<int dim> void Particles<dim>::rebuild()
     // While lists are still those of the particles as they stand.
     if (halo_) halo_->balance(store_, owned_, settings_.maxImbalance, [this] { return costs(); });
     run(JoinPoint::exchange);
-    owned_ = leakGuard_(store_, owned_, images_);
+    owned_ = leakGuard_(store_, owned_, nearWalls());
     if (halo_) owned_ = halo_->migrate(store_, owned_);
     {
         CellList<dim> cells;
@@ -223,7 +223,7 @@ template<int dim> void Particles<dim>::makeLists()
 
 template<int dim> void Particles<dim>::bind()
 {
-    images_.bindRules();
+    images_.rules().bind();
     plan_.bind(store_, coefficients_);
 }
 

@@ -63,6 +63,7 @@ public:
     const FieldStore<dim>& store() const { return store_; }
     Images<dim>& images() { return images_; }
     const Images<dim>& images() const { return images_; }
+    const NearWalls& nearWalls() const { return images_.nearWalls(); }
     const NeighbourLists<dim>& lists() const { return lists_; }
     const Plan<dim>& plan() const { return plan_; }
     Plan<dim>& plan() { return plan_; }

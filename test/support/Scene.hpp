@@ -130,7 +130,7 @@ template<int dim> struct Scene
             for (int d = 0; d < dim; ++d) std::copy_n(store.component("U", d), n, store.component("dU", d));
         if (store.has(TransportVelocity{}))
             for (int d = 0; d < dim; ++d) std::generate_n(store.component("dUTransport", d), n, [&] { return 0.1 * any(random); });
-        images.setRule(Velocity{}, std::make_unique<Reversed<dim>>());
+        images.rules().set(Velocity{}, std::make_unique<Reversed<dim>>());
         if (!geometry.layers.empty())
             images.setLayers({geometry, kernel, coefficients.support + 0.3 * coefficients.spacing, coefficients.spacing});
         images.build(store, n);

@@ -3,12 +3,12 @@
 #include "EnergyBalance.hpp"
 #include "Walls.hpp"
 #include "WholeCloud.hpp"
+#include "makeWallLayers.hpp"
 #include "outliers.hpp"
 #include "placeOfRank.hpp"
 #include "reduce.hpp"
 #include "stopSignals.hpp"
 #include "viewOfScene.hpp"
-#include "wallLayers.hpp"
 #include "words.hpp"
 #include <algorithm>
 #include <cmath>

@@ -33,10 +33,10 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
         levels_ = particles.coefficients().template of<TwoLevels>();
         levels_->restore(restored);
     }
-    particles.images().setRule(ActingStress{},
-                               std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
-                                                                      walls.slip, walls.pressure));
-    if (walls.interpolated) particles.images().interpolateInLayers(ActingStress{});
+    particles.images().rules().set(ActingStress{},
+                                   std::make_unique<ContinuedStress<dim>>(particles.geometry(), particles.store(), particles.coefficients(),
+                                                                          walls.slip, walls.pressure));
+    if (walls.interpolated) particles.images().rules().interpolateInLayers(ActingStress{});
 }
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
@@ -161,15 +161,15 @@ template<int dim> double StressUpdate<dim>::powerOfWalls(const Particles<dim>& p
                {
                    double power = 0;
                    const auto x_i = valueAt<Vector<dim>>(x, i);
-                   particles.images().forEachWallNear(x_i,
-                                                      [&](const Foot& foot, const Patch& patch)
-                                                      {
-                                                          if (!(foot.distance < c.spacing)) return;
-                                                          const auto v_w = geometry.wallVelocity(patch.wallAt(foot.region),
-                                                                                                 in3D(x_i) - foot.distance * foot.normal);
-                                                          power -= V[i] / c.spacing *
-                                                                   dot(valueAt<SymmTensor<dim>>(S, i) * in<dim>(foot.normal), in<dim>(v_w));
-                                                      });
+                   particles.nearWalls().forEachFoot(in3D(x_i),
+                                                     [&](const Foot& foot, const Patch& patch)
+                                                     {
+                                                         if (!(foot.distance < c.spacing)) return;
+                                                         const auto v_w = geometry.wallVelocity(patch.wallAt(foot.region),
+                                                                                                in3D(x_i) - foot.distance * foot.normal);
+                                                         power -= V[i] / c.spacing *
+                                                                  dot(valueAt<SymmTensor<dim>>(S, i) * in<dim>(foot.normal), in<dim>(v_w));
+                                                     });
                    return power;
                });
 }

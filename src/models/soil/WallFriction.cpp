@@ -52,21 +52,21 @@ template<int dim> void WallFriction<dim>::slide(Particles<dim>& p, std::size_t i
     const auto& numbers = c.template of<SoilNumbers>();
     const double rho = store.component(Density::info.name, 0)[i], besides = numbers.compactionPressure(rho) - numbers.floorPressure;
     const double stiffness = rho * sqr(store.component(SoilSound::info.name, 0)[i]) / c.spacing;
-    p.images().forEachWallNear(x,
-                               [&](const Foot& foot, const Patch& patch)
-                               {
-                                   const int index = patch.wallAt(foot.region);
-                                   const auto& wall = geometry.walls[std::size_t(index)];
-                                   if (!wall.frictionAngle || foot.distance > c.support) return;
-                                   const auto n = in<dim>(foot.normal);
-                                   const auto v_w = in<dim>(geometry.wallVelocity(index, in3D(x) - foot.distance * foot.normal));
-                                   const auto joint = along(T * n, n), tau = joint + deltaT * stiffness * along(v - v_w, n);
-                                   const double normal =
-                                       -dot(n, sigma * n) + besides - foot.distance * dot(n, rho * in<dim>(c.g) + in<dim>(c.bodyForce));
-                                   const double strength = wall.frictionCoefficient() * std::fmax(0.0, normal);
-                                   const double size = mag(tau);
-                                   T = T + 2.0 * symm(outer(n, (size > strength ? strength / size : 1.0) * tau - joint));
-                               });
+    p.nearWalls().forEachFoot(in3D(x),
+                              [&](const Foot& foot, const Patch& patch)
+                              {
+                                  const int index = patch.wallAt(foot.region);
+                                  const auto& wall = geometry.walls[std::size_t(index)];
+                                  if (!wall.frictionAngle || foot.distance > c.support) return;
+                                  const auto n = in<dim>(foot.normal);
+                                  const auto v_w = in<dim>(geometry.wallVelocity(index, in3D(x) - foot.distance * foot.normal));
+                                  const auto joint = along(T * n, n), tau = joint + deltaT * stiffness * along(v - v_w, n);
+                                  const double normal =
+                                      -dot(n, sigma * n) + besides - foot.distance * dot(n, rho * in<dim>(c.g) + in<dim>(c.bodyForce));
+                                  const double strength = wall.frictionCoefficient() * std::fmax(0.0, normal);
+                                  const double size = mag(tau);
+                                  T = T + 2.0 * symm(outer(n, (size > strength ? strength / size : 1.0) * tau - joint));
+                              });
     sph::store(T, [&](int k, double q) { ofJoint[std::size_t(k)][i] = q; });
 }
 

@@ -41,15 +41,15 @@ template<int dim> double InterfaceArea<dim>::supply(const Particles<dim>& partic
                [&](std::size_t i)
                {
                    double wetting = 0;
-                   particles.images().forEachWallNear(valueAt<Vector<dim>>(x, i),
-                                                      [&](const Foot& foot, const Patch& patch)
-                                                      {
-                                                          if (foot.distance > c.spacing) return; // the row at the wall
-                                                          const auto of =
-                                                              tensions.begin() + long(std::size_t(patch.wallAt(foot.region)) * n);
-                                                          const auto [least, most] = std::minmax_element(of, of + long(n));
-                                                          wetting += (*most - *least) * V[i] / c.spacing;
-                                                      });
+                   particles.nearWalls().forEachFoot(in3D(valueAt<Vector<dim>>(x, i)),
+                                                     [&](const Foot& foot, const Patch& patch)
+                                                     {
+                                                         if (foot.distance > c.spacing) return; // the row at the wall
+                                                         const auto of =
+                                                             tensions.begin() + long(std::size_t(patch.wallAt(foot.region)) * n);
+                                                         const auto [least, most] = std::minmax_element(of, of + long(n));
+                                                         wetting += (*most - *least) * V[i] / c.spacing;
+                                                     });
                    return wetting;
                });
 }

@@ -39,10 +39,10 @@ HeatBalance<dim>::HeatBalance(Particles<dim>& particles, const Numbers& restored
     auto& images = particles.images();
     auto& store = particles.store();
     if (particles.geometry().patches.empty()) return;
-    images.setRule(Temperature{}, std::make_unique<ContinuedTemperature<dim>>(thermal_, store));
-    images.setRule(HeatedWall{}, std::make_unique<HeatedWallOfGhost<dim>>(thermal_, even));
+    images.rules().set(Temperature{}, std::make_unique<ContinuedTemperature<dim>>(thermal_, store));
+    images.rules().set(HeatedWall{}, std::make_unique<HeatedWallOfGhost<dim>>(thermal_, even));
     const auto buoyant = [&](std::unique_ptr<GhostPressure<dim>> ofWeight)
-    { images.setRule(Pressure{}, std::make_unique<BuoyantPressure<dim>>(thermal_, store, c.g, std::move(ofWeight))); };
+    { images.rules().set(Pressure{}, std::make_unique<BuoyantPressure<dim>>(thermal_, store, c.g, std::move(ofWeight))); };
     if (wallPressure == "hydrostatic") buoyant(std::make_unique<HydrostaticPressure<dim>>(store, c));
     else if (wallPressure == "detaching") buoyant(std::make_unique<DetachingPressure<dim>>(store, c));
 }

@@ -1,10 +1,10 @@
 #include "thermal.hpp"
 #include "HeatBalance.hpp"
 #include "carriedScalar.hpp"
+#include "makeWallLayers.hpp"
 #include "mirrorsPairwise.hpp"
 #include "readThermal.hpp"
 #include "thermalTerms.hpp"
-#include "wallLayers.hpp"
 #include <algorithm>
 
 namespace sph

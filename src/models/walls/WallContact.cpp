@@ -47,7 +47,7 @@ template<int dim> std::vector<std::pair<std::size_t, double>> WallContact<dim>::
     const auto x = p.store().pointers(Position{});
     for (std::size_t i = 0; i < p.size(); ++i)
     {
-        if (const double d = p.images().nearestFoot(valueAt<Vector<dim>>(x, i), distance).foot.distance; d < distance)
+        if (const double d = p.nearWalls().nearestFoot(in3D(valueAt<Vector<dim>>(x, i)), distance).foot.distance; d < distance)
             near.emplace_back(i, d);
     }
     return near;
@@ -63,7 +63,7 @@ template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, cons
 
     // Deeper than that the leak guard ends the run.
     const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
-    const auto [foot, patch] = p.images().nearestFoot(x_i, reach);
+    const auto [foot, patch] = p.nearWalls().nearestFoot(in3D(x_i), reach);
     const double d = std::min(reach, foot.distance);
     near = {i, x_i, std::max(0.0, d - closest), walls};
     if (d >= closest) return 0;
@@ -71,7 +71,7 @@ template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, cons
     auto v_i = before;
     HeldVelocity<dim> velocity(v_i);
     const auto held =
-        offWalls(p.images(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
+        offWalls(p.nearWalls(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
     v_i = velocity;
     if (const auto& geometry = p.geometry(); rubs_)
     {

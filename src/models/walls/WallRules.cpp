@@ -21,16 +21,16 @@ WallRules<dim>::WallRules(Particles<dim>& particles, const Numbers&, const std::
     else if (velocity == "morris") rule = std::make_unique<LimitedVelocity<dim>>(geometry);
     else rule = std::make_unique<ReflectedVelocity<dim>>(geometry);
     if (geometry.slips() || geometry.withFriction()) rule = std::make_unique<VelocityByWall<dim>>(geometry, std::move(rule));
-    images.setRule(Velocity{}, std::move(rule));
-    if (interpolates) images.interpolateInLayers(Velocity{});
-    if (pressure == "detaching") images.setRule(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
-    else if (pressure == "hydrostatic") images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
+    images.rules().set(Velocity{}, std::move(rule));
+    if (interpolates) images.rules().interpolateInLayers(Velocity{});
+    if (pressure == "detaching") images.rules().set(Pressure{}, std::make_unique<DetachingPressure<dim>>(store, c));
+    else if (pressure == "hydrostatic") images.rules().set(Pressure{}, std::make_unique<HydrostaticPressure<dim>>(store, c));
 }
 
 template<int dim> std::vector<Stage<dim>> WallRules<dim>::stages(JoinPoint place)
 {
     if (!filters_ || place != JoinPoint::atEnd) return {};
-    return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().filterRules(); }}};
+    return {{"filter", "a_w += (a_p - a_w)/10", [](Particles<dim>& p, const Substep&) { p.images().rules().filter(); }}};
 }
 
 template<int dim> double WallRules<dim>::supply(const Particles<dim>& particles, const std::vector<double>& mass) const
@@ -45,13 +45,13 @@ template<int dim> double WallRules<dim>::supply(const Particles<dim>& particles,
         {
             const auto x_i = valueAt<Vector<dim>>(x, i);
             double speed = 0;
-            particles.images().forEachWallNear(x_i,
-                                               [&](const Foot& foot, const Patch& patch)
-                                               {
-                                                   if (foot.distance > spacing) return; // the row at the wall
-                                                   larger(speed, mag(geometry.wallVelocity(patch.wallAt(foot.region),
-                                                                                           in3D(x_i) - foot.distance * foot.normal)));
-                                               });
+            particles.nearWalls().forEachFoot(in3D(x_i),
+                                              [&](const Foot& foot, const Patch& patch)
+                                              {
+                                                  if (foot.distance > spacing) return; // the row at the wall
+                                                  larger(speed, mag(geometry.wallVelocity(patch.wallAt(foot.region),
+                                                                                          in3D(x_i) - foot.distance * foot.normal)));
+                                              });
             return speed;
         },
         larger);

@@ -1,5 +1,5 @@
 /// Rules for the velocity of a wall ghost, from that of the particle it mirrors: they make a wall stick or slip. Particles of wall layers
-/// (neighbours/WallLayers.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
+/// (images/layerPairs.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
 #pragma once
 #include "Coefficients.hpp"
 #include "Images.hpp"
@@ -20,7 +20,7 @@ public:
 
 /// v_g = v_w - min(q, beta - 1) (v - v_w), beta = 1.5, in layers: Morris et al. (1997) as printed, who limit beta = 1 + d_g/d so that a particle close to
 /// the wall sees no large velocity behind it. On a lattice every row within a support of the wall is limited, and the fluid slips
-/// (neighbours/WallLayers.hpp). The rule is of first order.
+/// (images/layerPairs.hpp). The rule is of first order.
 template<int dim> class LimitedVelocity final : public ReflectedVelocity<dim>
 {
 public:

@@ -1,7 +1,7 @@
 #include "walls.hpp"
 #include "WallContact.hpp"
 #include "WallRules.hpp"
-#include "wallLayers.hpp"
+#include "makeWallLayers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

@@ -1,8 +1,8 @@
 /// Layers of wall particles: where they lie, how much of the solid they are, and what has none.
 #include "CaseError.hpp"
 #include "SmallFiles.hpp"
+#include "makeWallLayers.hpp"
 #include "reading.hpp"
-#include "wallLayers.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <numeric>

@@ -1,7 +1,7 @@
 /// Neighbour lists against every pair tried: the sets must be the same, index by index.
 #include "NeighbourLists.hpp"
 #include "CaseError.hpp"
-#include "scenes.hpp"
+#include "particlesByHand.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -3,7 +3,7 @@
 #include "Images.hpp"
 #include "Lattice.hpp"
 #include "handMadeGeometry.hpp"
-#include "wallLayers.hpp"
+#include "makeWallLayers.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,10 +1,10 @@
 /// What the fluid sees in walls that are layers of particles.
-#include "wallLayers.hpp"
 #include "Largest.hpp"
 #include "PhillipsFlux.hpp"
 #include "Scene.hpp"
 #include "ShearRate.hpp"
 #include "ghostRules.hpp"
+#include "makeWallLayers.hpp"
 
 namespace sph::test
 {
@@ -47,7 +47,7 @@ template<int dim> void set(Scene<dim>& s, const char* field, int component, cons
 /// The rule of a sticking wall, in the place of the scene's -v, which knows of no distances.
 template<int dim> void stick(Scene<dim>& s)
 {
-    s.images.setRule(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(s.geometry));
+    s.images.rules().set(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(s.geometry));
     s.plan->evaluate(s.store, s.images, s.lists, s.kernel);
 }
 
@@ -136,8 +136,8 @@ TEST(WallLayers, ContinueThePressure)
     auto c = oneLiquid(2);
     Scene<2> s(g, c, {"numberDensity", "summedDensity", "tait", "huAdamsPressure"});
     const Vector<2> force = in<2>(1000 * c.g) + in<2>(c.bodyForce);
-    s.images.setRule(Pressure{}, std::make_unique<HydrostaticPressure<2>>(s.store, c));
-    s.images.bindRules();
+    s.images.rules().set(Pressure{}, std::make_unique<HydrostaticPressure<2>>(s.store, c));
+    s.images.rules().bind();
     set(s, "rho", 0, [](auto) { return 1000; });
     set(s, "p", 0, [&](auto x) { return 50000 + force.y * x.y; });
     s.refresh(Pressure{});

@@ -7,11 +7,11 @@
 #include "Simulation.hpp"
 #include "SoilFields.hpp"
 #include "VelocityGradient.hpp"
+#include "makeWallLayers.hpp"
 #include "models.hpp"
 #include "periodicSquare.hpp"
 #include "scenes.hpp"
 #include "soilLaws.hpp"
-#include "wallLayers.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

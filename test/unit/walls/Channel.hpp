@@ -66,7 +66,7 @@ private:
 /// What the plan makes of a wall law: over all particles, onto what others have added, or in its place.
 template<class Law, int dim> void evaluateAtWalls(const Law& law, const Images<dim>& images, FieldStore<dim>& store, bool adds)
 {
-    Bound<Law, dim>(law, Binding<dim>{store, {}, {}, adds}).atWalls(images, 0, images.owned());
+    Bound<Law, dim>(law, Binding<dim>{store, {}, {}, adds}).atWalls(images.nearWalls(), 0, images.owned());
 }
 
 /// Two points at each height, the first near a periodic face: shifted copies of a ghost are no further walls.

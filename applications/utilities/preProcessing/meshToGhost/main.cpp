@@ -8,11 +8,11 @@
 #include "OutputFile.hpp"
 #include "Walls.hpp"
 #include "inSolids.hpp"
+#include "makeWallLayers.hpp"
 #include "prepareMesh.hpp"
 #include "readShapes.hpp"
 #include "readSpace.hpp"
 #include "report.hpp"
-#include "wallLayers.hpp"
 #include "wallSurfaces.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>

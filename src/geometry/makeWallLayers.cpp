@@ -1,4 +1,4 @@
-#include "wallLayers.hpp"
+#include "makeWallLayers.hpp"
 #include "components.hpp"
 #include "forEachFoot.hpp"
 #include <algorithm>

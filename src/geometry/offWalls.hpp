@@ -1,17 +1,17 @@
 /// Correction of positions and velocities that keeps particles off walls: for the solver at each step, its leak guard, and packings.
 #pragma once
-#include "Images.hpp"
+#include "NearWalls.hpp"
 
 namespace sph
 {
 
 /// x, put off the nearest wall in turn until none is nearer than `closest` [m]: what is put off one solid may be put into the next. Calls
 /// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
-template<int dim, class F> Vector<dim> offWalls(const Images<dim>& images, Vector<dim> x, double closest, double reach, const F& pushed)
+template<int dim, class F> Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, double closest, double reach, const F& pushed)
 {
     for (int turn = 0; turn < 8; ++turn)
     {
-        const Foot foot = images.nearestFoot(x, reach).foot;
+        const Foot foot = walls.nearestFoot(in3D(x), reach).foot;
         if (!(foot.distance < closest)) break;
         const auto n = in<dim>(foot.normal);
         x += (closest - foot.distance) * n;

@@ -5,7 +5,8 @@
 /// than half a spacing deep or outside the domain is removed or an error: from there the way back may lead out on the other side.
 #pragma once
 #include "EntryList.hpp"
-#include "Images.hpp"
+#include "FieldStore.hpp"
+#include "NearWalls.hpp"
 #include <array>
 #include <optional>
 #include <vector>
@@ -63,7 +64,7 @@ private:
         int patch = -1;
     };
     using Velocities = std::vector<std::array<double*, dim>>;
-    Found keep(const std::array<double*, dim>& x, const Velocities&, std::size_t i, const Images<dim>&) const;
+    Found keep(const std::array<double*, dim>& x, const Velocities&, std::size_t i, const NearWalls&) const;
     template<class Depth> std::optional<Vector<dim>> nearestWayOut(const Vector<dim>& x, const Depth& depth) const;
     void note(const Found&, const Vector<3>& at);
     std::size_t remove(FieldStore<dim>&, std::size_t owned, std::vector<std::size_t>& which);
@@ -74,7 +75,7 @@ public:
         : geometry_(geometry), spacing_(spacing), support_(support), action_(action)
     {}
     /// Guards the first `owned` particles, and returns how many are left; throws CaseError where one is beyond help.
-    std::size_t operator()(FieldStore<dim>&, std::size_t owned, const Images<dim>&);
+    std::size_t operator()(FieldStore<dim>&, std::size_t owned, const NearWalls&);
     const Leaks& leaks() const { return leaks_; }
 };
 

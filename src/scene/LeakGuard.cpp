@@ -49,7 +49,7 @@ std::optional<Vector<dim>> LeakGuard<dim>::nearestWayOut(const Vector<dim>& x, c
 
 template<int dim>
 typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, dim>& x, const Velocities& velocities, std::size_t i,
-                                                    const Images<dim>& images) const
+                                                    const NearWalls& walls) const
 {
     const double closest = closestInSpacings * spacing_;
     Found found;
@@ -70,7 +70,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     auto x_i = valueAt<Vector<dim>>(x, i);
     bool buried = false;
     double nearest = closest;
-    for (const int p : images.wallsNear(x_i))
+    for (const int p : walls.patches(in3D(x_i)))
     {
         if (const auto* mesh = geometry_.patches[std::size_t(p)].mesh; mesh && mesh->body().isBeyond(mesh->local(in3D(x_i)), closest))
             continue;
@@ -89,7 +89,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         }
     }
     if (!(nearest < closest)) return found;
-    const auto held = offWalls(images, x_i, closest, Box::infinity,
+    const auto held = offWalls(walls, x_i, closest, Box::infinity,
                                [&](const Vector<dim>& n)
                                {
                                    for (const auto& v : velocities)
@@ -172,7 +172,7 @@ template<int dim> std::size_t LeakGuard<dim>::remove(FieldStore<dim>& store, std
     return kept.size();
 }
 
-template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const Images<dim>& images)
+template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store, std::size_t owned, const NearWalls& walls)
 {
     const std::array<double*, dim> x = store.pointers(Position{});
     // Between prediction and correction the velocity at the start of the step counts: the correction begins from it.
@@ -187,7 +187,7 @@ template<int dim> std::size_t LeakGuard<dim>::operator()(FieldStore<dim>& store,
     for (std::size_t i = 0; i < owned; ++i)
     {
         const Vector<3> before = action_ == LeakAction::putBack ? Vector<3>{} : place(i);
-        const Found found = keep(x, velocities, i, images);
+        const Found found = keep(x, velocities, i, walls);
         if (!found.lost && found.depth == 0) continue;
 #pragma omp critical
         {

@@ -73,7 +73,7 @@ struct WithImages
 
     WithImages(const Geometry& g, const std::vector<Vector<3>>& points) : images(g, H, spacing)
     {
-        images.setRule(Velocity{}, std::make_unique<Reversed<3>>());
+        images.rules().set(Velocity{}, std::make_unique<Reversed<3>>());
         store.allocate(ImageWeight{});
         setPositions(store, points);
         images.build(store, points.size());
