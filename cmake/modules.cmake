@@ -1,5 +1,5 @@
-# One static library per module. Headers are found only through the targets that a module names in DEPENDS, so that including
-# against the direction of DESIGN.md section 2 does not compile.
+# One static library per module. Headers are included by their room, `#include "images/Chain.hpp"`, and found only through the targets that a module names in
+# DEPENDS, so that including against the direction of DESIGN.md section 2 does not compile: each target shows a folder of the build that holds a link to its room alone.
 #
 #   sph_module(<name> [DEPENDS <module or library>...] [STENCIL <source>...])
 #
@@ -7,13 +7,18 @@
 function(sph_module name)
     cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;STENCIL")
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    file(RELATIVE_PATH room ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+    set(shown ${PROJECT_BINARY_DIR}/rooms/${name})
+    cmake_path(GET room PARENT_PATH floor)
+    file(MAKE_DIRECTORY ${shown}/${floor})
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${shown}/${room} SYMBOLIC)
     if(sources)
         add_library(${name} STATIC ${sources})
-        target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+        target_include_directories(${name} PUBLIC ${shown})
         target_link_libraries(${name} PUBLIC ${module_DEPENDS})
     else()
         add_library(${name} INTERFACE)
-        target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR})
+        target_include_directories(${name} INTERFACE ${shown})
         target_link_libraries(${name} INTERFACE ${module_DEPENDS})
     endif()
     if(module_STENCIL)

@@ -1,4 +1,4 @@
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <tuple>

@@ -1,6 +1,6 @@
-#include "CommandLine.hpp"
-#include "CaseError.hpp"
-#include "words.hpp"
+#include "base/CommandLine.hpp"
+#include "base/CaseError.hpp"
+#include "base/words.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>

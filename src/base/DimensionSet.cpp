@@ -1,4 +1,4 @@
-#include "DimensionSet.hpp"
+#include "base/DimensionSet.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

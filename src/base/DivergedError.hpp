@@ -1,6 +1,6 @@
 /// The exception of a run that has lost its solution.
 #pragma once
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 
 namespace sph
 {

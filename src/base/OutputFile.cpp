@@ -1,4 +1,4 @@
-#include "OutputFile.hpp"
+#include "base/OutputFile.hpp"
 #include <cerrno>
 #include <charconv>
 #include <fcntl.h>

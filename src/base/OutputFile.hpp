@@ -1,6 +1,6 @@
 /// A file being written through a large buffer. Every failure, above all a full disk, is thrown as CaseError naming file and reason.
 #pragma once
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include <cstdint>
 #include <cstring>
 #include <filesystem>

@@ -6,7 +6,7 @@
 ///
 /// Tension is positive. Verified by test/unit/base against the three-dimensional tensor.
 #pragma once
-#include "Tensor.hpp"
+#include "base/Tensor.hpp"
 #include <algorithm>
 #include <functional>
 

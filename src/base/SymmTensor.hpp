@@ -1,6 +1,6 @@
 /// Symmetric tensors of the second rank with named components, in two and three dimensions.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Tensors of the second rank without symmetry, such as the velocity gradient L_ij = dv_i/dx_j, in two and three dimensions.
 #pragma once
-#include "SymmTensor.hpp"
+#include "base/SymmTensor.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Vectors with named components, in two and three dimensions. Named, not indexed: loops over components inside a pair loop cost a
 /// factor 2 in GCC 12. What a value is made of, `parts`, and what it is on disk are declared with its type; values.hpp makes use of them.
 #pragma once
-#include "FieldClass.hpp"
+#include "base/FieldClass.hpp"
 #include <array>
 #include <cmath>
 #include <type_traits>

@@ -1,4 +1,4 @@
-#include "readText.hpp"
+#include "base/readText.hpp"
 #include <cerrno>
 #include <fmt/format.h>
 #include <fstream>

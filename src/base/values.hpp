@@ -3,7 +3,7 @@
 /// A type declares its parts in order, `parts(q, f)` calls f(q.x, q.y ...); parts are numbers or have parts themselves, so that what one loop
 /// sums may be a struct of tensors. A type that fields have also declares its class on disk and the names of its components there.
 #pragma once
-#include "StressTensor.hpp"
+#include "base/StressTensor.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "Cloud.hpp"
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
+#include "base/OutputFile.hpp"
+#include "case/Cloud.hpp"
+#include "case/FoamHeader.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "Case.hpp"
-#include "TimeName.hpp"
+#include "case/Case.hpp"
+#include "case/TimeName.hpp"
 #include <algorithm>
 #include <system_error>
 #include <tuple>

@@ -1,6 +1,6 @@
 /// The case folder: where its files are, and the Diagnostics that reading any of them shares.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 #include <filesystem>
 #include <memory>
 #include <string>

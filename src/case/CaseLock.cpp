@@ -1,5 +1,5 @@
-#include "CaseLock.hpp"
-#include "CaseError.hpp"
+#include "case/CaseLock.hpp"
+#include "base/CaseError.hpp"
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>

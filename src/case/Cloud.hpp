@@ -1,7 +1,7 @@
 /// A cloud of particles on disk, `<time>/lagrangian/<cloud>/`, as OpenFOAM and ParaView read it: `positions` and one file per field.
 #pragma once
-#include "CaseError.hpp"
-#include "values.hpp"
+#include "base/CaseError.hpp"
+#include "base/values.hpp"
 #include <cstddef>
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
-#include "Cloud.hpp"
-#include "Dictionary.hpp"
-#include "FieldFile.hpp"
+#include "case/Cloud.hpp"
+#include "case/FieldFile.hpp"
+#include "dictionary/Dictionary.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

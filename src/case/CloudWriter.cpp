@@ -1,7 +1,7 @@
-#include "Cloud.hpp"
-#include "FoamHeader.hpp"
-#include "collated.hpp"
-#include "reduce.hpp"
+#include "case/Cloud.hpp"
+#include "case/FoamHeader.hpp"
+#include "parallel/collated.hpp"
+#include "parallel/reduce.hpp"
 #include <array>
 #include <bit>
 #include <cassert>

@@ -1,8 +1,8 @@
-#include "FieldFile.hpp"
-#include "FoamHeader.hpp"
-#include "FoamScanner.hpp"
-#include "MappedFile.hpp"
-#include "words.hpp"
+#include "case/FieldFile.hpp"
+#include "base/words.hpp"
+#include "case/FoamHeader.hpp"
+#include "case/FoamScanner.hpp"
+#include "case/MappedFile.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// Reading one file of a cloud: the FoamFile header, then one list, and nothing else.
 #pragma once
-#include "Cloud.hpp"
+#include "case/Cloud.hpp"
 #include <optional>
 #include <string>
 

@@ -1,6 +1,6 @@
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
-#include "words.hpp"
+#include "case/FoamHeader.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <bit>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// The `FoamFile { ... }` block at the head of every file that OpenFOAM and ParaView are to read.
 #pragma once
-#include "Cloud.hpp"
-#include "FoamScanner.hpp"
+#include "case/Cloud.hpp"
+#include "case/FoamScanner.hpp"
 #include <string>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "FoamScanner.hpp"
+#include "case/FoamScanner.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "MappedFile.hpp"
+#include "case/MappedFile.hpp"
 #include <cerrno>
 #include <fcntl.h>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "OutputTable.hpp"
+#include "case/OutputTable.hpp"
 #include <cassert>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

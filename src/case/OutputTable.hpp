@@ -1,7 +1,7 @@
 /// The .dat file of a function object, laid out as OpenFOAM's: header lines from `#`, the column `# Time` first, tabs between columns.
 #pragma once
-#include "OutputFile.hpp"
-#include "Vector.hpp"
+#include "base/OutputFile.hpp"
+#include "base/Vector.hpp"
 #include <span>
 #include <string>
 #include <vector>

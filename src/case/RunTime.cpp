@@ -1,9 +1,9 @@
-#include "RunTime.hpp"
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
-#include "Ranks.hpp"
-#include "TimeFolder.hpp"
-#include "words.hpp"
+#include "case/RunTime.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
+#include "case/FoamHeader.hpp"
+#include "case/TimeFolder.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 /// Time of a run as controlDict states it: where it starts and stops, when it writes, and how a time folder comes to be.
 #pragma once
-#include "Case.hpp"
-#include "Clock.hpp"
-#include "Cloud.hpp"
-#include "TimeControls.hpp"
+#include "base/Clock.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
+#include "case/TimeControls.hpp"
 #include <functional>
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
-#include "TimeControls.hpp"
-#include "OutputFile.hpp"
+#include "case/TimeControls.hpp"
+#include "base/OutputFile.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 /// one that was never stopped, to the last bit: nothing is accumulated that a restart could lose. Write times are k writeInterval
 /// with k counted from time 0, not from the start of a run.
 #pragma once
-#include "Cloud.hpp"
-#include "EntryList.hpp"
-#include "TimeName.hpp"
+#include "case/Cloud.hpp"
+#include "case/TimeName.hpp"
+#include "dictionary/EntryList.hpp"
 #include <limits>
 #include <string>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "TimeFolder.hpp"
-#include "CaseError.hpp"
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
-#include "Ranks.hpp"
+#include "case/TimeFolder.hpp"
+#include "base/CaseError.hpp"
+#include "base/OutputFile.hpp"
+#include "case/FoamHeader.hpp"
+#include "parallel/Ranks.hpp"
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>

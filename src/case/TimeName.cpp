@@ -1,4 +1,4 @@
-#include "TimeName.hpp"
+#include "case/TimeName.hpp"
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// The entry of system/sphSchemes that asks for labels of particles, which decomposeParticles reads as well as the solver.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

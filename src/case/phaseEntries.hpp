@@ -1,6 +1,6 @@
 /// Entries of constant/phaseProperties and constant/g that packParticles reads as well as the solver.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "timeSelection.hpp"
-#include "CaseError.hpp"
-#include "words.hpp"
+#include "case/timeSelection.hpp"
+#include "base/CaseError.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

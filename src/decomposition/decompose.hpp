@@ -1,8 +1,8 @@
 /// Decomposition of time folders into folders processor0, processor1, .., and reconstruction of them.
 #pragma once
-#include "Case.hpp"
-#include "Cloud.hpp"
-#include "readDecomposition.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
+#include "decomposition/readDecomposition.hpp"
 #include <string>
 #include <vector>
 

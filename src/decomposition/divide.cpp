@@ -1,5 +1,5 @@
-#include "divide.hpp"
-#include "hilbert.hpp"
+#include "decomposition/divide.hpp"
+#include "decomposition/hilbert.hpp"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /// Division of particles into parts of equal numbers, by one process, for folders on disk. Ranks of a run cut their shared particles by Ranks::cut.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <cstddef>
 #include <span>
 #include <vector>

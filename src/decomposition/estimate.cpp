@@ -1,6 +1,6 @@
-#include "estimate.hpp"
-#include "components.hpp"
-#include "divide.hpp"
+#include "decomposition/estimate.hpp"
+#include "decomposition/divide.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 /// Estimate of the ranks' work and messages: counted on the particles of a case, cut into boxes as a run of so many ranks cuts them.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <span>
 #include <string>
 #include <vector>

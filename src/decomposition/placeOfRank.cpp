@@ -1,6 +1,6 @@
-#include "placeOfRank.hpp"
-#include "processorFolders.hpp"
-#include "words.hpp"
+#include "decomposition/placeOfRank.hpp"
+#include "base/words.hpp"
+#include "decomposition/processorFolders.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

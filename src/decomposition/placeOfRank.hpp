@@ -1,8 +1,8 @@
 /// Folder of a rank in a parallel run.
 #pragma once
-#include "Case.hpp"
-#include "Ranks.hpp"
-#include "RunTime.hpp"
+#include "case/Case.hpp"
+#include "case/RunTime.hpp"
+#include "parallel/Ranks.hpp"
 
 namespace sph
 {

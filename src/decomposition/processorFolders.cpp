@@ -1,8 +1,8 @@
-#include "processorFolders.hpp"
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
-#include "TimeFolder.hpp"
-#include "words.hpp"
+#include "decomposition/processorFolders.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
+#include "case/FoamHeader.hpp"
+#include "case/TimeFolder.hpp"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>

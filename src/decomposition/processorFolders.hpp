@@ -1,6 +1,6 @@
 /// Folders processor0, processor1, .. of a decomposed case: each has a part of the particles, in time folders of its own, and the mesh of the whole.
 #pragma once
-#include "Case.hpp"
+#include "case/Case.hpp"
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#include "readDecomposition.hpp"
-#include "Parameter.hpp"
+#include "decomposition/readDecomposition.hpp"
+#include "dictionary/Parameter.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,8 +1,8 @@
 /// Settings of system/decomposeParDict: how ranks and folders share particles. OpenFOAM's name and words.
 #pragma once
-#include "Case.hpp"
-#include "EntryList.hpp"
-#include "divide.hpp"
+#include "case/Case.hpp"
+#include "decomposition/divide.hpp"
+#include "dictionary/EntryList.hpp"
 #include <optional>
 
 namespace sph

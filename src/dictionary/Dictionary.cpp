@@ -1,10 +1,10 @@
-#include "Dictionary.hpp"
-#include "DictionaryNode.hpp"
-#include "TokenReader.hpp"
-#include "expandPath.hpp"
-#include "readText.hpp"
-#include "readWith.hpp"
-#include "words.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/TokenReader.hpp"
+#include "dictionary/expandPath.hpp"
+#include "dictionary/readWith.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

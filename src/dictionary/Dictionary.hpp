@@ -4,9 +4,9 @@
 /// Diagnostics that all dictionaries of a case share, with file and line, what was meant and what is possible, and a harmless value
 /// is returned, so that one run reports every mistake of a case. `Diagnostics::throwIfAny` ends the set-up.
 #pragma once
-#include "CaseError.hpp"
-#include "DimensionSet.hpp"
-#include "Vector.hpp"
+#include "base/CaseError.hpp"
+#include "base/DimensionSet.hpp"
+#include "base/Vector.hpp"
 #include <filesystem>
 #include <memory>
 #include <optional>

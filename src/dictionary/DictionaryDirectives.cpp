@@ -1,9 +1,9 @@
-#include "DictionaryParser.hpp"
-#include "Tokeniser.hpp"
-#include "expandPath.hpp"
-#include "limits.hpp"
-#include "readText.hpp"
-#include "words.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryParser.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/expandPath.hpp"
+#include "dictionary/limits.hpp"
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
-#include "DictionaryParser.hpp"
-#include "Tokeniser.hpp"
-#include "expandPath.hpp"
-#include "words.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryParser.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/expandPath.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

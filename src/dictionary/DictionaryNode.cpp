@@ -1,5 +1,5 @@
-#include "DictionaryNode.hpp"
-#include "limits.hpp"
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/limits.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// The node behind a Dictionary: the parsed entries, their place in the files, and what was looked up.
 #pragma once
-#include "KeywordPattern.hpp"
-#include "Token.hpp"
+#include "dictionary/KeywordPattern.hpp"
+#include "dictionary/Token.hpp"
 #include <set>
 #include <unordered_map>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "DictionaryParser.hpp"
-#include "Tokeniser.hpp"
-#include "limits.hpp"
-#include "words.hpp"
+#include "dictionary/DictionaryParser.hpp"
+#include "base/words.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/limits.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>

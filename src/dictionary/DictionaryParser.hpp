@@ -3,8 +3,8 @@
 /// Nothing throws: a mistake is recorded where it was made, and parsing goes on at the next place that looks like the beginning
 /// of an entry, so that the mistakes of a file are reported together.
 #pragma once
-#include "DictionaryNode.hpp"
-#include "Expression.hpp"
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/Expression.hpp"
 #include <filesystem>
 
 namespace sph

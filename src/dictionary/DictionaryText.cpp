@@ -1,9 +1,9 @@
-#include "DictionaryText.hpp"
-#include "DictionaryNode.hpp"
-#include "OutputFile.hpp"
-#include "readText.hpp"
-#include "readWith.hpp"
-#include "words.hpp"
+#include "dictionary/DictionaryText.hpp"
+#include "base/OutputFile.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/readWith.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

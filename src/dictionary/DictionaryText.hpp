@@ -1,6 +1,6 @@
 /// Dictionaries as text: showing them, and editing one entry of a file in place.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 #include <algorithm>
 
 namespace sph

@@ -2,7 +2,7 @@
 ///
 ///     EntryList entries() { return {nPoints, bins, {region, {min, max}}, {type, {{"line", {start, end}}, {"plane", planeEntries()}}}}; }
 #pragma once
-#include "Parameter.hpp"
+#include "dictionary/Parameter.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "Expression.hpp"
-#include "limits.hpp"
-#include "words.hpp"
+#include "dictionary/Expression.hpp"
+#include "base/words.hpp"
+#include "dictionary/limits.hpp"
 #include <cctype>
 #include <charconv>
 #include <cmath>

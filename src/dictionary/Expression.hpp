@@ -1,6 +1,6 @@
 /// Arithmetic in dictionaries: the text of `#eval "..."` and `#eval{ ... }`.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <functional>
 #include <optional>
 #include <stdexcept>

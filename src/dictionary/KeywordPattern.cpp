@@ -1,5 +1,5 @@
-#include "KeywordPattern.hpp"
-#include "limits.hpp"
+#include "dictionary/KeywordPattern.hpp"
+#include "dictionary/limits.hpp"
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "Parameter.hpp"
-#include "words.hpp"
+#include "dictionary/Parameter.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 /// constants beside the reader; the EntryList of the file (EntryList.hpp) collects them for `sphDictionary -list` and the pages of
 /// doc/reference.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 #include <cassert>
 #include <initializer_list>
 #include <limits>

@@ -1,6 +1,6 @@
 /// The smallest pieces of a dictionary file.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 #include <cstddef>
 #include <memory>
 #include <string>

@@ -1,9 +1,9 @@
-#include "TokenReader.hpp"
-#include "DictionaryParser.hpp"
-#include "Tokeniser.hpp"
-#include "UnitExpression.hpp"
-#include "limits.hpp"
-#include "words.hpp"
+#include "dictionary/TokenReader.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryParser.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/UnitExpression.hpp"
+#include "dictionary/limits.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

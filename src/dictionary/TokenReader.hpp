@@ -1,6 +1,6 @@
 /// Reader that turns the tokens of a value into numbers, words, vectors and lists, in each form in which OpenFOAM writes them.
 #pragma once
-#include "Token.hpp"
+#include "dictionary/Token.hpp"
 #include <stdexcept>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "Tokeniser.hpp"
-#include "limits.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/limits.hpp"
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// Tokeniser that cuts the text of a dictionary file into tokens, by the rules of OpenFOAM's ISstream.
 #pragma once
-#include "Token.hpp"
+#include "dictionary/Token.hpp"
 #include <vector>
 
 namespace sph

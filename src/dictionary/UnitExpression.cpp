@@ -1,7 +1,7 @@
-#include "UnitExpression.hpp"
-#include "Tokeniser.hpp"
-#include "limits.hpp"
-#include "words.hpp"
+#include "dictionary/UnitExpression.hpp"
+#include "base/words.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "dictionary/limits.hpp"
 #include <cctype>
 #include <fmt/format.h>
 #include <map>

@@ -1,6 +1,6 @@
 /// The text between the brackets of a dimensioned value.
 #pragma once
-#include "DimensionSet.hpp"
+#include "base/DimensionSet.hpp"
 #include <string>
 
 namespace sph

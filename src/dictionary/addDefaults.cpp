@@ -1,5 +1,5 @@
-#include "addDefaults.hpp"
-#include "DictionaryNode.hpp"
+#include "dictionary/addDefaults.hpp"
+#include "dictionary/DictionaryNode.hpp"
 
 namespace sph
 {

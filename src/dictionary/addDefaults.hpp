@@ -1,6 +1,6 @@
 /// Default entries of a dictionary, merged into it.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "expandPath.hpp"
+#include "dictionary/expandPath.hpp"
 #include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// An expression of the position, `$x`, `$y`, `$z` [m], and of the time `$t` [s] where there is one.
 #pragma once
-#include "Expression.hpp"
-#include "Vector.hpp"
+#include "base/Vector.hpp"
+#include "dictionary/Expression.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "readWith.hpp"
-#include "DictionaryParser.hpp"
-#include "readText.hpp"
+#include "dictionary/readWith.hpp"
+#include "base/readText.hpp"
+#include "dictionary/DictionaryParser.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Reading of a dictionary from another text than that of its file.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// A test of the laboratory on one element of soil, homogeneous, without SPH.
 #pragma once
-#include "CaseError.hpp"
-#include "soilLaws.hpp"
+#include "base/CaseError.hpp"
+#include "soilLaws/soilLaws.hpp"
 
 namespace sph
 {

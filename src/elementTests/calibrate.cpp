@@ -1,5 +1,5 @@
-#include "calibrate.hpp"
-#include "ElementTest.hpp"
+#include "elementTests/calibrate.hpp"
+#include "elementTests/ElementTest.hpp"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <fmt/format.h>

@@ -11,8 +11,8 @@
 /// with r_1 = 1/(2 + R), r_3 = R/(2 + R), r* = r - 1/3, D = diag(a, a, -1): linear in c1 ... c4 (Wu & Bauer 1994, section on identification). Verified by
 /// test/unit/elementTests, which calibrates to a computed test and finds its constants.
 #pragma once
-#include "CaseError.hpp"
-#include "WuBauer.hpp"
+#include "base/CaseError.hpp"
+#include "soilLaws/WuBauer.hpp"
 #include <vector>
 
 namespace sph

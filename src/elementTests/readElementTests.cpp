@@ -1,7 +1,7 @@
-#include "readElementTests.hpp"
-#include "csv.hpp"
-#include "readText.hpp"
-#include "words.hpp"
+#include "elementTests/readElementTests.hpp"
+#include "base/csv.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>

@@ -7,9 +7,9 @@
 ///     }
 ///     plots yes;
 #pragma once
-#include "Case.hpp"
-#include "ElementTest.hpp"
-#include "calibrate.hpp"
+#include "case/Case.hpp"
+#include "elementTests/ElementTest.hpp"
+#include "elementTests/calibrate.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "ElementTest.hpp"
+#include "elementTests/ElementTest.hpp"
 #include <Eigen/Dense>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "writeElementTests.hpp"
-#include "OutputFile.hpp"
+#include "elementTests/writeElementTests.hpp"
+#include "base/OutputFile.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Output of elementTest in postProcessing/elementTest: a table of each test, and a gnuplot script that draws all.
 #pragma once
-#include "ElementTest.hpp"
+#include "elementTests/ElementTest.hpp"
 #include <filesystem>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "FieldStore.hpp"
+#include "fields/FieldStore.hpp"
 #include <stdexcept>
 
 namespace sph

@@ -1,7 +1,7 @@
 /// The arrays of a scene: only those that its plan asked for, one array per component, owned particles first, then images, then
 /// the null particle that pads neighbour lists. Fields that are never read at a neighbour end with the owned particles.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 #include <array>
 #include <concepts>
 #include <map>

@@ -2,7 +2,7 @@
 ///
 /// The member template `At` carries the symbol of the papers, so that a term writes i.rho and j.rho.
 #pragma once
-#include "values.hpp"
+#include "base/values.hpp"
 
 namespace sph
 {

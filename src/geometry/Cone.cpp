@@ -1,5 +1,5 @@
-#include "Cone.hpp"
-#include "components.hpp"
+#include "geometry/Cone.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numbers>
 

@@ -5,7 +5,7 @@
 /// with t along and rho from the axis, s the slant distance of the foot point from the apex, e = +1 with fluid inside, -1
 /// outside; the other curvature is 0. Points with s <= 0 are nearest to the apex, where there is no normal: not smooth.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "Cylinder.hpp"
-#include "components.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numbers>
 

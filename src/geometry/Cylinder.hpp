@@ -1,7 +1,7 @@
 /// An infinite circular cylinder: d = +-(R - r) with r measured from the axis, one curvature +-1/R (upper sign: fluid inside).
 /// With its axis along z it is the circle of a 2-D scene.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

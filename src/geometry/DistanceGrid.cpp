@@ -1,5 +1,5 @@
-#include "DistanceGrid.hpp"
-#include "components.hpp"
+#include "geometry/DistanceGrid.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 /// A grid of cells that store the distance to a surface, each when it is first asked for, so that of most places far off no search is needed.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <array>
 #include <atomic>
 #include <vector>

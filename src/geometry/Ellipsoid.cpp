@@ -1,5 +1,5 @@
-#include "Ellipsoid.hpp"
-#include "components.hpp"
+#include "geometry/Ellipsoid.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <array>
 #include <limits>

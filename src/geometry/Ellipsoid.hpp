@@ -6,7 +6,7 @@
 /// Principal curvatures: e eig[P diag(1/a^2) P]/|p/a^2| in the tangent plane, e = +1 with fluid inside, -1 outside.
 /// Not smooth on the part of the middle plane inside from which two points of the surface are equally near.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

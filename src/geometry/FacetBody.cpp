@@ -1,6 +1,6 @@
 /// The feet of a point on a body, and its mirror images in it.
-#include "FacetBody.hpp"
-#include "components.hpp"
+#include "geometry/FacetBody.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 
 namespace sph

@@ -29,10 +29,10 @@
 /// concave edge, 2 x_np - x, is what two reflections give at 90 degrees; at other angles it leaves the lattice of the fluid broken at two planes in
 /// place of one.
 #pragma once
-#include "DistanceGrid.hpp"
-#include "FacetSurface.hpp"
-#include "FacetTree.hpp"
-#include "Geometry.hpp"
+#include "geometry/DistanceGrid.hpp"
+#include "geometry/FacetSurface.hpp"
+#include "geometry/FacetTree.hpp"
+#include "geometry/Geometry.hpp"
 #include <algorithm>
 #include <atomic>
 #include <optional>

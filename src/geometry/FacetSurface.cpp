@@ -1,8 +1,8 @@
-#include "FacetSurface.hpp"
-#include "FoamHeader.hpp"
-#include "FoamScanner.hpp"
-#include "MappedFile.hpp"
-#include "OutputFile.hpp"
+#include "geometry/FacetSurface.hpp"
+#include "base/OutputFile.hpp"
+#include "case/FoamHeader.hpp"
+#include "case/FoamScanner.hpp"
+#include "case/MappedFile.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

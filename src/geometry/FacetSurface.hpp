@@ -7,8 +7,8 @@
 ///     points  8 ( (0 0 0) (1 0 0) ... )                   [m]
 ///     facets  12 ( (0 2 1 0) ... )                        three points and the region, counter-clockwise as seen from the fluid
 #pragma once
-#include "Dictionary.hpp"
-#include "TriangleSurface.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "geometry/TriangleSurface.hpp"
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#include "FacetTree.hpp"
-#include "components.hpp"
+#include "geometry/FacetTree.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numbers>
 #include <numeric>

@@ -3,7 +3,7 @@
 /// A node knows, besides its box, the cone of its triangles' normals and whether they all belong to one smooth patch: searches for mirror images and
 /// for what competes with them leave out whole branches by these.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <array>
 #include <cmath>
 #include <span>

@@ -1,9 +1,9 @@
-#include "Geometry.hpp"
-#include "PatchGrid.hpp"
-#include "PatchTree.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
-#include "periodicShifts.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/PatchGrid.hpp"
+#include "geometry/PatchTree.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
+#include "geometry/periodicShifts.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,8 +1,8 @@
 /// The scene's space: its domain, which directions are periodic, and its walls as smooth patches with their properties.
 #pragma once
-#include "EntryList.hpp"
-#include "Resolution.hpp"
-#include "Shape.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Shape.hpp"
+#include "kernels/Resolution.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

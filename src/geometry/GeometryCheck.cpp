@@ -1,9 +1,9 @@
-#include "GeometryCheck.hpp"
-#include "MovingWalls.hpp"
-#include "TriangleMesh.hpp"
-#include "closestApproach.hpp"
-#include "components.hpp"
-#include "fluidFraction.hpp"
+#include "geometry/GeometryCheck.hpp"
+#include "geometry/MovingWalls.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/closestApproach.hpp"
+#include "geometry/components.hpp"
+#include "geometry/fluidFraction.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>

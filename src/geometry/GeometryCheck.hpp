@@ -8,7 +8,7 @@
 /// warning between the walls of a container. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
 /// it (solidUnion.cpp): a step on the floor may be thinner than two supports; a body that no fluid can reach is an error.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <string>
 #include <vector>
 

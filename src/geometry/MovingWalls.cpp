@@ -1,5 +1,5 @@
-#include "MovingWalls.hpp"
-#include "Plane.hpp"
+#include "geometry/MovingWalls.hpp"
+#include "geometry/Plane.hpp"
 
 namespace sph
 {

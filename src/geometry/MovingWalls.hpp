@@ -4,7 +4,7 @@
 ///
 /// x_0 [m] where constant/geometry has them, v_w [m/s], t [s] since the start of the first run.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

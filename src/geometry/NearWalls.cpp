@@ -1,4 +1,4 @@
-#include "NearWalls.hpp"
+#include "geometry/NearWalls.hpp"
 
 namespace sph
 {

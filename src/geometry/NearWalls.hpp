@@ -1,6 +1,6 @@
 /// Walls around a particle: the patches that may be near, their feet, and the nearest foot.
 #pragma once
-#include "forEachFoot.hpp"
+#include "geometry/forEachFoot.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "PatchGrid.hpp"
-#include "MovingWalls.hpp"
-#include "components.hpp"
+#include "geometry/PatchGrid.hpp"
+#include "geometry/MovingWalls.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numeric>
 

@@ -1,7 +1,7 @@
 /// A uniform grid that lists the patches near a point. It covers the domain extended by `reach`, so that beds of thousands of spheres
 /// cost the same per particle as one wall.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <array>
 #include <span>
 #include <vector>

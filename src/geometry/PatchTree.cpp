@@ -1,6 +1,6 @@
-#include "PatchTree.hpp"
-#include "Geometry.hpp"
-#include "components.hpp"
+#include "geometry/PatchTree.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numeric>
 

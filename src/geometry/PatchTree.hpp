@@ -1,7 +1,7 @@
 /// The nearest of many patches and the signed distance to it, by a tree over their bounds: for sampling a scene at points that may
 /// be far from every wall, where PatchGrid lists nothing.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <vector>
 
 namespace sph

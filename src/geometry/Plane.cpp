@@ -1,5 +1,5 @@
-#include "Plane.hpp"
-#include "components.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// A plane through `point`: d = n.(x - point), without curvature.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

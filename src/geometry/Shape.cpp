@@ -1,4 +1,4 @@
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <algorithm>
 
 namespace sph

@@ -6,8 +6,8 @@
 /// curvature is positive where its centre lies on the FLUID side (fluid inside a sphere: +1/R), negative for fluid outside:
 /// with this sign eqs. (16)-(18) of Barker et al. (2012) hold.
 #pragma once
-#include "TriangleSurface.hpp"
-#include "Vector.hpp"
+#include "base/Vector.hpp"
+#include "geometry/TriangleSurface.hpp"
 #include <algorithm>
 #include <functional>
 #include <limits>

@@ -1,5 +1,5 @@
-#include "SolidBox.hpp"
-#include "components.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 
 namespace sph

@@ -7,7 +7,7 @@
 /// images of two faces fade into one another there. A body thinner than two reaches is filled from both sides up to its middle.
 /// Infinite along directions in which low and high are infinite (2-D, or a bar through a periodic domain).
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "Sphere.hpp"
+#include "geometry/Sphere.hpp"
 #include <algorithm>
 #include <numbers>
 

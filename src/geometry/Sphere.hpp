@@ -1,6 +1,6 @@
 /// A sphere: d = +-(R - r), both principal curvatures +-1/R (upper sign: fluid inside).
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <stdexcept>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "Torus.hpp"
-#include "components.hpp"
+#include "geometry/Torus.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numbers>
 

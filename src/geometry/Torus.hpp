@@ -4,7 +4,7 @@
 ///
 /// In place of Table 1 of Barker et al. (2012), which is right at theta = 0 alone.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

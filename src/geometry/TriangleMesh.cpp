@@ -1,5 +1,5 @@
-#include "TriangleMesh.hpp"
-#include "components.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/components.hpp"
 #include <numeric>
 #include <tuple>
 

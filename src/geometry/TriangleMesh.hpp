@@ -1,6 +1,6 @@
 /// A closed surface of triangles as a wall: one body, or a body with its cavities, that periodic copies share.
 #pragma once
-#include "FacetBody.hpp"
+#include "geometry/FacetBody.hpp"
 #include <memory>
 
 namespace sph

@@ -1,6 +1,6 @@
-#include "TriangleSurface.hpp"
-#include "Shape.hpp"
-#include "components.hpp"
+#include "geometry/TriangleSurface.hpp"
+#include "geometry/Shape.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 
 namespace sph

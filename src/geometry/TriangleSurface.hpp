@@ -1,6 +1,6 @@
 /// Triangulated surfaces for looking at walls and for sampling them; the solver never sees them.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <array>
 #include <functional>
 #include <vector>

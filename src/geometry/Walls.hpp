@@ -13,7 +13,7 @@
 /// spheres are taken apart. A mesh is one entry, `{ wall rocks; type triSurface; regions (rocks rocks.top); }`: its facets are in constant/wallMeshes/rocks,
 /// and `regions` are the walls of its regions.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <filesystem>
 
 namespace sph

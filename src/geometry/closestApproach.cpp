@@ -1,5 +1,5 @@
-#include "closestApproach.hpp"
-#include "components.hpp"
+#include "geometry/closestApproach.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <numbers>
 

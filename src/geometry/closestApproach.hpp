@@ -1,6 +1,6 @@
 /// Relation of two surfaces within the domain: a gap, a contact, or a line along which they cross.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Coordinates by number, for set-up code that treats x, y and z alike; inner loops name them.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Boxes that hold a point, edges included; z counts in 3-D alone.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

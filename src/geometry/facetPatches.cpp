@@ -1,6 +1,6 @@
 /// A body made of triangles: the facet across each edge, smooth and sharp edges, patches, and the normals of the corners.
-#include "FacetBody.hpp"
-#include "facetAngles.hpp"
+#include "geometry/FacetBody.hpp"
+#include "geometry/facetAngles.hpp"
 #include <algorithm>
 #include <cmath>
 #include <ranges>

@@ -1,6 +1,6 @@
 /// Facets of a body that compete for a place behind its surface (rivals): which of them the place belongs to, and where there are no rivals.
-#include "FacetBody.hpp"
-#include "facetAngles.hpp"
+#include "geometry/FacetBody.hpp"
+#include "geometry/facetAngles.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "fluidFraction.hpp"
-#include "components.hpp"
+#include "geometry/fluidFraction.hpp"
+#include "geometry/components.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Fluid fraction of a domain with walls.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

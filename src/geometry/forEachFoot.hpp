@@ -1,8 +1,8 @@
 /// The one way to the surfaces around a point: all that are near, or the nearest.
 #pragma once
-#include "Geometry.hpp"
-#include "PatchGrid.hpp"
-#include "TriangleMesh.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/PatchGrid.hpp"
+#include "geometry/TriangleMesh.hpp"
 #include <span>
 
 namespace sph

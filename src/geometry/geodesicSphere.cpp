@@ -1,4 +1,4 @@
-#include "geodesicSphere.hpp"
+#include "geometry/geodesicSphere.hpp"
 #include <map>
 #include <numbers>
 

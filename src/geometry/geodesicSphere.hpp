@@ -1,6 +1,6 @@
 /// The unit sphere as an icosahedron whose edges are cut into n: 20 n^2 facets, normals outwards.
 #pragma once
-#include "TriangleSurface.hpp"
+#include "geometry/TriangleSurface.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "makeWallLayers.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -7,8 +7,8 @@
 ///
 /// Verified by test/unit/geometry (volume, corners) and tutorials/powderMoulding/channel9.
 #pragma once
-#include "EntryList.hpp"
-#include "Geometry.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

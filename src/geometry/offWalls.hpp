@@ -1,6 +1,6 @@
 /// Correction of positions and velocities that keeps particles off walls: for the solver at each step, its leak guard, and packings.
 #pragma once
-#include "NearWalls.hpp"
+#include "geometry/NearWalls.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// The ways to the neighbouring periods of a domain.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

@@ -1,10 +1,10 @@
-#include "Case.hpp"
-#include "Geometry.hpp"
-#include "components.hpp"
-#include "readShapes.hpp"
-#include "readSpace.hpp"
-#include "triSurface.hpp"
-#include "words.hpp"
+#include "base/words.hpp"
+#include "case/Case.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/components.hpp"
+#include "geometry/readShapes.hpp"
+#include "geometry/readSpace.hpp"
+#include "geometry/triSurface.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,13 +1,13 @@
-#include "readShapes.hpp"
-#include "Cone.hpp"
-#include "Cylinder.hpp"
-#include "Ellipsoid.hpp"
-#include "Plane.hpp"
-#include "SolidBox.hpp"
-#include "Sphere.hpp"
-#include "Torus.hpp"
-#include "TriangleMesh.hpp"
-#include "components.hpp"
+#include "geometry/readShapes.hpp"
+#include "geometry/Cone.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/Ellipsoid.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/Sphere.hpp"
+#include "geometry/Torus.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// Shapes of one wall from its dictionary.
 #pragma once
-#include "EntryList.hpp"
-#include "Geometry.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

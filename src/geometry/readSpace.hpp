@@ -1,6 +1,6 @@
 /// Entries that constant/geometry and constant/walls share.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "Geometry.hpp"
-#include "PatchGrid.hpp"
-#include "PatchTree.hpp"
-#include "TriangleMesh.hpp"
-#include "components.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/PatchGrid.hpp"
+#include "geometry/PatchTree.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 
 namespace sph

@@ -4,11 +4,11 @@
 /// fluid, it falls from 1 at the line where they meet to 0 as far into the other solid as mirror images of both would fill it twice: at half of
 /// that the image lies on the bisector of the solid. And an edge in another solid is none: the faces of a block that stands on a floor go on
 /// into it, so that the fluid beside the block has the images of the corner of a box.
-#include "Geometry.hpp"
-#include "Plane.hpp"
-#include "SolidBox.hpp"
-#include "closestApproach.hpp"
-#include "components.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/closestApproach.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 

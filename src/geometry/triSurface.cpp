@@ -1,4 +1,4 @@
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
 #include <fmt/format.h>
 
 namespace sph

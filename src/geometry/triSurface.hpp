@@ -1,8 +1,8 @@
 /// A wall of `type triSurface`: a file of triangles in constant/triSurface, where it is put in the scene, and what may be repaired in it.
 /// meshToGhost prepares it (src/meshes); all other programs read what that has written (FacetSurface.hpp).
 #pragma once
-#include "EntryList.hpp"
-#include "Shape.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Shape.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "Cloud.hpp"
-#include "OutputFile.hpp"
-#include "TimeFolder.hpp"
-#include "components.hpp"
-#include "makeWallLayers.hpp"
+#include "base/OutputFile.hpp"
+#include "case/Cloud.hpp"
+#include "case/TimeFolder.hpp"
+#include "geometry/components.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "wallSurfaces.hpp"
-#include "TriangleMesh.hpp"
+#include "geometry/wallSurfaces.hpp"
+#include "geometry/TriangleMesh.hpp"
 #include <fmt/format.h>
 #include <iterator>
 

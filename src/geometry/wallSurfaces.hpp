@@ -1,6 +1,6 @@
 /// The walls as triangles in files that ParaView and OpenFOAM's surface tools open.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <string>
 #include <vector>
 

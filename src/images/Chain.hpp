@@ -2,7 +2,7 @@
 ///
 ///   x' = mirror_n(... mirror_1(x))
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <algorithm>
 #include <array>
 #include <span>

@@ -1,7 +1,7 @@
 /// The rules of a scene by which images beyond walls get the values of fields, by field; and the fields that particles of wall layers interpolate.
 #pragma once
-#include "GhostRule.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "images/GhostRule.hpp"
 #include <map>
 #include <memory>
 #include <set>

@@ -1,7 +1,7 @@
 /// Rules for the values of wall ghosts: an image's value as a function of its source's, where the field's tag says that there is a rule. One for each field,
 /// of the field's type, for mirror images and particles of wall layers alike.
 #pragma once
-#include "values.hpp"
+#include "base/values.hpp"
 #include <cstddef>
 
 namespace sph

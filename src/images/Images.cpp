@@ -1,8 +1,8 @@
-#include "Images.hpp"
-#include "chainTable.hpp"
-#include "components.hpp"
-#include "imageShares.hpp"
-#include "reduce.hpp"
+#include "images/Images.hpp"
+#include "geometry/components.hpp"
+#include "images/chainTable.hpp"
+#include "images/imageShares.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
 

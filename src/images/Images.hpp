@@ -13,11 +13,11 @@
 /// Which images there are is decided when lists are built (makeImages.hpp). From then on this class stores them, moves them with their sources, and refreshes their
 /// values: before each pass only the fields that the pass reads.
 #pragma once
-#include "FieldRules.hpp"
-#include "FieldStore.hpp"
-#include "Halo.hpp"
-#include "WallLayers.hpp"
-#include "makeImages.hpp"
+#include "fields/FieldStore.hpp"
+#include "images/FieldRules.hpp"
+#include "images/WallLayers.hpp"
+#include "images/makeImages.hpp"
+#include "neighbours/Halo.hpp"
 #include <optional>
 
 namespace sph

@@ -6,8 +6,8 @@
 /// t_i [m] way from j to i along the wall, t_m its mean with weights W, C that of (t_i - t_m)(t_i - t_m): the w take the value at t = 0 of what is fitted to the
 /// q_g along the wall, exact for values that are linear there. Where j lies beyond those of the fluid, above its surface, the fit is flattened.
 #pragma once
-#include "SymmTensor.hpp"
-#include "Vector.hpp"
+#include "base/SymmTensor.hpp"
+#include "base/Vector.hpp"
 #include <array>
 #include <cmath>
 

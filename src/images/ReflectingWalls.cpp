@@ -1,4 +1,4 @@
-#include "ReflectingWalls.hpp"
+#include "images/ReflectingWalls.hpp"
 #include <cmath>
 #include <numbers>
 

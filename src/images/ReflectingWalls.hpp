@@ -1,7 +1,7 @@
 /// The walls of a scene as chains of reflections meet them: the foot of a particle or of its image so far, and whether an image fills a corner of two solids.
 #pragma once
-#include "Chain.hpp"
-#include "NearWalls.hpp"
+#include "geometry/NearWalls.hpp"
+#include "images/Chain.hpp"
 #include <vector>
 
 namespace sph

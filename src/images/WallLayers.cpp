@@ -1,8 +1,8 @@
-#include "WallLayers.hpp"
-#include "CaseError.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
-#include "periodicShifts.hpp"
+#include "images/WallLayers.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
+#include "geometry/periodicShifts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -9,12 +9,12 @@
 ///
 /// Verified by test/unit/plan and tutorials/powderMoulding/channel9.
 #pragma once
-#include "FieldStore.hpp"
-#include "Geometry.hpp"
-#include "GhostRule.hpp"
-#include "Halo.hpp"
-#include "Kernel.hpp"
-#include "NeighbourLists.hpp"
+#include "fields/FieldStore.hpp"
+#include "geometry/Geometry.hpp"
+#include "images/GhostRule.hpp"
+#include "kernels/Kernel.hpp"
+#include "neighbours/Halo.hpp"
+#include "neighbours/NeighbourLists.hpp"
 #include <span>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "chainTable.hpp"
+#include "images/chainTable.hpp"
 #include <cmath>
 
 namespace sph

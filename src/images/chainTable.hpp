@@ -3,7 +3,7 @@
 ///
 /// Verified by test/unit/images/chainTableTest.cpp, row by row.
 #pragma once
-#include "Chain.hpp"
+#include "images/Chain.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "imageShares.hpp"
-#include "chainTable.hpp"
+#include "images/imageShares.hpp"
+#include "images/chainTable.hpp"
 #include <algorithm>
 #include <cmath>
 

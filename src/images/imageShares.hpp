@@ -7,7 +7,7 @@
 ///
 /// Verified by test/unit/images/meshImagesTest.cpp: the sum of W over fluid and images is 1.
 #pragma once
-#include "ReflectingWalls.hpp"
+#include "images/ReflectingWalls.hpp"
 
 namespace sph
 {

@@ -13,8 +13,8 @@
 ///
 /// Verified by test/unit/plan/wallLayersTest.cpp.
 #pragma once
-#include "Stencil.hpp"
-#include "WallLayers.hpp"
+#include "images/WallLayers.hpp"
+#include "neighbours/Stencil.hpp"
 #include <algorithm>
 #include <concepts>
 #include <optional>

@@ -4,8 +4,8 @@
 ///   q_j = sum_i w_ij q_g(q_i, d_i, d_j)                       of fields that a scene interpolates; w_ij as in LayerFit.hpp
 ///
 /// The first sum is that of Adami, Hu & Adams (2012), eq. (27).
-#include "LayerFit.hpp"
-#include "layerPairs.hpp"
+#include "images/LayerFit.hpp"
+#include "images/layerPairs.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "makeImages.hpp"
-#include "chainTable.hpp"
-#include "components.hpp"
-#include "imageShares.hpp"
-#include "values.hpp"
+#include "images/makeImages.hpp"
+#include "base/values.hpp"
+#include "geometry/components.hpp"
+#include "images/chainTable.hpp"
+#include "images/imageShares.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Images of particles, when neighbour lists are built: each particle is mirrored in the walls within reach, its images in further walls as the decision table
 /// says (chainTable.hpp), and all of them are shifted by the periods.
 #pragma once
-#include "ReflectingWalls.hpp"
+#include "images/ReflectingWalls.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
-#include "ImplicitSolve.hpp"
-#include "DivergedError.hpp"
-#include "averageInBoxes.hpp"
-#include "conjugateGradients.hpp"
+#include "integrators/ImplicitSolve.hpp"
+#include "base/DivergedError.hpp"
+#include "integrators/averageInBoxes.hpp"
+#include "parallel/conjugateGradients.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

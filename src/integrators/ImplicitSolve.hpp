@@ -30,7 +30,7 @@
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 #include <array>
 
 namespace sph

@@ -1,7 +1,7 @@
-#include "Integrator.hpp"
-#include "ImplicitSolve.hpp"
-#include "TwoLevels.hpp"
-#include "addDefaults.hpp"
+#include "integrators/Integrator.hpp"
+#include "dictionary/addDefaults.hpp"
+#include "integrators/ImplicitSolve.hpp"
+#include "scene/TwoLevels.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

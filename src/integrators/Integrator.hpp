@@ -1,7 +1,7 @@
 /// An integrator: its word, what it asks of the state, and its list of stages. One file each.
 #pragma once
-#include "Model.hpp"
-#include "Schedule.hpp"
+#include "integrators/Schedule.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "Schedule.hpp"
-#include "moves.hpp"
+#include "integrators/Schedule.hpp"
+#include "integrators/moves.hpp"
 #include <fmt/format.h>
 #include <ostream>
 

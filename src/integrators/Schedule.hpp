@@ -1,6 +1,6 @@
 /// A step as a list of stages: built at start-up, printed by -dry-run, run in order.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 #include <iosfwd>
 
 namespace sph

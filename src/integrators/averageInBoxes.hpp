@@ -1,6 +1,6 @@
 /// The smooth part of a vector field on scattered particles: its mean over each box of a fixed grid, weighed by mass.
 #pragma once
-#include "values.hpp"
+#include "base/values.hpp"
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -3,7 +3,7 @@
 ///
 /// An oscillation of rate omega is damped by (2 theta - 1) omega^2 dt/2 [1/s], and one that a step does not resolve multiplied by 1 - 1/theta a step:
 /// theta 1/2 is of second order, theta 1, the default, is Euler's backward step: what it gains and loses is in the room's README. Verified by test/unit/integrators/stepTest.
-#include "Integrator.hpp"
+#include "integrators/Integrator.hpp"
 
 namespace sph
 {

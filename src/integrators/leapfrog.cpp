@@ -1,6 +1,6 @@
 /// The rates of the last step predict v(t + dt/2): second order, one evaluation. The extrapolation halves the viscous limit (Adams-Bashforth
 /// against mid-point).
-#include "Integrator.hpp"
+#include "integrators/Integrator.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "moves.hpp"
-#include "TwoLevels.hpp"
-#include "reduce.hpp"
+#include "integrators/moves.hpp"
+#include "parallel/reduce.hpp"
+#include "scene/TwoLevels.hpp"
 
 namespace sph
 {

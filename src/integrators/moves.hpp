@@ -1,6 +1,6 @@
 /// The moves that steps are made of, each a walk over what evolves (State.hpp).
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

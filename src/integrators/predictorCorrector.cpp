@@ -1,5 +1,5 @@
 /// Rates at t predict v(t + dt/2), and those at the middle make the step: second order, two evaluations.
-#include "Integrator.hpp"
+#include "integrators/Integrator.hpp"
 
 namespace sph
 {

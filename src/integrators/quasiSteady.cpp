@@ -1,7 +1,7 @@
 /// Quasi-steady step, for flows that change only as what they carry does: particles stay in place, velocities are those of creeping flow, solved for, and time
 /// is that of the powder's migration, or of what diffuses.
-#include "Integrator.hpp"
-#include "moves.hpp"
+#include "integrators/Integrator.hpp"
+#include "integrators/moves.hpp"
 
 namespace sph
 {

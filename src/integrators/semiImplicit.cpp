@@ -1,5 +1,5 @@
 /// Semi-implicit step: as symplecticEuler, but viscosity acts with v(t + dt), solved for (ImplicitSolve.hpp): no viscous limit of the step.
-#include "Integrator.hpp"
+#include "integrators/Integrator.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
 /// v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory.
-#include "Integrator.hpp"
+#include "integrators/Integrator.hpp"
 
 namespace sph
 {

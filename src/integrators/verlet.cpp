@@ -8,9 +8,9 @@
 ///
 /// Second order but for the re-coupling steps, each of first: they leave dt/(2 verletSteps) of the error of Euler's scheme, and let what oscillates undamped with omega grow by
 /// omega^2 dt/(2 verletSteps) a second. Waves need some viscosity, artificial or not; too much of it is unstable from two levels, and limits the step by `stableDecay`.
-#include "Integrator.hpp"
-#include "TwoLevels.hpp"
-#include "moves.hpp"
+#include "integrators/Integrator.hpp"
+#include "integrators/moves.hpp"
+#include "scene/TwoLevels.hpp"
 
 namespace sph
 {

@@ -2,7 +2,7 @@
 ///
 /// k = 10/(7 pi h^2) in 2-D, 1/(pi h^3) in 3-D, h = H/2.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <numbers>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "Kernel.hpp"
+#include "kernels/Kernel.hpp"
 #include <stdexcept>
 
 namespace sph

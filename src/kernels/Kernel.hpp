@@ -1,11 +1,11 @@
 /// The choice of a kernel by name. A loop over many pairs visits the variant once and inlines the kernel; single values (packing,
 /// probes, surfaces) call W and dWdrOverR here.
 #pragma once
-#include "CubicSpline.hpp"
-#include "QuinticSpline.hpp"
-#include "WendlandC2.hpp"
-#include "WendlandC4.hpp"
-#include "WendlandC6.hpp"
+#include "kernels/CubicSpline.hpp"
+#include "kernels/QuinticSpline.hpp"
+#include "kernels/WendlandC2.hpp"
+#include "kernels/WendlandC4.hpp"
+#include "kernels/WendlandC6.hpp"
 #include <string>
 #include <variant>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "Resolution.hpp"
-#include "defaultSupport.hpp"
-#include "resolutionEntries.hpp"
-#include "schemeSets.hpp"
+#include "kernels/Resolution.hpp"
+#include "kernels/defaultSupport.hpp"
+#include "kernels/resolutionEntries.hpp"
+#include "schemes/schemeSets.hpp"
 
 namespace sph
 {

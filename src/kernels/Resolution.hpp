@@ -1,7 +1,7 @@
 /// Resolution of a scene, as all programs of the suite read it from system/sphSchemes:
 /// `resolution { spacing 1e-4; support 2.6; kernel wendlandC2; }`, and by the set of words that `scheme` names (schemeSets.hpp).
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 
 namespace sph
 {

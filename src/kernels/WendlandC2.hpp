@@ -2,7 +2,7 @@
 ///
 /// k = 7/(pi H^2) in 2-D, 21/(2 pi H^3) in 3-D. Positive Fourier transform: does not pair.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <numbers>
 
 namespace sph

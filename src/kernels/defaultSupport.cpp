@@ -1,6 +1,6 @@
-#include "defaultSupport.hpp"
-#include "Kernel.hpp"
-#include "words.hpp"
+#include "kernels/defaultSupport.hpp"
+#include "base/words.hpp"
+#include "kernels/Kernel.hpp"
 #include <fmt/format.h>
 #include <stdexcept>
 #include <vector>

@@ -1,8 +1,8 @@
 /// The entries of `resolution` in system/sphSchemes, which packParticles, meshToGhost and the solver read.
 #pragma once
-#include "EntryList.hpp"
-#include "Kernel.hpp"
-#include "defaultSupport.hpp"
+#include "dictionary/EntryList.hpp"
+#include "kernels/Kernel.hpp"
+#include "kernels/defaultSupport.hpp"
 
 namespace sph::entry::resolution
 {

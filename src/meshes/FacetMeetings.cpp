@@ -1,4 +1,4 @@
-#include "FacetSoup.hpp"
+#include "meshes/FacetSoup.hpp"
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
 #include <algorithm>

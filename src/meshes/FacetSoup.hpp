@@ -1,8 +1,8 @@
 /// Facets as pieces that may lie in one another, and the places where they meet: surfaces that cross or touch are brought to meet in common
 /// points and edges alone, and `removeSelfIntersections` takes what bounds the solid.
 #pragma once
-#include "NumberedMesh.hpp"
-#include "WeldedPoints.hpp"
+#include "meshes/WeldedPoints.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <map>
 #include <set>
 

@@ -1,10 +1,10 @@
-#include "SolidOfFile.hpp"
-#include "cleanSoup.hpp"
-#include "importMesh.hpp"
-#include "orientShells.hpp"
-#include "placeMesh.hpp"
-#include "repairSurface.hpp"
-#include "workingMesh.hpp"
+#include "meshes/SolidOfFile.hpp"
+#include "meshes/cleanSoup.hpp"
+#include "meshes/orientShells.hpp"
+#include "meshes/placeMesh.hpp"
+#include "meshes/readers/importMesh.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <deque>
 

@@ -1,6 +1,6 @@
 /// Test whether a point lies in the solid that a file of triangles bounds, by rays of CGAL, not by the distances that the solver keeps particles off walls by.
 #pragma once
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
 #include <filesystem>
 #include <memory>
 

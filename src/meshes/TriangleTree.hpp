@@ -1,6 +1,6 @@
 /// Facets by place. For the sources of this module alone.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>

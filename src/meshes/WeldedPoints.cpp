@@ -1,4 +1,4 @@
-#include "WeldedPoints.hpp"
+#include "meshes/WeldedPoints.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 /// Points by place: two within a tolerance of each other have one number.
 #pragma once
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <array>
 #include <cstdint>
 #include <unordered_map>

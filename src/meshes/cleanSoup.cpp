@@ -1,6 +1,6 @@
-#include "cleanSoup.hpp"
-#include "Shape.hpp"
-#include "WeldedPoints.hpp"
+#include "meshes/cleanSoup.hpp"
+#include "geometry/Shape.hpp"
+#include "meshes/WeldedPoints.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

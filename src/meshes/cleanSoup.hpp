@@ -1,6 +1,6 @@
 /// Conversion of loose triangles to a surface: each point once, each facet once, neighbours with the same orientation.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "Shape.hpp"
-#include "repairSurface.hpp"
-#include "workingMesh.hpp"
+#include "geometry/Shape.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "TriangleTree.hpp"
-#include "meshStatistics.hpp"
+#include "meshes/TriangleTree.hpp"
+#include "meshes/meshStatistics.hpp"
 #include <boost/variant/get.hpp>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "meshFiles.hpp"
-#include "OutputFile.hpp"
+#include "meshes/meshFiles.hpp"
+#include "base/OutputFile.hpp"
 #include <bit>
 #include <cstdint>
 #include <fmt/format.h>

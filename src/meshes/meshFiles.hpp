@@ -1,7 +1,7 @@
 /// Meshes to look at with ParaView, in constant/triSurface.
 #pragma once
-#include "NumberedMesh.hpp"
-#include "meshStatistics.hpp"
+#include "meshes/meshStatistics.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 
 namespace sph
 {

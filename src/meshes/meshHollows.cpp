@@ -1,4 +1,4 @@
-#include "meshStatistics.hpp"
+#include "meshes/meshStatistics.hpp"
 #include <cmath>
 #include <map>
 #include <numbers>

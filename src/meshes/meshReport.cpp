@@ -1,4 +1,4 @@
-#include "prepareMesh.hpp"
+#include "meshes/prepareMesh.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

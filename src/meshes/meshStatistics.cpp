@@ -1,5 +1,5 @@
-#include "meshStatistics.hpp"
-#include "orientShells.hpp"
+#include "meshes/meshStatistics.hpp"
+#include "meshes/orientShells.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>

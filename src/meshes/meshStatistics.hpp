@@ -1,7 +1,7 @@
 /// Statistics of a mesh, in the words of OpenFOAM's surfaceCheck, and of what the kernel makes of it.
 #pragma once
-#include "NumberedMesh.hpp"
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "TriangleTree.hpp"
-#include "repairSurface.hpp"
+#include "meshes/TriangleTree.hpp"
+#include "meshes/repairSurface.hpp"
 #include <cmath>
 
 namespace sph

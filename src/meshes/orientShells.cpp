@@ -1,6 +1,6 @@
-#include "orientShells.hpp"
-#include "components.hpp"
-#include "workingMesh.hpp"
+#include "meshes/orientShells.hpp"
+#include "geometry/components.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <algorithm>
 #include <fmt/format.h>

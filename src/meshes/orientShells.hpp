@@ -1,7 +1,7 @@
 /// Orientation of the closed surfaces of a mesh: which side of each is fluid.
 #pragma once
-#include "NumberedMesh.hpp"
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "placeMesh.hpp"
+#include "meshes/placeMesh.hpp"
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 /// A mesh in its place in the scene.
 #pragma once
-#include "NumberedMesh.hpp"
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Preparation of a wall from a file of triangles: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
 #pragma once
-#include "meshStatistics.hpp"
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
+#include "meshes/meshStatistics.hpp"
 
 namespace sph
 {

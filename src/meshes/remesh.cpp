@@ -1,5 +1,5 @@
-#include "repairSurface.hpp"
-#include "workingMesh.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <fmt/format.h>

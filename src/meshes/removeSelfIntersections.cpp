@@ -1,9 +1,9 @@
-#include "FacetSoup.hpp"
-#include "cleanSoup.hpp"
-#include "components.hpp"
-#include "orientShells.hpp"
-#include "repairSurface.hpp"
-#include "windings.hpp"
+#include "geometry/components.hpp"
+#include "meshes/FacetSoup.hpp"
+#include "meshes/cleanSoup.hpp"
+#include "meshes/orientShells.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/windings.hpp"
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "repairSurface.hpp"
-#include "workingMesh.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// Repairs of a surface that is manifold and oriented, by the algorithms of CGAL (Polygon Mesh Processing, 3D Alpha Wrapping).
 #pragma once
-#include "NumberedMesh.hpp"
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <algorithm>
 
 namespace sph

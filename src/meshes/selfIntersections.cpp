@@ -1,5 +1,5 @@
-#include "FacetSoup.hpp"
-#include "repairSurface.hpp"
+#include "meshes/FacetSoup.hpp"
+#include "meshes/repairSurface.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "windings.hpp"
+#include "meshes/windings.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <limits>

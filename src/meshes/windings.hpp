@@ -1,7 +1,7 @@
 /// Winding numbers of a surface around points: crossings of its facets by lines parallel to a coordinate.
 #pragma once
-#include "TriangleSurface.hpp"
-#include "components.hpp"
+#include "geometry/TriangleSurface.hpp"
+#include "geometry/components.hpp"
 #include <array>
 #include <vector>
 

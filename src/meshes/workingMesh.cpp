@@ -1,4 +1,4 @@
-#include "workingMesh.hpp"
+#include "meshes/workingMesh.hpp"
 
 namespace sph
 {

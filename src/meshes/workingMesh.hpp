@@ -1,6 +1,6 @@
 /// The mesh as CGAL's algorithms take it. For the sources of this module alone.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -1,6 +1,6 @@
-#include "Shape.hpp"
-#include "repairSurface.hpp"
-#include "workingMesh.hpp"
+#include "geometry/Shape.hpp"
+#include "meshes/repairSurface.hpp"
+#include "meshes/workingMesh.hpp"
 #include <CGAL/alpha_wrap_3.h>
 #include <fmt/format.h>
 

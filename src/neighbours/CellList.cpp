@@ -1,4 +1,4 @@
-#include "CellList.hpp"
+#include "neighbours/CellList.hpp"
 #include <algorithm>
 #include <numeric>
 

@@ -7,7 +7,7 @@
 /// a sorted list of their numbers in which a search bisects: memory is bounded by the number of points, and the cost of a search by how densely they lie,
 /// whatever the extent of the scene.
 #pragma once
-#include "FieldStore.hpp"
+#include "fields/FieldStore.hpp"
 #include <span>
 #include <vector>
 

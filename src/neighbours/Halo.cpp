@@ -1,7 +1,7 @@
-#include "Halo.hpp"
-#include "CaseError.hpp"
-#include "Clock.hpp"
-#include "reduce.hpp"
+#include "neighbours/Halo.hpp"
+#include "base/CaseError.hpp"
+#include "base/Clock.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>

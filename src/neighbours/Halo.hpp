@@ -6,9 +6,9 @@
 /// A copy is what its owner has, at the same place: images of copies are made here as those of owned particles are, by the same rules. Before a pass, what
 /// it reads of neighbours is copied anew, all in one message to each rank.
 #pragma once
-#include "FieldStore.hpp"
-#include "RankBoxes.hpp"
-#include "WhenToCut.hpp"
+#include "fields/FieldStore.hpp"
+#include "neighbours/RankBoxes.hpp"
+#include "parallel/WhenToCut.hpp"
 #include <functional>
 #include <span>
 #include <string>

@@ -5,7 +5,7 @@
 /// what most of a scene's memory was; unpacking takes a few instructions a vector, and keeps the order. Differences from one index to the next would
 /// take escapes and a sum along the list; a bit a candidate of the cells around was smaller still, and slow (test/benchmark/README.md).
 #pragma once
-#include "lanes.hpp"
+#include "neighbours/lanes.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
-#include "NeighbourLists.hpp"
-#include "CaseError.hpp"
-#include "Stretches.hpp"
-#include "select.hpp"
+#include "neighbours/NeighbourLists.hpp"
+#include "base/CaseError.hpp"
+#include "neighbours/select.hpp"
+#include "parallel/Stretches.hpp"
 #include <atomic>
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 /// A list holds the particle itself: sums that include j = i need no extra line, and every difference vanishes. `radius` is the
 /// kernel's support plus a skin.
 #pragma once
-#include "CellList.hpp"
-#include "IndexPages.hpp"
+#include "neighbours/CellList.hpp"
+#include "neighbours/IndexPages.hpp"
 #include <span>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "RankBoxes.hpp"
+#include "neighbours/RankBoxes.hpp"
 #include <limits>
 
 namespace sph

@@ -1,8 +1,8 @@
 /// The boxes of all ranks, which fill space, in a tree over their numbers: cuts that halve space number both halves through, so that what is near a place is
 /// found in the depth of the tree.
 #pragma once
-#include "Ranks.hpp"
-#include "Vector.hpp"
+#include "base/Vector.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <vector>
 

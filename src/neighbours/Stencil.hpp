@@ -6,9 +6,9 @@
 /// at j, gathered once for all of them: a term's own loop has contiguous loads only. Blocks end on a multiple of 8 lanes with the
 /// null particle (far away, W = 0): no loop has a scalar remainder.
 #pragma once
-#include "Kernel.hpp"
-#include "NeighbourLists.hpp"
-#include "records.hpp"
+#include "kernels/Kernel.hpp"
+#include "neighbours/NeighbourLists.hpp"
+#include "neighbours/records.hpp"
 #include <algorithm>
 #include <span>
 

@@ -8,8 +8,8 @@
 /// loads each record once, but stores every column at any offset, most of them across two cache lines: with AVX2 the force pass was 12 %
 /// slower by it, with AVX-512 8 % (with the square root in the gathering loop, where it overlaps with loads and stores, in either figure).
 #pragma once
-#include "Vector.hpp"
-#include "lanes.hpp"
+#include "base/Vector.hpp"
+#include "neighbours/lanes.hpp"
 
 namespace sph
 {

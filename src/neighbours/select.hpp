@@ -3,8 +3,8 @@
 /// GCC 12 does not vectorise a loop that appends; a compress in registers does it (the form of AVX-512 that writes to memory is slow on some
 /// machines).
 #pragma once
-#include "Vector.hpp"
-#include "lanes.hpp"
+#include "base/Vector.hpp"
+#include "neighbours/lanes.hpp"
 
 namespace sph
 {

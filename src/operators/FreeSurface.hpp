@@ -8,7 +8,7 @@
 ///
 /// V [m^3], lambda [1], n [1/m]. Verified by test/unit/operators (plain loop; rows below a surface).
 #pragma once
-#include "GradientCorrection.hpp"
+#include "operators/GradientCorrection.hpp"
 
 namespace sph
 {

@@ -5,7 +5,7 @@
 /// L is the unit tensor where B has an eigenvalue below 0.1 (0.25 in a corner): lone particles and the tips of films, whose inverse would be noise.
 /// V [m^3], L [1]. It acts on the raw gradient: the correction is its normalisation. Verified by test/unit/operators (plain loop; a linear pressure).
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

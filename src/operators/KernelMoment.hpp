@@ -11,7 +11,7 @@
 /// M [1/m^d], d dimensions, W' = dW/dr. N is 0.9 at a free surface, and 0 for a particle alone: with less than half the neighbours of a bulk
 /// there is nothing to normalise, and 1/N would make spray fly apart, so that N stays above `least`.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 #include <cmath>
 
 namespace sph

@@ -8,7 +8,7 @@
 ///
 /// V [m^3], W [1/m^d], q [m^2], z [m]. Verified by test/unit/soil (linear values; noise).
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

@@ -4,7 +4,7 @@
 ///
 /// S [Pa] tension positive, V [m^3], m [kg]. Conserves linear momentum exactly. Verified by test/unit/tension (plain loop, momentum).
 #pragma once
-#include "VelocityGradient.hpp"
+#include "operators/VelocityGradient.hpp"
 
 namespace sph
 {

@@ -8,8 +8,8 @@
 /// (test SoilBlock); below a free surface 0.5 (FreeSurface.hpp). A collapse of soil with the full correction up to its surface blew up in every variant of a prototype; from 0.8 on it did not.
 /// Of the raw gradient: the correction is its normalisation. Verified by test/unit/soil.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 
 namespace sph

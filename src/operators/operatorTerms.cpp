@@ -1,10 +1,10 @@
-#include "operatorTerms.hpp"
-#include "FreeSurface.hpp"
-#include "GradientCorrection.hpp"
-#include "KernelMoment.hpp"
-#include "LinearFit.hpp"
-#include "StressDivergence.hpp"
-#include "VelocityGradient.hpp"
+#include "operators/operatorTerms.hpp"
+#include "operators/FreeSurface.hpp"
+#include "operators/GradientCorrection.hpp"
+#include "operators/KernelMoment.hpp"
+#include "operators/LinearFit.hpp"
+#include "operators/StressDivergence.hpp"
+#include "operators/VelocityGradient.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Terms of the operators that models share, by name.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Blocks of cells of a regular grid.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <array>
 
 namespace sph

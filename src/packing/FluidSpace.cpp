@@ -1,7 +1,7 @@
-#include "FluidSpace.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
-#include "overFluid.hpp"
+#include "packing/FluidSpace.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
+#include "packing/overFluid.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 /// The space that the walls leave to the fluid: its extent, its volume and the spheres that it goes round.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <optional>
 #include <vector>
 

@@ -1,5 +1,5 @@
-#include "InitialPressure.hpp"
-#include "positionExpression.hpp"
+#include "packing/InitialPressure.hpp"
+#include "dictionary/positionExpression.hpp"
 
 namespace sph
 {

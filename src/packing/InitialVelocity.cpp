@@ -1,5 +1,5 @@
-#include "InitialVelocity.hpp"
-#include "positionExpression.hpp"
+#include "packing/InitialVelocity.hpp"
+#include "dictionary/positionExpression.hpp"
 #include <cmath>
 #include <numbers>
 

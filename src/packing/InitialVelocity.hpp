@@ -1,6 +1,6 @@
 /// Velocities at the start, by a named formula or by an expression.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 #include <functional>
 
 namespace sph

@@ -1,6 +1,6 @@
-#include "Lattice.hpp"
-#include "components.hpp"
-#include "noise.hpp"
+#include "packing/Lattice.hpp"
+#include "base/noise.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cassert>
 #include <cmath>

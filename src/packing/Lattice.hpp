@@ -1,8 +1,8 @@
 /// Lattices of particles, stretched a little so that a whole number of layers fits the box.
 #pragma once
-#include "CellRange.hpp"
-#include "Points.hpp"
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
+#include "packing/CellRange.hpp"
+#include "packing/Points.hpp"
 #include <array>
 #include <cstdint>
 #include <span>

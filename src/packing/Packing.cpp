@@ -1,9 +1,9 @@
-#include "Packing.hpp"
-#include "components.hpp"
-#include "makeWallLayers.hpp"
-#include "openFaces.hpp"
-#include "overFluid.hpp"
-#include "reduce.hpp"
+#include "packing/Packing.hpp"
+#include "geometry/components.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "packing/openFaces.hpp"
+#include "packing/overFluid.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,14 +1,14 @@
 /// Packing of a scene: particles with phase, mass and velocity from the dictionaries of a case. It is what packParticles does.
 #pragma once
-#include "Case.hpp"
-#include "Cloud.hpp"
-#include "FluidSpace.hpp"
-#include "InitialPressure.hpp"
-#include "InitialVelocity.hpp"
-#include "Lattice.hpp"
-#include "Regions.hpp"
-#include "Relaxation.hpp"
-#include "Saturation.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
+#include "packing/FluidSpace.hpp"
+#include "packing/InitialPressure.hpp"
+#include "packing/InitialVelocity.hpp"
+#include "packing/Lattice.hpp"
+#include "packing/Regions.hpp"
+#include "packing/Relaxation.hpp"
+#include "packing/Saturation.hpp"
 #include <optional>
 
 namespace sph

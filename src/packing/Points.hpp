@@ -1,6 +1,6 @@
 /// Positions of many points, one array per component; in 2-D z is 0.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <cstddef>
 #include <vector>
 

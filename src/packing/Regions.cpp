@@ -1,5 +1,5 @@
-#include "Regions.hpp"
-#include "components.hpp"
+#include "packing/Regions.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 #include <span>

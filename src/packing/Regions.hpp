@@ -1,7 +1,7 @@
 /// Regions of space by name, and their unions, intersections and differences.
 #pragma once
-#include "EntryList.hpp"
-#include "Geometry.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
 #include <functional>
 #include <vector>
 

@@ -8,9 +8,9 @@
 /// in distance, without it they stop as soon as the kernel sums are even, in whatever arrangement. It is b1 for the first half of
 /// the steps and falls geometrically to b2 in the second. A prototype went from 8 % to 0.1 % scatter at walls.
 #pragma once
-#include "Geometry.hpp"
-#include "Kernel.hpp"
-#include "Points.hpp"
+#include "geometry/Geometry.hpp"
+#include "kernels/Kernel.hpp"
+#include "packing/Points.hpp"
 #include <array>
 #include <optional>
 

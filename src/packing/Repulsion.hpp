@@ -6,7 +6,7 @@
 /// V_0 [m^d] volume of a particle; W [1/m^d] kernel; w_j volume factor of a ghost, 1 for fluid, already in gradW_ij; P of an image is that of its
 /// source, and a particle sees its own in a wall's layer. Particles move down it. Verified by test/unit/packing (centre of mass).
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

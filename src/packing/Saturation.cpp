@@ -1,7 +1,7 @@
-#include "Saturation.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
-#include "noise.hpp"
+#include "packing/Saturation.hpp"
+#include "base/noise.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// Saturation of a void space: one phase gets a share of it, exact to one particle, where that phase would lie.
 #pragma once
-#include "EntryList.hpp"
-#include "Geometry.hpp"
-#include "Points.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
+#include "packing/Points.hpp"
 #include <span>
 
 namespace sph

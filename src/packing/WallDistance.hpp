@@ -1,7 +1,7 @@
 /// Distance of a particle from the nearest wall [m]; `farAway` where none is within reach of the images. Verified by test/unit/packing (how many
 /// particles of a room are near its walls).
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "openFaces.hpp"
-#include "Plane.hpp"
-#include "components.hpp"
+#include "packing/openFaces.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 /// Planes that close what a relaxation must not spread beyond: each mirrors what stands before it. Without them an open face is a free surface, over
 /// which the pressure that particles share spreads them: a pipe between two openings lost 6 % of its density in 200 steps.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <vector>
 
 namespace sph

@@ -1,8 +1,8 @@
 /// Sums over the cells of a regular grid that lie in the fluid, at the cost of those near walls: a block of cells that no wall comes near is asked as one.
 #pragma once
-#include "CellRange.hpp"
-#include "Geometry.hpp"
-#include "components.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/components.hpp"
+#include "packing/CellRange.hpp"
 
 namespace sph
 {

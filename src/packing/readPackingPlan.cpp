@@ -1,7 +1,7 @@
-#include "Packing.hpp"
-#include "makeWallLayers.hpp"
-#include "phaseEntries.hpp"
-#include "sigmaEntry.hpp"
+#include "case/phaseEntries.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "models/tension/sigmaEntry.hpp"
+#include "packing/Packing.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

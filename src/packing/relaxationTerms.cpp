@@ -1,7 +1,7 @@
-#include "relaxationTerms.hpp"
-#include "Repulsion.hpp"
-#include "WallDistance.hpp"
-#include "densityTerms.hpp"
+#include "packing/relaxationTerms.hpp"
+#include "models/density/densityTerms.hpp"
+#include "packing/Repulsion.hpp"
+#include "packing/WallDistance.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// The terms that a relaxation's plan chooses from: those of the densities, and its own.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

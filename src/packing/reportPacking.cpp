@@ -1,6 +1,6 @@
-#include "Packing.hpp"
-#include "TimeFolder.hpp"
-#include "components.hpp"
+#include "case/TimeFolder.hpp"
+#include "geometry/components.hpp"
+#include "packing/Packing.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "Ranks.hpp"
-#include "CaseError.hpp"
+#include "parallel/Ranks.hpp"
+#include "base/CaseError.hpp"
 #include <algorithm>
 #include <ctime>
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-#include "WhenToCut.hpp"
+#include "parallel/WhenToCut.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include "collated.hpp"
-#include "reduce.hpp"
+#include "parallel/collated.hpp"
+#include "parallel/reduce.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// One file of all ranks, in OpenFOAM's word a collated one.
 #pragma once
-#include "OutputFile.hpp"
+#include "base/OutputFile.hpp"
 #include <filesystem>
 #include <functional>
 #include <optional>

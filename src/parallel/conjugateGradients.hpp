@@ -1,8 +1,8 @@
 /// Conjugate gradients for A x = b, with A symmetric and positive in the inner product sum_i w_i a_i.b_i, preconditioned by a diagonal. Nothing of A is
 /// stored: who solves says what it makes of a direction.
 #pragma once
-#include "DivergedError.hpp"
-#include "reduce.hpp"
+#include "base/DivergedError.hpp"
+#include "parallel/reduce.hpp"
 #include <array>
 #include <fmt/format.h>
 

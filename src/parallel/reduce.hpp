@@ -2,7 +2,7 @@
 /// combined in their order, and then those of all ranks in theirs: each rank has to ask, and all get the same. NaN and infinity go through it: `smaller` and
 /// `larger` keep a NaN that they meet.
 #pragma once
-#include "Ranks.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

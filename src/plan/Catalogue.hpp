@@ -1,6 +1,6 @@
 /// Catalogue of terms: name in, bound term out. A new term is one new file and one word in the list that its model's `catalogue` is called with.
 #pragma once
-#include "terms.hpp"
+#include "plan/terms.hpp"
 #include <algorithm>
 #include <functional>
 #include <string>

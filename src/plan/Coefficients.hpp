@@ -1,8 +1,8 @@
 /// The numbers that terms are built from, those that several models share and those that one keeps to itself, read once from the dictionaries of a case. Plain data: terms copy what they need, and
 /// point at the tables, which outlive them.
 #pragma once
-#include "StateEquation.hpp"
-#include "Vector.hpp"
+#include "base/Vector.hpp"
+#include "stateEquation/StateEquation.hpp"
 #include <any>
 #include <map>
 #include <stdexcept>

@@ -11,7 +11,7 @@
 /// Order: wall laws and local laws as soon as what they read is there; then all pair terms that are ready share one stencil pass; wall laws that
 /// add to a rate come last.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 #include <functional>
 #include <iosfwd>
 #include <optional>

@@ -4,7 +4,7 @@
 /// never added to, and go. A struct of the loop's body whose address is taken, as `store` does, keeps the loop from being vectorised: `numbers`
 /// takes it by value. The instructions are those of a loop written out for each type (objdump of all terms).
 #pragma once
-#include "values.hpp"
+#include "base/values.hpp"
 #include <utility>
 
 namespace sph

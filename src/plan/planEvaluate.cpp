@@ -1,7 +1,7 @@
 /// Allocating, binding, evaluating and printing a plan.
-#include "Plan.hpp"
-#include "Stretches.hpp"
-#include "layerPairs.hpp"
+#include "images/layerPairs.hpp"
+#include "parallel/Stretches.hpp"
+#include "plan/Plan.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>

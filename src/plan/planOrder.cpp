@@ -1,7 +1,7 @@
 /// Closing and ordering: which terms take part in an evaluation, and in which pass.
-#include "CaseError.hpp"
-#include "Plan.hpp"
-#include "words.hpp"
+#include "base/CaseError.hpp"
+#include "base/words.hpp"
+#include "plan/Plan.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

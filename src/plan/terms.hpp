@@ -10,10 +10,10 @@
 ///
 /// The type is erased once per particle and term (one virtual call per 80 pairs): compiled variants are the sum of the options.
 #pragma once
-#include "Coefficients.hpp"
-#include "Images.hpp"
-#include "Stencil.hpp"
-#include "laneSums.hpp"
+#include "images/Images.hpp"
+#include "neighbours/Stencil.hpp"
+#include "plan/Coefficients.hpp"
+#include "plan/laneSums.hpp"
 #include <concepts>
 #include <map>
 #include <memory>

@@ -1,5 +1,5 @@
-#include "ReferenceText.hpp"
-#include "words.hpp"
+#include "reference/ReferenceText.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

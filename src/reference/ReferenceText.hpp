@@ -1,6 +1,6 @@
 /// The reference of entries as text: for the terminal, for a page, and as a file to fill in.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// The reference of all files of a case and their entries.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

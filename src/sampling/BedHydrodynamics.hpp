@@ -1,6 +1,6 @@
 /// Function object `bedHydrodynamics`: saturation, hold-up, flow and wetting of a packed bed.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <optional>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "Bessel.hpp"
+#include "sampling/Bessel.hpp"
 #include <numbers>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "BosanquetRise.hpp"
-#include "rungeKutta.hpp"
+#include "sampling/BosanquetRise.hpp"
+#include "sampling/rungeKutta.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "CapillaryBridge.hpp"
-#include "CaseError.hpp"
-#include "rungeKutta.hpp"
+#include "sampling/CapillaryBridge.hpp"
+#include "base/CaseError.hpp"
+#include "sampling/rungeKutta.hpp"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
-#include "CapillaryRise.hpp"
-#include "BosanquetRise.hpp"
-#include "SampledField.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
-#include "surfaceTensionOf.hpp"
+#include "sampling/CapillaryRise.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/BosanquetRise.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
+#include "sampling/surfaceTensionOf.hpp"
 #include <cmath>
 #include <numbers>
 

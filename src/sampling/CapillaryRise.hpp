@@ -1,8 +1,8 @@
 /// Measure: the height of capillary rise in a slit.
 #pragma once
-#include "CaseError.hpp"
-#include "Geometry.hpp"
-#include "Measurement.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/Geometry.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

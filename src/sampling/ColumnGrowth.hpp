@@ -1,7 +1,7 @@
 /// Measure: the growth rate of a wave on a liquid column.
 #pragma once
-#include "Measurement.hpp"
-#include "ModeHistory.hpp"
+#include "sampling/Measurement.hpp"
+#include "sampling/ModeHistory.hpp"
 
 namespace sph
 {

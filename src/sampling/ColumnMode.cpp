@@ -1,5 +1,5 @@
-#include "ColumnMode.hpp"
-#include "Bessel.hpp"
+#include "sampling/ColumnMode.hpp"
+#include "sampling/Bessel.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,8 +1,8 @@
-#include "Conservation.hpp"
-#include "Norms.hpp"
-#include "SampledField.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Conservation.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Norms.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

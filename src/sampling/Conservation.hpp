@@ -1,6 +1,6 @@
 /// Function object `conservation`: mass, momentum and energy of a run.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <optional>
 
 namespace sph

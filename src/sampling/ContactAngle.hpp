@@ -1,6 +1,6 @@
 /// Measure: the contact angle of a drop on a wall.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

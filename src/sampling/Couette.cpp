@@ -1,5 +1,5 @@
-#include "Couette.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Couette.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <numbers>
 
 namespace sph

@@ -1,8 +1,8 @@
-#include "CsvReference.hpp"
-#include "csv.hpp"
-#include "readText.hpp"
-#include "sharedEntries.hpp"
-#include "words.hpp"
+#include "sampling/CsvReference.hpp"
+#include "base/csv.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>

@@ -1,6 +1,6 @@
 /// A reference field from a table on disk, by linear or cubic interpolation in one coordinate and in time.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 #include <filesystem>
 #include <optional>
 

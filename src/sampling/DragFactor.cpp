@@ -1,9 +1,9 @@
-#include "DragFactor.hpp"
-#include "Drop.hpp"
-#include "SampledField.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
-#include "words.hpp"
+#include "sampling/DragFactor.hpp"
+#include "base/words.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Drop.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 #include <limits>
 #include <map>

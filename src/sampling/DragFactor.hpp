@@ -1,6 +1,6 @@
 /// Measure: the drag factor of a periodic array of spheres.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

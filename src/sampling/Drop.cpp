@@ -1,7 +1,7 @@
-#include "Drop.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
+#include "sampling/Drop.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
 #include <numbers>
 
 namespace sph

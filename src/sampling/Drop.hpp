@@ -1,6 +1,6 @@
 /// The particles of one phase, or of all others, as a drop: its volume and centre, also where it lies across a periodic boundary.
 #pragma once
-#include "ParticleView.hpp"
+#include "sampling/ParticleView.hpp"
 
 namespace sph
 {

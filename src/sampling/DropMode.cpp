@@ -1,5 +1,5 @@
-#include "DropMode.hpp"
-#include "Bessel.hpp"
+#include "sampling/DropMode.hpp"
+#include "sampling/Bessel.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Exact solution: the rate of the linear modes of a two-dimensional drop.
 #pragma once
-#include "NormalMode.hpp"
+#include "sampling/NormalMode.hpp"
 
 namespace sph
 {

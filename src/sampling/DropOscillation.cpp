@@ -1,12 +1,12 @@
-#include "DropOscillation.hpp"
-#include "Drop.hpp"
-#include "DropMode.hpp"
-#include "ModeFit.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
-#include "surfaceTensionOf.hpp"
+#include "sampling/DropOscillation.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Drop.hpp"
+#include "sampling/DropMode.hpp"
+#include "sampling/ModeFit.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
+#include "sampling/surfaceTensionOf.hpp"
 #include <limits>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 /// Measures: period and decay rate of an oscillating drop.
 #pragma once
-#include "Measurement.hpp"
-#include "ModeHistory.hpp"
+#include "sampling/Measurement.hpp"
+#include "sampling/ModeHistory.hpp"
 #include <complex>
 
 namespace sph

@@ -1,7 +1,7 @@
-#include "EarthPressure.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
+#include "sampling/EarthPressure.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
 #include <cmath>
 
 namespace sph

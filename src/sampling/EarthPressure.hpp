@@ -1,7 +1,7 @@
 /// Measures: stresses of a layer of soil at rest.
 #pragma once
-#include "Measurement.hpp"
-#include "SymmTensor.hpp"
+#include "base/SymmTensor.hpp"
+#include "sampling/Measurement.hpp"
 #include <functional>
 
 namespace sph

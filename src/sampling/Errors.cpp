@@ -1,9 +1,9 @@
-#include "Errors.hpp"
-#include "CsvReference.hpp"
-#include "ExpressionReference.hpp"
-#include "Formulas.hpp"
-#include "Measurement.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Errors.hpp"
+#include "sampling/CsvReference.hpp"
+#include "sampling/ExpressionReference.hpp"
+#include "sampling/Formulas.hpp"
+#include "sampling/Measurement.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

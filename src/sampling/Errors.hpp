@@ -1,7 +1,7 @@
 /// Function object `errors`: errors of fields and measures against references.
 #pragma once
-#include "FieldComparison.hpp"
-#include "Measurement.hpp"
+#include "sampling/FieldComparison.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "ExpressionReference.hpp"
-#include "positionExpression.hpp"
+#include "sampling/ExpressionReference.hpp"
+#include "dictionary/positionExpression.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// A reference field from its formula in the dictionary.
 #pragma once
-#include "Formulas.hpp"
+#include "sampling/Formulas.hpp"
 
 namespace sph
 {

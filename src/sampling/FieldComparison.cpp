@@ -1,12 +1,12 @@
-#include "FieldComparison.hpp"
-#include "Interpolator.hpp"
-#include "Measurement.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "components.hpp"
-#include "contains.hpp"
-#include "sharedEntries.hpp"
-#include "words.hpp"
+#include "sampling/FieldComparison.hpp"
+#include "base/words.hpp"
+#include "geometry/components.hpp"
+#include "geometry/contains.hpp"
+#include "sampling/Interpolator.hpp"
+#include "sampling/Measurement.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// A field against an exact solution or a table, in norms over the particles or over the rows of a table.
 #pragma once
-#include "FunctionContext.hpp"
-#include "Norms.hpp"
+#include "sampling/FunctionContext.hpp"
+#include "sampling/Norms.hpp"
 #include <functional>
 #include <memory>
 #include <optional>

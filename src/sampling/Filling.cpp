@@ -1,9 +1,9 @@
-#include "Filling.hpp"
-#include "SampledField.hpp"
-#include "components.hpp"
-#include "contains.hpp"
-#include "readBox.hpp"
-#include "reduce.hpp"
+#include "sampling/Filling.hpp"
+#include "geometry/components.hpp"
+#include "geometry/contains.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/readBox.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

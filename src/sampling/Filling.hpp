@@ -1,6 +1,6 @@
 /// Function object `filling`: the filled share of a cavity.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <limits>
 #include <optional>
 

@@ -1,13 +1,13 @@
-#include "Formulas.hpp"
-#include "Couette.hpp"
-#include "Hydrostatic.hpp"
-#include "PlanePoiseuille.hpp"
-#include "Ritter.hpp"
-#include "RotatingSquarePatch.hpp"
-#include "SuspensionChannel.hpp"
-#include "TaylorGreen.hpp"
-#include "TwoLayerPoiseuille.hpp"
-#include "words.hpp"
+#include "sampling/Formulas.hpp"
+#include "base/words.hpp"
+#include "sampling/Couette.hpp"
+#include "sampling/Hydrostatic.hpp"
+#include "sampling/PlanePoiseuille.hpp"
+#include "sampling/Ritter.hpp"
+#include "sampling/RotatingSquarePatch.hpp"
+#include "sampling/SuspensionChannel.hpp"
+#include "sampling/TaylorGreen.hpp"
+#include "sampling/TwoLayerPoiseuille.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// The catalogue of exact solutions that `errors` can compare a field with. A new one is one file and one word in Formulas.cpp.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 #include <functional>
 #include <string>
 

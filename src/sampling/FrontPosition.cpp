@@ -1,7 +1,7 @@
-#include "FrontPosition.hpp"
-#include "SampledField.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/FrontPosition.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <limits>
 
 namespace sph

@@ -1,7 +1,7 @@
 /// Measure: the position of a front, against a table.
 #pragma once
-#include "CsvReference.hpp"
-#include "Measurement.hpp"
+#include "sampling/CsvReference.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

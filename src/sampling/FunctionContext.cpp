@@ -1,4 +1,4 @@
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Context that every function object gets when it is made. Geometry, and what `output` refers to, must outlive it.
 #pragma once
-#include "FunctionObject.hpp"
-#include "OutputTable.hpp"
+#include "case/OutputTable.hpp"
+#include "sampling/FunctionObject.hpp"
 
 namespace sph
 {

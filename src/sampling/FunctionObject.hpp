@@ -1,9 +1,9 @@
 /// Function objects of controlDict's `functions` sub-dictionary: they look at the run and write below postProcessing/.
 #pragma once
-#include "EntryList.hpp"
-#include "OutputPlace.hpp"
-#include "ParticleView.hpp"
-#include "RunTime.hpp"
+#include "case/RunTime.hpp"
+#include "dictionary/EntryList.hpp"
+#include "sampling/OutputPlace.hpp"
+#include "sampling/ParticleView.hpp"
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-#include "Hydrostatic.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Hydrostatic.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 /// Exact solution: hydrostatic pressure of layers.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

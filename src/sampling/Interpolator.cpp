@@ -1,5 +1,5 @@
-#include "Interpolator.hpp"
-#include "SampledField.hpp"
+#include "sampling/Interpolator.hpp"
+#include "sampling/SampledField.hpp"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>

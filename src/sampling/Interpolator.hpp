@@ -1,7 +1,7 @@
 /// Values of particle fields at points: a kernel sum over the particles around a point, periodic copies included.
 #pragma once
-#include "Kernel.hpp"
-#include "ParticleView.hpp"
+#include "kernels/Kernel.hpp"
+#include "sampling/ParticleView.hpp"
 #include <array>
 #include <variant>
 

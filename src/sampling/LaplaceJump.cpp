@@ -1,10 +1,10 @@
-#include "LaplaceJump.hpp"
-#include "Drop.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
-#include "surfaceTensionOf.hpp"
+#include "sampling/LaplaceJump.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Drop.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
+#include "sampling/surfaceTensionOf.hpp"
 #include <limits>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Measure: the pressure jump across the surface of a drop or bubble.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

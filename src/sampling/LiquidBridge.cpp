@@ -1,10 +1,10 @@
-#include "LiquidBridge.hpp"
-#include "SampledField.hpp"
-#include "VolumeFraction.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
-#include "surfaceTensionOf.hpp"
+#include "sampling/LiquidBridge.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeFraction.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
+#include "sampling/surfaceTensionOf.hpp"
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>

@@ -1,9 +1,9 @@
 /// Measures: neck and pressure of a liquid bridge.
 #pragma once
-#include "CapillaryBridge.hpp"
-#include "CaseError.hpp"
-#include "Geometry.hpp"
-#include "Measurement.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/Geometry.hpp"
+#include "sampling/CapillaryBridge.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

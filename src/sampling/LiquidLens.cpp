@@ -1,9 +1,9 @@
-#include "LiquidLens.hpp"
-#include "Drop.hpp"
-#include "SphereFit.hpp"
-#include "VolumeFraction.hpp"
-#include "sharedEntries.hpp"
-#include "surfaceTensionOf.hpp"
+#include "sampling/LiquidLens.hpp"
+#include "sampling/Drop.hpp"
+#include "sampling/SphereFit.hpp"
+#include "sampling/VolumeFraction.hpp"
+#include "sampling/sharedEntries.hpp"
+#include "sampling/surfaceTensionOf.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// Measures: the shape of a liquid lens between two phases.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 #include <array>
 
 namespace sph

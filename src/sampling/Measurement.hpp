@@ -1,8 +1,8 @@
 /// Measures: single numbers taken from a whole view that have a reference value of their own.
 #pragma once
-#include "EntryList.hpp"
-#include "Norms.hpp"
-#include "ParticleView.hpp"
+#include "dictionary/EntryList.hpp"
+#include "sampling/Norms.hpp"
+#include "sampling/ParticleView.hpp"
 #include <filesystem>
 #include <functional>
 #include <optional>

@@ -1,8 +1,8 @@
-#include "MigrationBalance.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/MigrationBalance.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <cmath>
 #include <limits>
 

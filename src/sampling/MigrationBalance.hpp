@@ -1,6 +1,6 @@
 /// Measure: the balance of the fluxes of powder.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "ModeFit.hpp"
+#include "sampling/ModeFit.hpp"
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /// History of the amplitude of a mode, to which rates are fitted.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 #include <vector>
 
 namespace sph

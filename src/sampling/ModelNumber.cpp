@@ -1,6 +1,6 @@
-#include "ModelNumber.hpp"
-#include "CaseError.hpp"
-#include "words.hpp"
+#include "sampling/ModelNumber.hpp"
+#include "base/CaseError.hpp"
+#include "base/words.hpp"
 #include <fmt/format.h>
 #include <limits>
 #include <numeric>

@@ -1,6 +1,6 @@
 /// Measure: a number that a model publishes of the whole scene.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 #include <string>
 
 namespace sph

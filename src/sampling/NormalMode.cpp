@@ -1,4 +1,4 @@
-#include "NormalMode.hpp"
+#include "sampling/NormalMode.hpp"
 #include <Eigen/LU>
 
 namespace sph

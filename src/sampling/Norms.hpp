@@ -1,7 +1,7 @@
 /// Norms of a field over particles, weighted with their volumes: L1 = sum V |e|/sum V, L2 = (sum V e^2/sum V)^1/2, Linf = max
 /// |e|.
 #pragma once
-#include "reduce.hpp"
+#include "parallel/reduce.hpp"
 #include <cmath>
 
 namespace sph

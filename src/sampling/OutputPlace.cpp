@@ -1,4 +1,4 @@
-#include "OutputPlace.hpp"
+#include "sampling/OutputPlace.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Folder in which function objects write: below postProcessing/ of a running case, or of one whose stored times are looked at.
 #pragma once
-#include "RunTime.hpp"
+#include "case/RunTime.hpp"
 #include <filesystem>
 #include <functional>
 

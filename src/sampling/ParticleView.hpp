@@ -1,7 +1,7 @@
 /// View of a running or stored case for function objects: read-only arrays, names and numbers, nothing of the solver.
 #pragma once
-#include "Cloud.hpp"
-#include "Geometry.hpp"
+#include "case/Cloud.hpp"
+#include "geometry/Geometry.hpp"
 #include <map>
 #include <optional>
 #include <string>

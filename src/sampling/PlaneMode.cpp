@@ -1,4 +1,4 @@
-#include "PlaneMode.hpp"
+#include "sampling/PlaneMode.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Exact solution: the rate of linear waves on a plane interface.
 #pragma once
-#include "NormalMode.hpp"
+#include "sampling/NormalMode.hpp"
 
 namespace sph
 {

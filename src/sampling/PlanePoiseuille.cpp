@@ -1,5 +1,5 @@
-#include "PlanePoiseuille.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/PlanePoiseuille.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <numbers>
 
 namespace sph

@@ -1,7 +1,7 @@
-#include "Probes.hpp"
-#include "Interpolator.hpp"
-#include "SampledField.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Probes.hpp"
+#include "sampling/Interpolator.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 
 namespace sph

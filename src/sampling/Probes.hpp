@@ -1,6 +1,6 @@
 /// Function object `probes`: values of fields at fixed points.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <map>
 
 namespace sph

@@ -1,9 +1,9 @@
-#include "Profile.hpp"
-#include "Interpolator.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Profile.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Interpolator.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,6 +1,6 @@
 /// Function object `profile`: fields along a line.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "Ritter.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/Ritter.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <cmath>
 

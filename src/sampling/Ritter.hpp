@@ -1,6 +1,6 @@
 /// Exact solution: dam break on a dry bed.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "RotatingSquarePatch.hpp"
+#include "sampling/RotatingSquarePatch.hpp"
 #include <cmath>
 #include <numbers>
 

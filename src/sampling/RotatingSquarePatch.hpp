@@ -1,6 +1,6 @@
 /// Exact solution: the initial pressure in a rotating square of fluid.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "SampledField.hpp"
-#include "words.hpp"
+#include "sampling/SampledField.hpp"
+#include "base/words.hpp"
 #include <fmt/format.h>
 
 namespace sph

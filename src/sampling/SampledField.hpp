@@ -1,6 +1,6 @@
 /// A field of a ParticleView by name, whatever its class: numbers by component and particle.
 #pragma once
-#include "ParticleView.hpp"
+#include "sampling/ParticleView.hpp"
 #include <optional>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "SphereFit.hpp"
+#include "sampling/SphereFit.hpp"
 #include <Eigen/QR>
 
 namespace sph

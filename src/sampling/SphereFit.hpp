@@ -1,6 +1,6 @@
 /// The circle (2-D) or sphere nearest to a set of points, in the least squares of their distances from it.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <span>
 
 namespace sph

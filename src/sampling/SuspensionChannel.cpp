@@ -1,5 +1,5 @@
-#include "SuspensionChannel.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/SuspensionChannel.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

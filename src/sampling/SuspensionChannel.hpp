@@ -1,6 +1,6 @@
 /// Exact solution: steady flow of a suspension in a channel or pipe.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "TaylorGreen.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/TaylorGreen.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <numbers>
 
 namespace sph

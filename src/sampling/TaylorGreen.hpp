@@ -1,6 +1,6 @@
 /// Exact solution: Taylor and Green's decaying vortices.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "TwoLayerPoiseuille.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/TwoLayerPoiseuille.hpp"
+#include "sampling/sharedEntries.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Exact solution: plane Poiseuille flow of two layers.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

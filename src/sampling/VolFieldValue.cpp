@@ -1,10 +1,10 @@
-#include "VolFieldValue.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "contains.hpp"
-#include "readBox.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/VolFieldValue.hpp"
+#include "geometry/contains.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/readBox.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 #include <limits>
 

@@ -1,6 +1,6 @@
 /// Function object `volFieldValue`: one value of each field over a box.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <optional>
 
 namespace sph

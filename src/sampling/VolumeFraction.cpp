@@ -1,5 +1,5 @@
-#include "VolumeFraction.hpp"
-#include "SampledField.hpp"
+#include "sampling/VolumeFraction.hpp"
+#include "sampling/SampledField.hpp"
 #include <utility>
 
 namespace sph

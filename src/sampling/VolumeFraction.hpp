@@ -1,6 +1,6 @@
 /// Volume fraction of a phase, sampled from particles.
 #pragma once
-#include "Interpolator.hpp"
+#include "sampling/Interpolator.hpp"
 #include <optional>
 
 namespace sph

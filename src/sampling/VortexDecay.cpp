@@ -1,7 +1,7 @@
-#include "VortexDecay.hpp"
-#include "SampledField.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/VortexDecay.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <cmath>
 #include <limits>
 #include <numbers>

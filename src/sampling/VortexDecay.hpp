@@ -1,7 +1,7 @@
 /// Measure: the decay rate of Taylor and Green's vortices.
 #pragma once
-#include "Measurement.hpp"
-#include "TaylorGreen.hpp"
+#include "sampling/Measurement.hpp"
+#include "sampling/TaylorGreen.hpp"
 
 namespace sph
 {

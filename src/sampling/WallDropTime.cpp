@@ -1,8 +1,8 @@
-#include "WallDropTime.hpp"
-#include "SampledField.hpp"
-#include "VolumeMean.hpp"
-#include "reduce.hpp"
-#include "sharedEntries.hpp"
+#include "sampling/WallDropTime.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/SampledField.hpp"
+#include "sampling/VolumeMean.hpp"
+#include "sampling/sharedEntries.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

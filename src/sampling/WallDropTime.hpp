@@ -1,6 +1,6 @@
 /// Measure: the time in which a field at a wall changes.
 #pragma once
-#include "Measurement.hpp"
+#include "sampling/Measurement.hpp"
 
 namespace sph
 {

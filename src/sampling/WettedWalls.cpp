@@ -1,10 +1,10 @@
-#include "WettedWalls.hpp"
-#include "Interpolator.hpp"
-#include "SampledField.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
-#include "reduce.hpp"
-#include "wallSurfaces.hpp"
+#include "sampling/WettedWalls.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
+#include "geometry/wallSurfaces.hpp"
+#include "parallel/reduce.hpp"
+#include "sampling/Interpolator.hpp"
+#include "sampling/SampledField.hpp"
 #include <algorithm>
 #include <map>
 

@@ -1,6 +1,6 @@
 /// The wetted area of each wall: that on which liquid stands.
 #pragma once
-#include "ParticleView.hpp"
+#include "sampling/ParticleView.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
 /// A box within the domain, `min` and `max` of a function object: all of the domain unless given.
 #pragma once
-#include "EntryList.hpp"
-#include "Geometry.hpp"
-#include "components.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/components.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Entries that several function objects, formulas and measures have.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph::entry
 {

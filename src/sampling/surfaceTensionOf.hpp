@@ -1,6 +1,6 @@
 /// Surface tension of a scene, for function objects that compare with capillary theory.
 #pragma once
-#include "ParticleView.hpp"
+#include "sampling/ParticleView.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "viewOfScene.hpp"
+#include "sampling/viewOfScene.hpp"
 
 namespace sph
 {

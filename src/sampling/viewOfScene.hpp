@@ -1,7 +1,7 @@
 /// The one way in which a view gets what does not change from time to time: for a run, and for times that are looked at afterwards.
 #pragma once
-#include "Coefficients.hpp"
-#include "ParticleView.hpp"
+#include "plan/Coefficients.hpp"
+#include "sampling/ParticleView.hpp"
 
 namespace sph
 {

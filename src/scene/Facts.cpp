@@ -1,5 +1,5 @@
-#include "Facts.hpp"
-#include "CaseError.hpp"
+#include "scene/Facts.hpp"
+#include "base/CaseError.hpp"
 #include <fmt/format.h>
 #include <stdexcept>
 

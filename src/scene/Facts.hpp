@@ -9,7 +9,7 @@
 /// Models give facts in `declare` (what files say without any other model), in `prepare` (what hangs on the choice of schemes) or in `read` (what only a
 /// run or a conflict asks for). A fact that is asked for before it is given is an error of the program, not of the case, and the first such scene finds it.
 #pragma once
-#include "LeakGuard.hpp"
+#include "scene/LeakGuard.hpp"
 #include <any>
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
-#include "LeakGuard.hpp"
-#include "CaseError.hpp"
-#include "Walls.hpp"
-#include "components.hpp"
-#include "offWalls.hpp"
+#include "scene/LeakGuard.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/Walls.hpp"
+#include "geometry/components.hpp"
+#include "geometry/offWalls.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 /// the wall. One deeper in a solid than that has leaked: it is counted, and put back, removed or the end of the run, as the dictionary says. One more
 /// than half a spacing deep or outside the domain is removed or an error: from there the way back may lead out on the other side.
 #pragma once
-#include "EntryList.hpp"
-#include "FieldStore.hpp"
-#include "NearWalls.hpp"
+#include "dictionary/EntryList.hpp"
+#include "fields/FieldStore.hpp"
+#include "geometry/NearWalls.hpp"
 #include <array>
 #include <optional>
 #include <vector>

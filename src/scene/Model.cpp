@@ -1,6 +1,6 @@
-#include "Model.hpp"
-#include "addDefaults.hpp"
-#include "schemeSets.hpp"
+#include "scene/Model.hpp"
+#include "dictionary/addDefaults.hpp"
+#include "schemes/schemeSets.hpp"
 #include <fmt/format.h>
 
 namespace sph

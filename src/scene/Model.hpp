@@ -1,8 +1,8 @@
 /// A model: one room with its words, its terms and laws, its state, its limits and columns, and what it cannot go with. Registered once
 /// (models.cpp); all else of the suite knows models by this alone.
 #pragma once
-#include "EntryList.hpp"
-#include "Settings.hpp"
+#include "dictionary/EntryList.hpp"
+#include "scene/Settings.hpp"
 #include <functional>
 #include <optional>
 

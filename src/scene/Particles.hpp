@@ -1,10 +1,10 @@
 /// The particles with their images, lists, plan and the models at run time: everything that stages change, and nothing of time.
 #pragma once
-#include "Images.hpp"
-#include "LeakGuard.hpp"
-#include "MovingWalls.hpp"
-#include "Plan.hpp"
-#include "Settings.hpp"
+#include "geometry/MovingWalls.hpp"
+#include "images/Images.hpp"
+#include "plan/Plan.hpp"
+#include "scene/LeakGuard.hpp"
+#include "scene/Settings.hpp"
 #include <functional>
 #include <map>
 #include <memory>

@@ -1,13 +1,13 @@
 /// Settings of a case, in words and numbers, before any particle is read. Models fill them (Model.hpp).
 #pragma once
-#include "Case.hpp"
-#include "Coefficients.hpp"
-#include "Facts.hpp"
-#include "Geometry.hpp"
-#include "Plan.hpp"
-#include "Resolution.hpp"
-#include "RunningModel.hpp"
-#include "State.hpp"
+#include "case/Case.hpp"
+#include "geometry/Geometry.hpp"
+#include "kernels/Resolution.hpp"
+#include "plan/Coefficients.hpp"
+#include "plan/Plan.hpp"
+#include "scene/Facts.hpp"
+#include "scene/RunningModel.hpp"
+#include "scene/State.hpp"
 #include <algorithm>
 #include <map>
 #include <optional>

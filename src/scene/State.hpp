@@ -1,10 +1,10 @@
 /// State of a scene: one declaration for each field that evolves. Allocating, loading, sorting, predicting, kicking, correcting, inlets,
 /// buffer particles, writing and restart walk this list (Particles.hpp); none of them knows a field by name.
 #pragma once
-#include "Cloud.hpp"
-#include "Coefficients.hpp"
-#include "Dictionary.hpp"
-#include "fieldTags.hpp"
+#include "case/Cloud.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <array>
 #include <functional>
 #include <optional>

@@ -11,8 +11,8 @@
 ///
 /// a step, and a re-coupling step leaves lambda dt/2 of it: stable where r^every lambda dt/2 < 1. Verified by test/unit/integrators (Step).
 #pragma once
-#include "RunningModel.hpp"
-#include "State.hpp"
+#include "scene/RunningModel.hpp"
+#include "scene/State.hpp"
 #include <cmath>
 #include <utility>
 

@@ -1,5 +1,5 @@
-#include "schemeSets.hpp"
-#include "addDefaults.hpp"
+#include "schemes/schemeSets.hpp"
+#include "dictionary/addDefaults.hpp"
 #include <algorithm>
 #include <vector>
 

@@ -1,7 +1,7 @@
 /// Sets of words for system/sphSchemes, one for each class of scenes: `scheme freeSurface;` stands for what the tutorials of that class have been measured to
 /// want. Words that the file gives itself override; a set's support is that of its kernel, and goes with no other.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph
 {

@@ -10,7 +10,7 @@
 /// the stress itself is, beside the vertex, to which r -> 0 leads where a + b < 0. Verified by test/unit/soilLaws against substeps of the
 /// law itself.
 #pragma once
-#include "EmbeddedPair.hpp"
+#include "soilLaws/EmbeddedPair.hpp"
 #include <limits>
 
 namespace sph

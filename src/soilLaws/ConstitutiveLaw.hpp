@@ -4,9 +4,9 @@
 /// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own
 /// is one header that satisfies this concept and one word in soilLaws.hpp.
 #pragma once
-#include "EmbeddedPair.hpp"
-#include "EntryList.hpp"
-#include "StressTensor.hpp"
+#include "base/StressTensor.hpp"
+#include "dictionary/EntryList.hpp"
+#include "soilLaws/EmbeddedPair.hpp"
 #include <concepts>
 
 namespace sph

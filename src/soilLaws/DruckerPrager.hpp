@@ -29,8 +29,8 @@
 /// k_c/alpha_phi, then sqrt(J2) to k_c - alpha_phi I1. Verified by test/unit/elementTests (strength in triaxial compression and extension,
 /// and in plane strain at any psi) and test/unit/soilLaws (the yield surface, its vertex, and the way to it).
 #pragma once
-#include "ConeFlow.hpp"
-#include "ElasticLaw.hpp"
+#include "soilLaws/ConeFlow.hpp"
+#include "soilLaws/ElasticLaw.hpp"
 #include <fmt/format.h>
 #include <numbers>
 

@@ -5,7 +5,7 @@
 /// sigma^ [Pa/s] Jaumann rate, D [1/s] strain rate, E [Pa] Young's modulus, nu [1] Poisson's ratio. No range: every stress is admissible. Verified by
 /// test/unit/soilLaws (Hooke's law under uniaxial stress and strain).
 #pragma once
-#include "ConstitutiveLaw.hpp"
+#include "soilLaws/ConstitutiveLaw.hpp"
 
 namespace sph
 {

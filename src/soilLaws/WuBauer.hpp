@@ -9,7 +9,7 @@
 /// c4 > 9 |c1|: at sigma_i = 0, d|sigma_i|/dt >= |tr(sigma)| |D| (c4/9 - |c1|). The constants of loose Karlsruhe sand are -69.4, -673.1, -655.9, 699.6.
 /// Verified by test/unit/soilLaws (an independent integrator of order 8; K_0, isotropic exponents and limits by hand).
 #pragma once
-#include "ConstitutiveLaw.hpp"
+#include "soilLaws/ConstitutiveLaw.hpp"
 #include <fmt/format.h>
 
 namespace sph

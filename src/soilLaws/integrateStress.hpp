@@ -10,8 +10,8 @@
 ///
 /// Verified by test/unit/soilLaws against an independent integrator, with random states, and by rigid rotation.
 #pragma once
-#include "ConstitutiveLaw.hpp"
-#include "EmbeddedPair.hpp"
+#include "soilLaws/ConstitutiveLaw.hpp"
+#include "soilLaws/EmbeddedPair.hpp"
 
 namespace sph
 {

@@ -1,4 +1,4 @@
-#include "soilLaws.hpp"
+#include "soilLaws/soilLaws.hpp"
 
 namespace sph
 {

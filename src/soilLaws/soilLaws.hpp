@@ -9,9 +9,9 @@
 ///     stressFree  floor;             // or detached
 ///     floorPressure 10;              // [Pa]
 #pragma once
-#include "DruckerPrager.hpp"
-#include "WuBauer.hpp"
-#include "integrateStress.hpp"
+#include "soilLaws/DruckerPrager.hpp"
+#include "soilLaws/WuBauer.hpp"
+#include "soilLaws/integrateStress.hpp"
 #include <variant>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "Bed.hpp"
-#include "closedSurface.hpp"
+#include "solids/Bed.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

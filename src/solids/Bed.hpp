@@ -1,9 +1,9 @@
 /// Solids where they have come to rest.
 #pragma once
-#include "Rotation.hpp"
-#include "Shape.hpp"
-#include "SolidsPlan.hpp"
-#include "TriangleSurface.hpp"
+#include "geometry/Shape.hpp"
+#include "geometry/TriangleSurface.hpp"
+#include "solids/Rotation.hpp"
+#include "solids/entries/SolidsPlan.hpp"
 #include <functional>
 #include <span>
 

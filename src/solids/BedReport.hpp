@@ -1,6 +1,6 @@
 /// Report of a bed to the user, and its files.
 #pragma once
-#include "Bed.hpp"
+#include "solids/Bed.hpp"
 
 namespace sph
 {

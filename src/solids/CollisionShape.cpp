@@ -1,5 +1,5 @@
-#include "CollisionShape.hpp"
-#include "closedSurface.hpp"
+#include "solids/CollisionShape.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <HACD/hacdHACD.h>
 #include <LinearMath/btConvexHullComputer.h>
 #include <algorithm>

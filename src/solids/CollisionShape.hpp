@@ -1,6 +1,6 @@
 /// Collision shape of a solid in Bullet.
 #pragma once
-#include "Bed.hpp"
+#include "solids/Bed.hpp"
 #include <btBulletDynamicsCommon.h>
 #include <memory>
 

@@ -1,7 +1,7 @@
 /// Rotation by a unit quaternion (w, v) = (cos(a/2), sin(a/2) n), a the angle about the axis n.
 #pragma once
-#include "Vector.hpp"
-#include "noise.hpp"
+#include "base/Vector.hpp"
+#include "base/noise.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "BedReport.hpp"
-#include "meshDistance.hpp"
+#include "solids/BedReport.hpp"
+#include "solids/meshDistance.hpp"
 #include <algorithm>
 #include <map>
 

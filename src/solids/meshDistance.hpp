@@ -1,6 +1,6 @@
 /// Distance of a point from a closed surface, and whether it lies inside.
 #pragma once
-#include "Bed.hpp"
+#include "solids/Bed.hpp"
 
 namespace sph
 {

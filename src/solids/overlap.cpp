@@ -1,4 +1,4 @@
-#include "meshDistance.hpp"
+#include "solids/meshDistance.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "Bed.hpp"
+#include "solids/Bed.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "CollisionShape.hpp"
+#include "solids/CollisionShape.hpp"
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <algorithm>
 #include <fmt/format.h>

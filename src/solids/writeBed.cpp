@@ -1,7 +1,7 @@
-#include "BedReport.hpp"
-#include "FoamHeader.hpp"
-#include "OutputFile.hpp"
-#include "closedSurface.hpp"
+#include "base/OutputFile.hpp"
+#include "case/FoamHeader.hpp"
+#include "solids/BedReport.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include "EnergyBalance.hpp"
-#include "words.hpp"
+#include "solver/EnergyBalance.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

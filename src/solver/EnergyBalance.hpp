@@ -10,8 +10,8 @@
 /// momentum (function object conservation). A restarted run goes on with the account of the time folder, where the forces are those that it was written
 /// with; else it begins a new one.
 #pragma once
-#include "Particles.hpp"
-#include "Simulation.hpp"
+#include "scene/Particles.hpp"
+#include "solver/Simulation.hpp"
 #include <map>
 #include <string>
 

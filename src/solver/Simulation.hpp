@@ -1,10 +1,10 @@
 /// The particles of a case and the step that moves them.
 #pragma once
-#include "Cloud.hpp"
-#include "LeakGuard.hpp"
-#include "RunTime.hpp"
-#include "Settings.hpp"
-#include "readSettings.hpp"
+#include "case/Cloud.hpp"
+#include "case/RunTime.hpp"
+#include "scene/LeakGuard.hpp"
+#include "scene/Settings.hpp"
+#include "solver/readSettings.hpp"
 #include <algorithm>
 #include <iosfwd>
 #include <map>

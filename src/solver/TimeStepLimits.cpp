@@ -1,5 +1,5 @@
-#include "TimeStepLimits.hpp"
-#include "models.hpp"
+#include "solver/TimeStepLimits.hpp"
+#include "solver/models.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

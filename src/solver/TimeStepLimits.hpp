@@ -1,7 +1,7 @@
 /// Limits of the time step: those that models state, each in its own room, and those of their parts. Where a step has substeps
 /// (`maxSubSteps`) the limits of what acts in each are as many times as long.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "WholeCloud.hpp"
-#include "reduce.hpp"
+#include "solver/WholeCloud.hpp"
+#include "parallel/reduce.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// The particles of all ranks, behind one another on the first of them, for function objects. One process alone shows its own.
 #pragma once
-#include "Cloud.hpp"
-#include "Ranks.hpp"
+#include "case/Cloud.hpp"
+#include "parallel/Ranks.hpp"
 #include <deque>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// The models of the suite, each registered once.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

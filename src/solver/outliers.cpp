@@ -1,6 +1,6 @@
-#include "outliers.hpp"
-#include "labelEntries.hpp"
-#include "reduce.hpp"
+#include "solver/outliers.hpp"
+#include "case/labelEntries.hpp"
+#include "parallel/reduce.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

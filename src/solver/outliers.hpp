@@ -1,6 +1,6 @@
 /// Particles that a run has to name: those with numbers that no solution has, and the one that the step waits for.
 #pragma once
-#include "Simulation.hpp"
+#include "solver/Simulation.hpp"
 #include <optional>
 #include <string>
 

@@ -1,7 +1,7 @@
-#include "readPhases.hpp"
-#include "phaseEntries.hpp"
-#include "positionExpression.hpp"
-#include "words.hpp"
+#include "solver/readPhases.hpp"
+#include "base/words.hpp"
+#include "case/phaseEntries.hpp"
+#include "dictionary/positionExpression.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// Materials of a case, from constant/phaseProperties and constant/g.
 #pragma once
-#include "EntryList.hpp"
-#include "Settings.hpp"
+#include "dictionary/EntryList.hpp"
+#include "scene/Settings.hpp"
 
 namespace sph
 {

@@ -1,12 +1,12 @@
-#include "readSettings.hpp"
-#include "Integrator.hpp"
-#include "Ranks.hpp"
-#include "TimeStepLimits.hpp"
-#include "models.hpp"
-#include "readDecomposition.hpp"
-#include "readPhases.hpp"
-#include "schemeSets.hpp"
-#include "shareFilled.hpp"
+#include "solver/readSettings.hpp"
+#include "decomposition/readDecomposition.hpp"
+#include "integrators/Integrator.hpp"
+#include "parallel/Ranks.hpp"
+#include "schemes/schemeSets.hpp"
+#include "solver/TimeStepLimits.hpp"
+#include "solver/models.hpp"
+#include "solver/readPhases.hpp"
+#include "solver/shareFilled.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// Reading of the settings: the dictionaries of a case, and what all models make of them.
 #pragma once
-#include "EntryList.hpp"
-#include "Settings.hpp"
+#include "dictionary/EntryList.hpp"
+#include "scene/Settings.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "shareFilled.hpp"
-#include "Cloud.hpp"
-#include "FieldFile.hpp"
-#include "fluidFraction.hpp"
-#include "processorFolders.hpp"
+#include "solver/shareFilled.hpp"
+#include "case/Cloud.hpp"
+#include "case/FieldFile.hpp"
+#include "decomposition/processorFolders.hpp"
+#include "geometry/fluidFraction.hpp"
 #include <cmath>
 #include <limits>
 

@@ -1,7 +1,7 @@
 /// Share of the space between the walls that particles fill at the first time.
 #pragma once
-#include "Case.hpp"
-#include "Geometry.hpp"
+#include "case/Case.hpp"
+#include "geometry/Geometry.hpp"
 #include <optional>
 
 namespace sph

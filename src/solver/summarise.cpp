@@ -1,5 +1,5 @@
-#include "summarise.hpp"
-#include "reduce.hpp"
+#include "solver/summarise.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

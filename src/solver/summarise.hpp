@@ -1,7 +1,7 @@
 /// Sums and extremes over the owned particles, in a fixed order: the same bits on any number of threads.
 #pragma once
-#include "Particles.hpp"
-#include "Simulation.hpp"
+#include "scene/Particles.hpp"
+#include "solver/Simulation.hpp"
 
 namespace sph
 {

@@ -11,7 +11,7 @@
 ///
 /// Verified by test/unit/stateEquation.
 #pragma once
-#include "Vector.hpp"
+#include "base/Vector.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "ColourFunction.hpp"
-#include "Kernel.hpp"
+#include "surfaces/ColourFunction.hpp"
+#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,6 +1,6 @@
 /// The smoothed colour function of a phase on a regular grid, whose iso-surface 1/2 is the phase's boundary.
 #pragma once
-#include "RegularGrid.hpp"
+#include "surfaces/RegularGrid.hpp"
 #include <string>
 #include <vector>
 

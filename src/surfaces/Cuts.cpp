@@ -1,4 +1,4 @@
-#include "Cuts.hpp"
+#include "surfaces/Cuts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vtkAppendPolyData.h>

@@ -1,6 +1,6 @@
 /// Cuts through bodies: where they meet the faces of the domain or a plane.
 #pragma once
-#include "IsoSurface.hpp"
+#include "surfaces/IsoSurface.hpp"
 #include <vtkDoubleArray.h>
 
 namespace sph

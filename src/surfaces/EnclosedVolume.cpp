@@ -1,4 +1,4 @@
-#include "EnclosedVolume.hpp"
+#include "surfaces/EnclosedVolume.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 /// The volume that a surface on a regular grid encloses, and in how many pieces.
 #pragma once
-#include "RegularGrid.hpp"
+#include "surfaces/RegularGrid.hpp"
 #include <functional>
 #include <vector>
 

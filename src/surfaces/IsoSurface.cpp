@@ -1,5 +1,5 @@
-#include "IsoSurface.hpp"
-#include "Cuts.hpp"
+#include "surfaces/IsoSurface.hpp"
+#include "surfaces/Cuts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <vtkCellArray.h>

@@ -1,6 +1,6 @@
 /// Surfaces of the region `colour > iso` outside solids, as VTK meshes: triangles in 3-D, lines in 2-D.
 #pragma once
-#include "RegularGrid.hpp"
+#include "surfaces/RegularGrid.hpp"
 #include <vector>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

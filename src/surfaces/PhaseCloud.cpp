@@ -1,5 +1,5 @@
-#include "PhaseCloud.hpp"
-#include "words.hpp"
+#include "surfaces/PhaseCloud.hpp"
+#include "base/words.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 /// Particles of a cloud on disk, as surfaces and pictures need them.
 #pragma once
-#include "CaseError.hpp"
-#include "Cloud.hpp"
-#include "ColourFunction.hpp"
+#include "base/CaseError.hpp"
+#include "case/Cloud.hpp"
+#include "surfaces/ColourFunction.hpp"
 #include <string>
 #include <vector>
 

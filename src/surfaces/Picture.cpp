@@ -1,7 +1,7 @@
-#include "Picture.hpp"
-#include "CaseError.hpp"
-#include "TriangleSurface.hpp"
-#include "VtkErrors.hpp"
+#include "surfaces/Picture.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/TriangleSurface.hpp"
+#include "surfaces/VtkErrors.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// Pictures of a scene, drawn off screen into a PNG file. Needs a display: see VirtualDisplay.
 #pragma once
-#include "IsoSurface.hpp"
+#include "surfaces/IsoSurface.hpp"
 #include <array>
 #include <filesystem>
 #include <optional>

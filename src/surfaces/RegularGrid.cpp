@@ -1,4 +1,4 @@
-#include "RegularGrid.hpp"
+#include "surfaces/RegularGrid.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>

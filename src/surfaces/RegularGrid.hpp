@@ -1,6 +1,6 @@
 /// The regular grid that surfaces are reconstructed on: it fills the domain, with nodes exactly on the domain's faces, or parts of a large one.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <array>
 #include <cstddef>
 #include <span>

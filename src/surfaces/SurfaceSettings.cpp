@@ -1,7 +1,7 @@
-#include "SurfaceSettings.hpp"
-#include "Kernel.hpp"
-#include "SurfaceWriter.hpp"
-#include "surfaceEntries.hpp"
+#include "surfaces/SurfaceSettings.hpp"
+#include "kernels/Kernel.hpp"
+#include "surfaces/SurfaceWriter.hpp"
+#include "surfaces/entries/surfaceEntries.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

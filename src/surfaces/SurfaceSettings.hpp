@@ -1,9 +1,9 @@
 /// Settings of system/reconstructSurfaceDict; every entry has a default, so that the file may be missing.
 #pragma once
-#include "ColourFunction.hpp"
-#include "Cuts.hpp"
-#include "Dictionary.hpp"
-#include "Picture.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "surfaces/ColourFunction.hpp"
+#include "surfaces/Cuts.hpp"
+#include "surfaces/Picture.hpp"
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "SurfaceWriter.hpp"
-#include "CaseError.hpp"
-#include "VtkErrors.hpp"
-#include "surfaceEntries.hpp"
+#include "surfaces/SurfaceWriter.hpp"
+#include "base/CaseError.hpp"
+#include "surfaces/VtkErrors.hpp"
+#include "surfaces/entries/surfaceEntries.hpp"
 #include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>

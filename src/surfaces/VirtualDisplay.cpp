@@ -1,5 +1,5 @@
-#include "VirtualDisplay.hpp"
-#include "CaseError.hpp"
+#include "surfaces/VirtualDisplay.hpp"
+#include "base/CaseError.hpp"
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>

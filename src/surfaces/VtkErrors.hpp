@@ -1,6 +1,6 @@
 /// Errors of a VTK object, collected instead of printed.
 #pragma once
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include <fmt/format.h>
 #include <string>
 #include <vtkCommand.h>

@@ -1,7 +1,7 @@
-#include "CaseCopy.hpp"
-#include "DictionaryText.hpp"
-#include "OutputFile.hpp"
-#include "readText.hpp"
+#include "sweeps/CaseCopy.hpp"
+#include "base/OutputFile.hpp"
+#include "base/readText.hpp"
+#include "dictionary/DictionaryText.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>

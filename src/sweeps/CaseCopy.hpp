@@ -1,6 +1,6 @@
 /// A case of its own for each run.
 #pragma once
-#include "SweepPlan.hpp"
+#include "sweeps/SweepPlan.hpp"
 
 namespace sph
 {

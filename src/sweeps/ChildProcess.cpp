@@ -1,6 +1,6 @@
-#include "ChildProcess.hpp"
-#include "CaseError.hpp"
-#include "Clock.hpp"
+#include "sweeps/ChildProcess.hpp"
+#include "base/CaseError.hpp"
+#include "base/Clock.hpp"
 #include <algorithm>
 #include <cerrno>
 #include <csignal>

@@ -1,8 +1,8 @@
-#include "ResultTable.hpp"
-#include "OutputFile.hpp"
-#include "csv.hpp"
-#include "readText.hpp"
-#include "words.hpp"
+#include "sweeps/ResultTable.hpp"
+#include "base/OutputFile.hpp"
+#include "base/csv.hpp"
+#include "base/readText.hpp"
+#include "base/words.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// Errors and costs of runs as comma-separated values: what workPrecision measures, and what other codes have measured.
 #pragma once
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include <filesystem>
 #include <limits>
 #include <string>

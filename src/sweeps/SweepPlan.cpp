@@ -1,9 +1,9 @@
-#include "SweepPlan.hpp"
-#include "DictionaryText.hpp"
-#include "OutputFile.hpp"
-#include "ResultTable.hpp"
-#include "readWith.hpp"
-#include "words.hpp"
+#include "sweeps/SweepPlan.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
+#include "dictionary/DictionaryText.hpp"
+#include "dictionary/readWith.hpp"
+#include "sweeps/ResultTable.hpp"
 #include <algorithm>
 #include <cctype>
 #include <cstring>

@@ -26,8 +26,8 @@
 ///
 /// `$n`, and every macro and #eval, is resolved when the dictionary is read, once for each resolution.
 #pragma once
-#include "Case.hpp"
-#include "EntryList.hpp"
+#include "case/Case.hpp"
+#include "dictionary/EntryList.hpp"
 #include <optional>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "convergence.hpp"
+#include "sweeps/convergence.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 /// Conclusions from a table of errors and costs: order of convergence, the best at each cost, the expected cost of a finer run.
 #pragma once
-#include "ResultTable.hpp"
+#include "sweeps/ResultTable.hpp"
 #include <optional>
 #include <span>
 

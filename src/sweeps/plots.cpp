@@ -1,6 +1,6 @@
-#include "plots.hpp"
-#include "OutputFile.hpp"
-#include "convergence.hpp"
+#include "sweeps/plots.hpp"
+#include "base/OutputFile.hpp"
+#include "sweeps/convergence.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

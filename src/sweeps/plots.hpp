@@ -1,6 +1,6 @@
 /// Work-precision diagrams, drawn by gnuplot.
 #pragma once
-#include "ResultTable.hpp"
+#include "sweeps/ResultTable.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 #include "forcePass.hpp"
-#include "Plan.hpp"
-#include "models.hpp"
+#include "plan/Plan.hpp"
+#include "solver/models.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,7 +1,7 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
 ///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed meshes; all unless named
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include "forcePass.hpp"
 #include "readMeshes.hpp"
 #include "wholeStep.hpp"

@@ -1,7 +1,7 @@
 #include "measure.hpp"
-#include "Geometry.hpp"
-#include "Images.hpp"
-#include "NeighbourLists.hpp"
+#include "geometry/Geometry.hpp"
+#include "images/Images.hpp"
+#include "neighbours/NeighbourLists.hpp"
 #include <chrono>
 #include <random>
 

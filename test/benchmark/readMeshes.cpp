@@ -1,6 +1,6 @@
 #include "readMeshes.hpp"
-#include "closedSurface.hpp"
-#include "importMesh.hpp"
+#include "meshes/readers/importMesh.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <fstream>
 #include <numbers>

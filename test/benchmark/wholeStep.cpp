@@ -1,9 +1,9 @@
 #include "wholeStep.hpp"
-#include "Images.hpp"
-#include "NeighbourLists.hpp"
-#include "Packing.hpp"
-#include "Simulation.hpp"
-#include "readSettings.hpp"
+#include "images/Images.hpp"
+#include "neighbours/NeighbourLists.hpp"
+#include "packing/Packing.hpp"
+#include "solver/Simulation.hpp"
+#include "solver/readSettings.hpp"
 #include <algorithm>
 
 namespace sph

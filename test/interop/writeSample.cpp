@@ -1,7 +1,7 @@
 /// Writes the case that the interoperability tests read: `writeSample <folder> ascii|binary`. The values of particle i at time t are
 /// simple enough for sample.py to state them again, and all but those of `positions` have exact doubles.
-#include "OutputFile.hpp"
-#include "RunTime.hpp"
+#include "base/OutputFile.hpp"
+#include "case/RunTime.hpp"
 #include <cstdio>
 
 namespace

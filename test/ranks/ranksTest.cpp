@@ -1,8 +1,8 @@
 /// Particles shared between ranks: the same answer on any number of them.
-#include "Case.hpp"
-#include "Cloud.hpp"
 #include "Largest.hpp"
 #include "SmallDisk.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 /// Scenes at the edge of what a case may be: each ends in a physical result, or in a clear error.
-#include "Case.hpp"
-#include "ChildProcess.hpp"
-#include "Cloud.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "refusal.hpp"
+#include "sweeps/ChildProcess.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <regex>

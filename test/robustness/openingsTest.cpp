@@ -1,6 +1,6 @@
 /// Inlets and outlets that cannot be: refused with file and line before anything runs; numbers beyond sense end in an error or in finite fields.
-#include "Case.hpp"
-#include "Cloud.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "refusal.hpp"
 #include <algorithm>
 #include <cmath>

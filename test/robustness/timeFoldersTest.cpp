@@ -1,5 +1,5 @@
 /// Time folders damaged at random before the solver restarts from them: it says what is wrong or goes on to its end, never anything else.
-#include "Cloud.hpp"
+#include "case/Cloud.hpp"
 #include "fuzz/Mutator.hpp"
 #include "refusal.hpp"
 

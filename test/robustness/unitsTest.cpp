@@ -1,7 +1,7 @@
 /// The same scene from nanometres to kilometres, from picoseconds to hours: every length, time and mass of its dictionaries times a power
 /// of two gives the same digits, to the last bit. A constant with a hidden unit anywhere between reading and writing would show.
-#include "Case.hpp"
-#include "Cloud.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "smallCases.hpp"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// A simulation made from the texts of a case, its particles on a lattice, or off it by a random displacement, where walls leave room.
 #pragma once
-#include "Case.hpp"
-#include "Simulation.hpp"
+#include "case/Case.hpp"
 #include "smallCases.hpp"
+#include "solver/Simulation.hpp"
 #include <cmath>
 #include <memory>
 #include <omp.h>

@@ -1,13 +1,13 @@
 /// Particles between walls with everything that an evaluation needs, and the plain sums that it is compared with.
 #pragma once
-#include "ArtificialViscosity.hpp"
-#include "DensityDiffusion.hpp"
-#include "Plan.hpp"
-#include "Tensions.hpp"
-#include "TransportVelocity.hpp"
-#include "WallTension.hpp"
-#include "models.hpp"
+#include "models/density/DensityDiffusion.hpp"
+#include "models/shifting/TransportVelocity.hpp"
+#include "models/tension/Tensions.hpp"
+#include "models/tension/WallTension.hpp"
+#include "models/viscosity/ArtificialViscosity.hpp"
+#include "plan/Plan.hpp"
 #include "scenes.hpp"
+#include "solver/models.hpp"
 #include <gtest/gtest.h>
 #include <optional>
 

@@ -2,8 +2,8 @@
 /// every declared entry, and such that have the required ones, once with each word of each choice that brings entries of its own. What
 /// their values mean does not matter.
 #pragma once
-#include "DictionaryNode.hpp"
-#include "EntryList.hpp"
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/EntryList.hpp"
 #include <algorithm>
 #include <functional>
 #include <set>

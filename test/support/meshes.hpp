@@ -1,7 +1,7 @@
 /// Closed surfaces of triangles, made by hand.
 #pragma once
-#include "FacetSurface.hpp"
-#include "geodesicSphere.hpp"
+#include "geometry/FacetSurface.hpp"
+#include "geometry/geodesicSphere.hpp"
 
 namespace sph::test
 {

@@ -1,6 +1,6 @@
 /// Particles made by hand.
 #pragma once
-#include "FieldStore.hpp"
+#include "fields/FieldStore.hpp"
 #include <random>
 #include <vector>
 

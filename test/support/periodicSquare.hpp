@@ -1,9 +1,9 @@
 /// A doubly periodic square of side 1, a vortex that fills it, and the settings of a case in it.
 #pragma once
-#include "Case.hpp"
-#include "Cloud.hpp"
-#include "readSettings.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "smallCases.hpp"
+#include "solver/readSettings.hpp"
 #include <cmath>
 #include <numbers>
 #include <regex>

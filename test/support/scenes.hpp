@@ -1,6 +1,6 @@
 /// Particles, walls and a rule for ghosts, all made by hand.
 #pragma once
-#include "Images.hpp"
+#include "images/Images.hpp"
 #include "particlesByHand.hpp"
 #include "wallsByHand.hpp"
 

@@ -1,10 +1,10 @@
 /// Walls made by hand.
 #pragma once
-#include "Cylinder.hpp"
-#include "Geometry.hpp"
-#include "Plane.hpp"
-#include "SolidBox.hpp"
-#include "Sphere.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/Sphere.hpp"
 
 namespace sph::test
 {

@@ -1,13 +1,13 @@
 /// A run from the dictionaries of a case to its last time folder, and its log.
 #pragma once
-#include "Case.hpp"
-#include "Clock.hpp"
-#include "FunctionObject.hpp"
-#include "Geometry.hpp"
-#include "RunTime.hpp"
-#include "Simulation.hpp"
-#include "WholeCloud.hpp"
-#include "readSettings.hpp"
+#include "base/Clock.hpp"
+#include "case/Case.hpp"
+#include "case/RunTime.hpp"
+#include "geometry/Geometry.hpp"
+#include "sampling/FunctionObject.hpp"
+#include "solver/Simulation.hpp"
+#include "solver/WholeCloud.hpp"
+#include "solver/readSettings.hpp"
 #include <filesystem>
 #include <iosfwd>
 #include <map>

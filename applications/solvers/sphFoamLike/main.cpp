@@ -1,7 +1,7 @@
-#include "CaseLock.hpp"
-#include "CommandLine.hpp"
-#include "Ranks.hpp"
 #include "Run.hpp"
+#include "base/CommandLine.hpp"
+#include "case/CaseLock.hpp"
+#include "parallel/Ranks.hpp"
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <fstream>

@@ -1,6 +1,6 @@
-#include "GltfFile.hpp"
-#include "MappedFile.hpp"
-#include "singlePrecision.hpp"
+#include "meshes/readers/GltfFile.hpp"
+#include "case/MappedFile.hpp"
+#include "meshes/readers/singlePrecision.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,6 +1,6 @@
 /// A glTF file taken apart: its JSON with paths for errors, the buffers that it names, and the numbers of its accessors. readGltf makes a mesh of them.
 #pragma once
-#include "readers.hpp"
+#include "meshes/readers/readers.hpp"
 #include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-#include "NumberedMesh.hpp"
-#include "Shape.hpp"
-#include "components.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
+#include "geometry/Shape.hpp"
+#include "geometry/components.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>

@@ -1,6 +1,6 @@
 /// Triangles on their way from a file to a wall, and what ends the way.
 #pragma once
-#include "FacetSurface.hpp"
+#include "geometry/FacetSurface.hpp"
 #include <span>
 #include <stdexcept>
 

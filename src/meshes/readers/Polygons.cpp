@@ -1,4 +1,4 @@
-#include "Polygons.hpp"
+#include "meshes/readers/Polygons.hpp"
 #include <fmt/format.h>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Faces with any number of corners on their way to triangles. For the sources of this module alone.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <span>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "RegionNames.hpp"
+#include "meshes/readers/RegionNames.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 /// Names of regions in a file, and as words of a dictionary. For the sources of this module alone.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <map>
 #include <string_view>
 

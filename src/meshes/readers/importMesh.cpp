@@ -1,6 +1,6 @@
-#include "importMesh.hpp"
-#include "MappedFile.hpp"
-#include "readers.hpp"
+#include "meshes/readers/importMesh.hpp"
+#include "case/MappedFile.hpp"
+#include "meshes/readers/readers.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>

@@ -1,6 +1,6 @@
 /// Triangles of a file as other programs write them: STL (ascii and binary), OBJ, PLY, OFF, glTF.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <filesystem>
 
 namespace sph

@@ -1,6 +1,6 @@
-#include "GltfFile.hpp"
-#include "RegionNames.hpp"
-#include "singlePrecision.hpp"
+#include "meshes/readers/GltfFile.hpp"
+#include "meshes/readers/RegionNames.hpp"
+#include "meshes/readers/singlePrecision.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>

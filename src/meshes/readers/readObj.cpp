@@ -1,7 +1,7 @@
-#include "Polygons.hpp"
-#include "RegionNames.hpp"
-#include "readers.hpp"
-#include "textParts.hpp"
+#include "meshes/readers/Polygons.hpp"
+#include "meshes/readers/RegionNames.hpp"
+#include "meshes/readers/readers.hpp"
+#include "meshes/readers/textParts.hpp"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "Polygons.hpp"
-#include "readers.hpp"
-#include "textParts.hpp"
+#include "meshes/readers/Polygons.hpp"
+#include "meshes/readers/readers.hpp"
+#include "meshes/readers/textParts.hpp"
 #include <array>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "RegionNames.hpp"
-#include "readers.hpp"
-#include "singlePrecision.hpp"
-#include "textParts.hpp"
+#include "meshes/readers/RegionNames.hpp"
+#include "meshes/readers/readers.hpp"
+#include "meshes/readers/singlePrecision.hpp"
+#include "meshes/readers/textParts.hpp"
 #include <bit>
 #include <cstring>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 /// Each throws UnusableMesh with the line, byte or element where the file is not what its format says, and reads nothing that it does not
 /// understand. `notes` gets what the file had and the mesh has not.
 #pragma once
-#include "NumberedMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <filesystem>
 #include <string_view>
 

@@ -1,6 +1,6 @@
-#include "textParts.hpp"
-#include "NumberedMesh.hpp"
-#include "Tokeniser.hpp"
+#include "meshes/readers/textParts.hpp"
+#include "dictionary/Tokeniser.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Polygons.hpp"
+#include "meshes/readers/Polygons.hpp"
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>

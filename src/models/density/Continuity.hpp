@@ -4,7 +4,7 @@
 ///
 /// rho [kg/m^3], V [m^3], v [m/s]. Exact for rigid translation. Verified by test/unit/density (plain loop; uniform expansion).
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

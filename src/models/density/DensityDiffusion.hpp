@@ -5,9 +5,9 @@
 /// delta about 0.1, h = H/2 [m], c [m/s] the largest sound speed, V [m^3]. Between particles of like rest density only: where it
 /// differs the density jumps for good. Verified by test/unit/density (sign, decay) and tutorials/verification/hydrostatic.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
-#include "soundDamping.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
+#include "scene/soundDamping.hpp"
 #include <algorithm>
 
 namespace sph

@@ -10,8 +10,8 @@
 /// times of sound over h; e = 0.02, more than a lattice at rest or the disorder of a flow differ by. At rest there is none. Verified by test/unit/density (plain
 /// loop) and test/accuracy/run damBreakByDefault.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include "DensityScale.hpp"
-#include "reduce.hpp"
+#include "models/density/DensityScale.hpp"
+#include "parallel/reduce.hpp"
 #include <cmath>
 
 namespace sph

@@ -6,7 +6,7 @@
 /// <rho/rho_0>_p [-] mean of the compression that the pressure of the time folder means. Where some particles lack neighbours a square or cubic lattice
 /// stands for the packing. A restart goes on with the scale of its time folder.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 #include <memory>
 #include <optional>
 

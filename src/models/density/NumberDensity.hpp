@@ -6,8 +6,8 @@
 /// (without it V^2 is 2 % low). No density enters the sum, so that a density ratio of 1000 is as smooth as none.
 /// Verified by test/unit/plan (plain loop) and tutorials/verification/hydrostatic.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

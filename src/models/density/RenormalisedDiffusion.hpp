@@ -11,7 +11,7 @@
 /// delta about 0.1, h = H/2 [m], c [m/s] the largest sound speed, V [m^3]. sum V_i drho_i/dt = 0 exactly. Verified by test/unit/density
 /// (plain loop; nothing diffuses in a linear density).
 #pragma once
-#include "DensityDiffusion.hpp"
+#include "models/density/DensityDiffusion.hpp"
 
 namespace sph
 {

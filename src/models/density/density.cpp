@@ -1,10 +1,10 @@
-#include "density.hpp"
-#include "DensityDiffusion.hpp"
-#include "DensityRelaxation.hpp"
-#include "DensityScale.hpp"
-#include "TwoLevels.hpp"
-#include "densityTerms.hpp"
-#include "reduce.hpp"
+#include "models/density/density.hpp"
+#include "models/density/DensityDiffusion.hpp"
+#include "models/density/DensityRelaxation.hpp"
+#include "models/density/DensityScale.hpp"
+#include "models/density/densityTerms.hpp"
+#include "parallel/reduce.hpp"
+#include "scene/TwoLevels.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 /// The model of density and volume: number density, or the continuity equation with diffusion.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

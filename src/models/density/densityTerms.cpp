@@ -1,9 +1,9 @@
-#include "densityTerms.hpp"
-#include "Continuity.hpp"
-#include "DensityDiffusion.hpp"
-#include "DensityRelaxation.hpp"
-#include "NumberDensity.hpp"
-#include "RenormalisedDiffusion.hpp"
+#include "models/density/densityTerms.hpp"
+#include "models/density/Continuity.hpp"
+#include "models/density/DensityDiffusion.hpp"
+#include "models/density/DensityRelaxation.hpp"
+#include "models/density/NumberDensity.hpp"
+#include "models/density/RenormalisedDiffusion.hpp"
 
 namespace sph
 {

@@ -2,8 +2,8 @@
 ///
 /// g [m/s^2], which Shaking.hpp may vary; f [N/m^3], the pressure gradient that drives a periodic flow. Eq. (1) of Barker et al. (2012) lacks rho before g.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Damping dv/dt = -rate v [1/s] until a time [s], for a start far off equilibrium. Velocities of both levels decay, where there are two.
 #pragma once
-#include "Particles.hpp"
-#include "TwoLevels.hpp"
+#include "scene/Particles.hpp"
+#include "scene/TwoLevels.hpp"
 #include <cmath>
 
 namespace sph

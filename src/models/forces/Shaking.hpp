@@ -3,10 +3,10 @@
 /// a [m/s^2] an expression of `$t` [s]: less the acceleration of a vessel that is shaken, in whose frame the scene is computed. A step has g(t + dt/2), which is of
 /// second order; what is measured and written at its end has that of the end. Verified by test/unit/solver/shakingTest.
 #pragma once
-#include "CaseError.hpp"
-#include "Particles.hpp"
-#include "components.hpp"
-#include "positionExpression.hpp"
+#include "base/CaseError.hpp"
+#include "dictionary/positionExpression.hpp"
+#include "geometry/components.hpp"
+#include "scene/Particles.hpp"
 #include <cctype>
 #include <fmt/format.h>
 #include <string>

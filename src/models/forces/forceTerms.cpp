@@ -1,5 +1,5 @@
-#include "forceTerms.hpp"
-#include "BodyForce.hpp"
+#include "models/forces/forceTerms.hpp"
+#include "models/forces/BodyForce.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Terms of gravity and body force by name.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
-#include "forces.hpp"
-#include "Damping.hpp"
-#include "Shaking.hpp"
-#include "forceTerms.hpp"
+#include "models/forces/forces.hpp"
+#include "models/forces/Damping.hpp"
+#include "models/forces/Shaking.hpp"
+#include "models/forces/forceTerms.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// The model of gravity, body force, shaking and damping.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "RunningLabels.hpp"
-#include "reduce.hpp"
+#include "models/labels/RunningLabels.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,7 +1,7 @@
 /// Part that labels particles which have no label yet: those that came in since the lists were built last.
 #pragma once
-#include "Particles.hpp"
-#include "labelEntries.hpp"
+#include "case/labelEntries.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "labels.hpp"
-#include "RunningLabels.hpp"
-#include "reduce.hpp"
+#include "models/labels/labels.hpp"
+#include "models/labels/RunningLabels.hpp"
+#include "parallel/reduce.hpp"
 
 namespace sph
 {

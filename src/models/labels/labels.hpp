@@ -1,6 +1,6 @@
 /// The model of labels that particles keep for life.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

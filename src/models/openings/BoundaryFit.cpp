@@ -1,5 +1,5 @@
-#include "BoundaryFit.hpp"
-#include "reduce.hpp"
+#include "models/openings/BoundaryFit.hpp"
+#include "parallel/reduce.hpp"
 #include <limits>
 #include <tuple>
 

@@ -14,7 +14,7 @@
 ///
 /// Where ranks share the particles, sums over what is free before a plane or held beyond it are those of all: planes move alike on all ranks.
 #pragma once
-#include "BufferZone.hpp"
+#include "models/openings/BufferZone.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "BufferZone.hpp"
-#include "OpenPlanes.hpp"
+#include "models/openings/BufferZone.hpp"
+#include "models/openings/OpenPlanes.hpp"
 
 namespace sph
 {

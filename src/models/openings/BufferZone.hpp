@@ -6,7 +6,7 @@
 ///
 /// Where ranks share the particles, all find the same places to fill; the first rank fills them, and from there particles go to the rank in whose box they lie.
 #pragma once
-#include "OpeningAccount.hpp"
+#include "models/openings/OpeningAccount.hpp"
 
 namespace sph
 {

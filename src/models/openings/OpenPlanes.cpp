@@ -1,4 +1,4 @@
-#include "OpenPlanes.hpp"
+#include "models/openings/OpenPlanes.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,8 @@
 /// Planes at which a scene ends at its openings, for users of stored particles: pictures, volumes and means are of the scene alone, without buffer particles.
 /// Positions alone say who is held. Verified by test/unit/openings and test/unit/sampling.
 #pragma once
-#include "Opening.hpp"
-#include "Resolution.hpp"
+#include "kernels/Resolution.hpp"
+#include "models/openings/Opening.hpp"
 #include <vector>
 
 namespace sph

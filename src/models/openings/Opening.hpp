@@ -1,10 +1,10 @@
 /// Planes through which fluid comes into a scene or leaves it.
 #pragma once
-#include "Case.hpp"
-#include "Coefficients.hpp"
-#include "EntryList.hpp"
-#include "Geometry.hpp"
-#include "State.hpp"
+#include "case/Case.hpp"
+#include "dictionary/EntryList.hpp"
+#include "geometry/Geometry.hpp"
+#include "plan/Coefficients.hpp"
+#include "scene/State.hpp"
 #include <map>
 #include <optional>
 

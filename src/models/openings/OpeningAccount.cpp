@@ -1,5 +1,5 @@
-#include "OpeningAccount.hpp"
-#include "reduce.hpp"
+#include "models/openings/OpeningAccount.hpp"
+#include "parallel/reduce.hpp"
 #include <numeric>
 #include <tuple>
 

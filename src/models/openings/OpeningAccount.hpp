@@ -3,9 +3,9 @@
 /// An opening counts what passes its plane, and what is removed at the start: free fluid has grown by the one less the other, to round-off. Powder that
 /// migrates between buffer and free particles counts too. Where ranks share the particles, each counts what passes among its own.
 #pragma once
-#include "FieldStore.hpp"
-#include "PlacedOpening.hpp"
-#include "State.hpp"
+#include "fields/FieldStore.hpp"
+#include "models/openings/PlacedOpening.hpp"
+#include "scene/State.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "Openings.hpp"
+#include "models/openings/Openings.hpp"
 
 namespace sph
 {

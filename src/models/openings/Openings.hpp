@@ -15,7 +15,7 @@
 ///
 /// Verified by test/unit/openings and tutorials/verification/openChannel.
 #pragma once
-#include "BoundaryFit.hpp"
+#include "models/openings/BoundaryFit.hpp"
 
 namespace sph
 {

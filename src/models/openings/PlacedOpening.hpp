@@ -3,8 +3,8 @@
 ///     const OpenScene scene{geometry, coefficients, state, depth};
 ///     for (const PlacedOpening& placed : placeOpenings(readOpenings(theCase, geometry, coefficients, state), scene)) ..
 #pragma once
-#include "Section.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/openings/Section.hpp"
 
 namespace sph
 {

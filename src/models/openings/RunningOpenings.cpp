@@ -1,4 +1,4 @@
-#include "RunningOpenings.hpp"
+#include "models/openings/RunningOpenings.hpp"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>

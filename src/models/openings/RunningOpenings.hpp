@@ -1,7 +1,7 @@
 /// Openings as a part of a scene: where they act in a step, and what the log says of them.
 #pragma once
-#include "Openings.hpp"
-#include "Particles.hpp"
+#include "models/openings/Openings.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

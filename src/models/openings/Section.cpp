@@ -1,7 +1,7 @@
-#include "Section.hpp"
-#include "components.hpp"
-#include "contains.hpp"
-#include "evenLines.hpp"
+#include "models/openings/Section.hpp"
+#include "geometry/components.hpp"
+#include "geometry/contains.hpp"
+#include "models/openings/evenLines.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -11,7 +11,7 @@
 /// by central differences on the lattice with the walls half a cell beyond its last lines: of second order between plane walls. Lines that were moved
 /// have the values of a lattice four times as fine, interpolated.
 #pragma once
-#include "Opening.hpp"
+#include "models/openings/Opening.hpp"
 #include <vector>
 
 namespace sph

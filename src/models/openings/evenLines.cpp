@@ -1,7 +1,7 @@
-#include "evenLines.hpp"
-#include "Ranks.hpp"
-#include "Relaxation.hpp"
-#include "openFaces.hpp"
+#include "models/openings/evenLines.hpp"
+#include "packing/Relaxation.hpp"
+#include "packing/openFaces.hpp"
+#include "parallel/Ranks.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Lines through a duct that stand evenly between walls no lattice fits: round pipes, gaps between rocks.
 #pragma once
-#include "Opening.hpp"
+#include "models/openings/Opening.hpp"
 #include <vector>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Filling of buffers: at the first start, and line by line as their particles move on.
-#include "BufferZone.hpp"
-#include "reduce.hpp"
+#include "models/openings/BufferZone.hpp"
+#include "parallel/reduce.hpp"
 
 namespace sph
 {

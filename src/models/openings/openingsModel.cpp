@@ -1,5 +1,5 @@
-#include "openingsModel.hpp"
-#include "RunningOpenings.hpp"
+#include "models/openings/openingsModel.hpp"
+#include "models/openings/RunningOpenings.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

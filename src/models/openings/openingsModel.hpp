@@ -1,6 +1,6 @@
 /// The model of open boundaries, inlets and outlets.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "CaseError.hpp"
-#include "OpenPlanes.hpp"
-#include "PlacedOpening.hpp"
-#include "components.hpp"
-#include "forEachFoot.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/components.hpp"
+#include "geometry/forEachFoot.hpp"
+#include "models/openings/OpenPlanes.hpp"
+#include "models/openings/PlacedOpening.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

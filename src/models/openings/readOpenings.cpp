@@ -1,7 +1,7 @@
-#include "Opening.hpp"
-#include "components.hpp"
-#include "contains.hpp"
-#include "words.hpp"
+#include "base/words.hpp"
+#include "geometry/components.hpp"
+#include "geometry/contains.hpp"
+#include "models/openings/Opening.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

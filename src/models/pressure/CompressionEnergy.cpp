@@ -1,5 +1,5 @@
-#include "CompressionEnergy.hpp"
-#include "reduce.hpp"
+#include "models/pressure/CompressionEnergy.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -6,7 +6,7 @@
 /// pressure, p_0 = min(|p_b|, max rho c^2/20), since a weakly compressible fluid does no more work against a uniform pressure beyond it; and any start makes
 /// sound of Mach 0.01, sum_i m_i (c/100)^2/2. In 2-D all are per metre of depth.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

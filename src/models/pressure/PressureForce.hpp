@@ -1,6 +1,6 @@
 /// Acceleration by pressure, in the volumes V = 1/sigma.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 
 namespace sph
 {

@@ -14,8 +14,8 @@
 ///
 /// u [m/s] with the mirror images of a displacement, whatever the wall does to velocities. V [m^3], p [Pa], m [kg].
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <cmath>
 
 namespace sph

@@ -9,8 +9,8 @@
 /// with p_min = 0 a stretched liquid falls apart into strings (tutorials/powderMoulding/mould).
 /// Verified by test/unit/plan (hand values) and tutorials/verification/hydrostatic.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

@@ -1,9 +1,9 @@
-#include "pressure.hpp"
-#include "CompressionEnergy.hpp"
-#include "TwoLevels.hpp"
-#include "pressureTerms.hpp"
-#include "soundDamping.hpp"
-#include "stableSound.hpp"
+#include "models/pressure/pressure.hpp"
+#include "models/pressure/CompressionEnergy.hpp"
+#include "models/pressure/pressureTerms.hpp"
+#include "models/pressure/stableSound.hpp"
+#include "scene/TwoLevels.hpp"
+#include "scene/soundDamping.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// The model of the pressure: state equation, gradient and background pressure.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

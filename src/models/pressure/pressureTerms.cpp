@@ -1,7 +1,7 @@
-#include "pressureTerms.hpp"
-#include "PressureForce.hpp"
-#include "PressureResponse.hpp"
-#include "Tait.hpp"
+#include "models/pressure/pressureTerms.hpp"
+#include "models/pressure/PressureForce.hpp"
+#include "models/pressure/PressureResponse.hpp"
+#include "models/pressure/Tait.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "stableSound.hpp"
-#include "Kernel.hpp"
+#include "models/pressure/stableSound.hpp"
+#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

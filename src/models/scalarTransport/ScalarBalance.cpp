@@ -1,6 +1,6 @@
-#include "ScalarBalance.hpp"
-#include "reduce.hpp"
-#include "scalarFluxTerm.hpp"
+#include "models/scalarTransport/ScalarBalance.hpp"
+#include "models/scalarTransport/scalarFluxTerm.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

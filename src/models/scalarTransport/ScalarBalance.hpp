@@ -2,8 +2,8 @@
 /// pairs of phases. f = 0.125; noise grows from 0.3 on
 /// with wendlandC2, from 0.18 on with wendlandC6 and a support of 4 spacings (test/stability/README.md).
 #pragma once
-#include "Particles.hpp"
-#include "TransportedScalar.hpp"
+#include "models/scalarTransport/TransportedScalar.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

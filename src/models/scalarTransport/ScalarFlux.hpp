@@ -15,8 +15,8 @@
 ///                          the outermost particles lack neighbours to diffuse to: of first order. A wave along a channel as wide as half its
 ///                          length is 1.8, 0.88 and 0.43 % off at 16, 32 and 64 spacings that way; 0.36, 0.090 and 0.023 % with c_g = c_j
 #pragma once
-#include "TransportedScalar.hpp"
-#include "Vector.hpp"
+#include "base/Vector.hpp"
+#include "models/scalarTransport/TransportedScalar.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Numbers of a scalar, and the tags of its fields, which in a scene have the scalar's own name.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "carriedScalar.hpp"
-#include "CaseError.hpp"
-#include "positionExpression.hpp"
+#include "models/scalarTransport/carriedScalar.hpp"
+#include "base/CaseError.hpp"
+#include "dictionary/positionExpression.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

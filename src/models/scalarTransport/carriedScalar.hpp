@@ -1,7 +1,7 @@
 /// A scalar that rides on the particles: its entries of one value for each phase, its initial values, and what an inlet brings of it.
 #pragma once
-#include "Dictionary.hpp"
-#include "State.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "scene/State.hpp"
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "mirrorsPairwise.hpp"
+#include "models/scalarTransport/mirrorsPairwise.hpp"
 #include <cmath>
 #include <limits>
 

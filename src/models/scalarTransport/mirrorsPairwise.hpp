@@ -1,6 +1,6 @@
 /// Whether the walls of a scene mirror from both sides of a pair alike.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "readScalars.hpp"
-#include "carriedScalar.hpp"
-#include "words.hpp"
+#include "models/scalarTransport/readScalars.hpp"
+#include "base/words.hpp"
+#include "models/scalarTransport/carriedScalar.hpp"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>

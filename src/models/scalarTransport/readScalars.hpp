@@ -1,7 +1,7 @@
 /// The scalars of a scene, as constant/scalarTransport declares them.
 #pragma once
-#include "Model.hpp"
-#include "TransportedScalar.hpp"
+#include "models/scalarTransport/TransportedScalar.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,5 +1,5 @@
-#include "scalarFluxTerm.hpp"
-#include "ScalarFlux.hpp"
+#include "models/scalarTransport/scalarFluxTerm.hpp"
+#include "models/scalarTransport/ScalarFlux.hpp"
 
 namespace sph
 {

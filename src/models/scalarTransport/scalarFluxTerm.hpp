@@ -1,7 +1,7 @@
 /// The term of a scalar.
 #pragma once
-#include "Settings.hpp"
-#include "TransportedScalar.hpp"
+#include "models/scalarTransport/TransportedScalar.hpp"
+#include "scene/Settings.hpp"
 
 namespace sph
 {

@@ -1,9 +1,9 @@
-#include "scalarTransport.hpp"
-#include "ScalarBalance.hpp"
-#include "carriedScalar.hpp"
-#include "mirrorsPairwise.hpp"
-#include "readScalars.hpp"
-#include "scalarFluxTerm.hpp"
+#include "models/scalarTransport/scalarTransport.hpp"
+#include "models/scalarTransport/ScalarBalance.hpp"
+#include "models/scalarTransport/carriedScalar.hpp"
+#include "models/scalarTransport/mirrorsPairwise.hpp"
+#include "models/scalarTransport/readScalars.hpp"
+#include "models/scalarTransport/scalarFluxTerm.hpp"
 #include <algorithm>
 
 namespace sph

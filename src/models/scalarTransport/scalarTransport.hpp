@@ -1,6 +1,6 @@
 /// The model of transported scalars.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

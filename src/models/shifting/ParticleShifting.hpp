@@ -7,8 +7,8 @@
 /// fastest: lattices are torn where streamlines part, at points of no speed (tutorials/verification/taylorGreen: 2.8 to 3.8 % of error with
 /// the own speed and C = 4, 1.2 to 2 % with the largest). Conserves nothing: it moves particles through the flow field.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "Shifter.hpp"
-#include "reduce.hpp"
+#include "models/shifting/Shifter.hpp"
+#include "parallel/reduce.hpp"
 #include <cmath>
 #include <limits>
 

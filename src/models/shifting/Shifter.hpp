@@ -1,6 +1,6 @@
 /// The moves that keep particles evenly spaced.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

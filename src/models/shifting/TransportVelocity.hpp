@@ -13,8 +13,8 @@
 /// Verified by test/unit/shifting (plain loop, momentum, order) and tutorials/verification/taylorGreen, lidDrivenCavity and
 /// sphereArray.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
-#include "shifting.hpp"
-#include "Shifter.hpp"
-#include "TransportVelocity.hpp"
-#include "shiftingTerms.hpp"
+#include "models/shifting/shifting.hpp"
+#include "models/shifting/Shifter.hpp"
+#include "models/shifting/TransportVelocity.hpp"
+#include "models/shifting/shiftingTerms.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// The model of particle shifting and transport velocity.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

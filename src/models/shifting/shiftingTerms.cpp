@@ -1,6 +1,6 @@
-#include "shiftingTerms.hpp"
-#include "ParticleShifting.hpp"
-#include "TransportVelocity.hpp"
+#include "models/shifting/shiftingTerms.hpp"
+#include "models/shifting/ParticleShifting.hpp"
+#include "models/shifting/TransportVelocity.hpp"
 
 namespace sph
 {

@@ -6,8 +6,8 @@
 /// nothing, or 0. The divergence of p_s I is 0, and what walls take of the soil is sigma. p_c [Pa] keeps particles of a flow apart: the law knows no
 /// void ratio, and by its stress alone they clump. c_c [m/s] `compactionSpeed`, rho_c [kg/m^3] 1.05 of the density at rest. tr is that of three dimensions, zz of plane strain included. Verified by test/unit/soil.
 #pragma once
-#include "Coefficients.hpp"
-#include "SoilFields.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

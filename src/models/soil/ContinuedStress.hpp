@@ -8,9 +8,9 @@
 /// stresses along a plane wall nothing pushes at it, and they are those of the source. With `wallPressure detaching` S_nn <= max(S_nn of the source, 0): no suction; with `mirrored` it is
 /// left out. Verified by test/unit/soil.
 #pragma once
-#include "Coefficients.hpp"
-#include "Images.hpp"
-#include "SoilFields.hpp"
+#include "images/Images.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "plan/Coefficients.hpp"
 #include <string>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// Fields and numbers of soil.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 #include <cmath>
 
 namespace sph

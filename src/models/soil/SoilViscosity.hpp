@@ -5,8 +5,8 @@
 /// alpha [1], h = H/2 [m], c [m/s] = sqrt(M/rho) of each particle, rho [kg/m^3], V [m^3], m [kg]. On approach alone, or q = v_ij . x_ij with `viscosityActs always`. Conserves linear
 /// and angular momentum exactly and takes kinetic energy only. Verified by test/unit/soil (momentum).
 #pragma once
-#include "Coefficients.hpp"
-#include "SoilFields.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "plan/Coefficients.hpp"
 #include <cmath>
 
 namespace sph

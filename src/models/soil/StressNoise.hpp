@@ -4,8 +4,8 @@
 ///
 /// Verified by test/unit/soil.
 #pragma once
-#include "LinearFit.hpp"
-#include "SoilFields.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "operators/LinearFit.hpp"
 
 namespace sph
 {

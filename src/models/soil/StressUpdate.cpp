@@ -1,9 +1,9 @@
-#include "StressUpdate.hpp"
-#include "ContinuedStress.hpp"
-#include "SoilFields.hpp"
-#include "VelocityGradient.hpp"
-#include "reduce.hpp"
-#include "soilLaws.hpp"
+#include "models/soil/StressUpdate.hpp"
+#include "models/soil/ContinuedStress.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "operators/VelocityGradient.hpp"
+#include "parallel/reduce.hpp"
+#include "soilLaws/soilLaws.hpp"
 #include <cmath>
 #include <fmt/format.h>
 

@@ -19,8 +19,8 @@
 ///
 /// Stress-free, inadmissible and unresolved particles of the last step are counted.
 #pragma once
-#include "Particles.hpp"
-#include "TwoLevels.hpp"
+#include "scene/Particles.hpp"
+#include "scene/TwoLevels.hpp"
 #include <optional>
 
 namespace sph

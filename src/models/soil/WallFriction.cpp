@@ -1,6 +1,6 @@
-#include "WallFriction.hpp"
-#include "SoilFields.hpp"
-#include "TwoLevels.hpp"
+#include "models/soil/WallFriction.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "scene/TwoLevels.hpp"
 
 namespace sph
 {

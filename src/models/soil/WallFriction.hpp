@@ -10,7 +10,7 @@
 /// Kept of each particle within a support of such a wall as a tensor T, of which tau = (T n)_t: where two walls meet at a right angle both have the one shear stress that soil can have there. What hangs on to a
 /// wall by tension, as bodies of the elastic law do, has no friction there. Verified by test/unit/soil.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Soil as a model: src/models/soil/README.md.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

@@ -1,9 +1,9 @@
-#include "soilTerms.hpp"
-#include "ActingStress.hpp"
-#include "SoilViscosity.hpp"
-#include "StressDivergence.hpp"
-#include "StressNoise.hpp"
-#include "VelocityGradient.hpp"
+#include "models/soil/soilTerms.hpp"
+#include "models/soil/ActingStress.hpp"
+#include "models/soil/SoilViscosity.hpp"
+#include "models/soil/StressNoise.hpp"
+#include "operators/StressDivergence.hpp"
+#include "operators/VelocityGradient.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Terms of soil by name.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

@@ -9,9 +9,9 @@
 /// from 0.97 on the plane channel does not feel it at 9 and 19 particles across, 0.95 costs 0.01 of phi in the middle at 39. Momentum and
 /// migration read the same mu and the same slope. Verified by test/unit/suspension (hand values; continuity of both).
 #pragma once
-#include "Coefficients.hpp"
-#include "SuspensionConstants.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

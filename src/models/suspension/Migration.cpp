@@ -1,9 +1,9 @@
-#include "Migration.hpp"
-#include "DivergedError.hpp"
-#include "SuspensionConstants.hpp"
-#include "ViscosityFlux.hpp"
-#include "conjugateGradients.hpp"
-#include "reduce.hpp"
+#include "models/suspension/Migration.hpp"
+#include "base/DivergedError.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "models/suspension/ViscosityFlux.hpp"
+#include "parallel/conjugateGradients.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

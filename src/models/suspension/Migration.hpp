@@ -14,7 +14,7 @@
 /// h = H/2 [m], D [m^2/s]. The time that the flow takes by itself is often a thousand times shorter, and one solve for the velocities
 /// serves four explicit steps (`migrationSteps`) within 0.1 % of phi, and one of those that solve.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

@@ -8,8 +8,8 @@
 /// tutorials/powderMoulding/channel9), 9, 19, 39 across have 0.37, 0.21, 0.24 % of error in phi by these, and 0.44, 0.29, 0.25 % by the others.
 /// Verified by test/unit/suspension (plain loop, conservation, hand values).
 #pragma once
-#include "Krieger.hpp"
-#include "PhillipsFlux.hpp"
+#include "models/suspension/Krieger.hpp"
+#include "models/suspension/PhillipsFlux.hpp"
 
 namespace sph
 {

@@ -9,9 +9,9 @@
 /// pairs with ghosts are left out. The means are arithmetic on purpose: a harmonic one takes J_eta away where gammaDot = 0, and phi runs
 /// through phi_m there. Verified by test/unit/suspension (antisymmetry, conservation, a steady profile) and tutorials/powderMoulding.
 #pragma once
-#include "Coefficients.hpp"
-#include "SuspensionConstants.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

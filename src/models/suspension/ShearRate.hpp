@@ -1,9 +1,9 @@
 /// The shear rate that powder migrates by: gammaDot = sqrt(2 D:D) [1/s], D = (grad v + (grad v)^T)/2; |dv/dy| in simple shear. The whole
 /// quotient of gammaDot:gammaDot/2 is under the root, other than in print, so that mu gammaDot is the shear stress.
 #pragma once
-#include "Coefficients.hpp"
-#include "SuspensionConstants.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "plan/Coefficients.hpp"
 #include <cmath>
 
 namespace sph

@@ -5,9 +5,9 @@
 /// Symmetric and negative in the product sum_i m_i a_i b_i; sum_i m_i (K q)_i = 0 to round-off. Near phi_m B is hundreds of times D_c a^2 gammaDot phi, by
 /// which J_c limits a step; a step that takes J_eta at its end is left with the latter (Migration.hpp). Verified by test/unit/suspension.
 #pragma once
-#include "Coefficients.hpp"
-#include "SuspensionConstants.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

@@ -1,9 +1,9 @@
-#include "suspension.hpp"
-#include "Migration.hpp"
-#include "SuspensionConstants.hpp"
-#include "ViscosityFlux.hpp"
-#include "schemeSets.hpp"
-#include "suspensionTerms.hpp"
+#include "models/suspension/suspension.hpp"
+#include "models/suspension/Migration.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "models/suspension/ViscosityFlux.hpp"
+#include "models/suspension/suspensionTerms.hpp"
+#include "schemes/schemeSets.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

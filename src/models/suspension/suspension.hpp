@@ -1,6 +1,6 @@
 /// The model of suspensions: viscosity and migration of powder.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

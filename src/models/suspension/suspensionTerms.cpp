@@ -1,7 +1,7 @@
-#include "suspensionTerms.hpp"
-#include "OfDensity.hpp"
-#include "ShearRate.hpp"
-#include "ViscosityFlux.hpp"
+#include "models/suspension/suspensionTerms.hpp"
+#include "models/suspension/OfDensity.hpp"
+#include "models/suspension/ShearRate.hpp"
+#include "models/suspension/ViscosityFlux.hpp"
 
 namespace sph
 {

@@ -3,9 +3,9 @@
 /// Beside the stress form it converges at fixed support, and with the density-weighted pressure it allows the same sound speed in both
 /// phases at a density ratio of 1000. It does not conserve momentum exactly. Verified by tutorials/verification/laplaceDrop.
 #pragma once
-#include "Coefficients.hpp"
-#include "Tensions.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

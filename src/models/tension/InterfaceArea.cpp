@@ -1,6 +1,6 @@
-#include "InterfaceArea.hpp"
-#include "Tensions.hpp"
-#include "reduce.hpp"
+#include "models/tension/InterfaceArea.hpp"
+#include "models/tension/Tensions.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <numbers>
 

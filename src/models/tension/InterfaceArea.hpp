@@ -6,7 +6,7 @@
 /// interfaces, and rising with every particle that strays into the other phase. Walls may give the largest difference of their tensions with the phases, on the
 /// area of the row of particles at them: an upper bound.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

@@ -7,8 +7,8 @@
 /// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. Its divergence (StressDivergence) is the force.
 /// Verified by test/unit/tension (plain loop), tutorials/verification/laplaceDrop and contactAngle.
 #pragma once
-#include "Tensions.hpp"
-#include "terms.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/terms.hpp"
 
 namespace sph
 {

@@ -2,8 +2,8 @@
 ///
 ///   n_w = normal of the nearest wall where it is nearer than 5/6 H, else 0
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

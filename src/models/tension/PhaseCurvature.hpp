@@ -12,8 +12,8 @@
 /// nothing there would know the tensions. The force as -gamma_k kappa_k gradC_k came to the same angles with 3 to 5 times the kinetic energy. Verified by
 /// test/unit/tension (plain loop) and tutorials/verification/liquidLens.
 #pragma once
-#include "CurvatureForce.hpp"
-#include "NearestWall.hpp"
+#include "models/tension/CurvatureForce.hpp"
+#include "models/tension/NearestWall.hpp"
 
 namespace sph
 {

@@ -17,8 +17,8 @@
 /// WallTension, within 3 degrees, has no such loss. Walls with different names are different solids, each with its own gradient.
 /// Conserves linear momentum only without walls, where it is InterfaceStress.
 #pragma once
-#include "InterfaceStress.hpp"
-#include "Tensions.hpp"
+#include "models/tension/InterfaceStress.hpp"
+#include "models/tension/Tensions.hpp"
 
 namespace sph
 {

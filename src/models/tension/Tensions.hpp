@@ -1,6 +1,6 @@
 /// Surface tensions of a scene: of each pair of phases, and of each wall with each phase.
 #pragma once
-#include "Coefficients.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 #include <vector>
 

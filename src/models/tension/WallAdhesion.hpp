@@ -12,8 +12,8 @@
 /// spacings between two walls, whose interface no direction fits, are calmer with WallPotential: in the bed of
 /// tutorials/heapLeaching/bccBed, at 24 spacings a period, water and air have 2.5 times the kinetic energy of it after 2.5 ms.
 #pragma once
-#include "NearestWall.hpp"
-#include "WettingAngles.hpp"
+#include "models/tension/NearestWall.hpp"
+#include "models/tension/WettingAngles.hpp"
 
 namespace sph
 {

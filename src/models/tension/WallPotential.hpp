@@ -15,9 +15,9 @@
 /// works them loose and stirs the gas (tutorials/heapLeaching/bccBed). The interface must bend within H of the wall: the curvature form
 /// does, and has angles within 3 degrees; the interface stress does not, and has them too far from 90 (tutorials/verification/contactAngle).
 #pragma once
-#include "Coefficients.hpp"
-#include "Tensions.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/Coefficients.hpp"
 #include <cmath>
 
 namespace sph

@@ -1,5 +1,5 @@
-#include "WallTension.hpp"
-#include "Kernel.hpp"
+#include "models/tension/WallTension.hpp"
+#include "kernels/Kernel.hpp"
 #include <cmath>
 #include <numbers>
 

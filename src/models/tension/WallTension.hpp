@@ -15,9 +15,9 @@
 /// (R^2 + r^2)/(2 r) over the layer, R to second order in d/R, and spheres and cylinders give the same. Measured at 60 and 120 degrees with R/H = 3: none is
 /// within 1 degree, a factor of R/r or its inverse 2 to 4 degrees off (tutorials/verification/contactAngle, circles).
 #pragma once
-#include "Coefficients.hpp"
-#include "Tensions.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "YoungsLaw.hpp"
-#include "Tensions.hpp"
-#include "words.hpp"
+#include "models/tension/YoungsLaw.hpp"
+#include "base/words.hpp"
+#include "models/tension/Tensions.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 /// has the other sign.) Each angle ties two tensions together: with n phases n - 1 of them that connect all phases tell the rest, of which more
 /// must be consistent. Verified by test/unit/tension.
 #pragma once
-#include "Coefficients.hpp"
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
+#include "plan/Coefficients.hpp"
 #include <functional>
 
 namespace sph

@@ -1,6 +1,6 @@
-#include "phaseCurvatureTerms.hpp"
-#include "PhaseCurvature.hpp"
-#include "Tensions.hpp"
+#include "models/tension/phaseCurvatureTerms.hpp"
+#include "models/tension/PhaseCurvature.hpp"
+#include "models/tension/Tensions.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>

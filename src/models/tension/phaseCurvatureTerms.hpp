@@ -1,6 +1,6 @@
 /// The terms of PhaseCurvature.hpp, one set for each phase.
 #pragma once
-#include "Settings.hpp"
+#include "scene/Settings.hpp"
 
 namespace sph
 {

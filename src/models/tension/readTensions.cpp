@@ -1,6 +1,6 @@
-#include "readTensions.hpp"
-#include "sigmaEntry.hpp"
-#include "words.hpp"
+#include "models/tension/readTensions.hpp"
+#include "base/words.hpp"
+#include "models/tension/sigmaEntry.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// Reads gamma_kl of each pair of phases from `sigma ( (water air) 0.072 );` of constant/phaseProperties.
 #pragma once
-#include "Dictionary.hpp"
-#include "Tensions.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "models/tension/Tensions.hpp"
 
 namespace sph
 {

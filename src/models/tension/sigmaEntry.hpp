@@ -1,6 +1,6 @@
 /// The entry `sigma` of constant/phaseProperties, which packParticles reads as well as the solver.
 #pragma once
-#include "EntryList.hpp"
+#include "dictionary/EntryList.hpp"
 
 namespace sph::entry
 {

@@ -1,6 +1,6 @@
 /// The model of surface tension and contact angles.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

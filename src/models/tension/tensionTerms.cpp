@@ -1,7 +1,7 @@
-#include "tensionTerms.hpp"
-#include "CurvatureForce.hpp"
-#include "InterfaceStress.hpp"
-#include "SolidPhase.hpp"
+#include "models/tension/tensionTerms.hpp"
+#include "models/tension/CurvatureForce.hpp"
+#include "models/tension/InterfaceStress.hpp"
+#include "models/tension/SolidPhase.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Terms of surface tension by name.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

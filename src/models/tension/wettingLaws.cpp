@@ -1,8 +1,8 @@
-#include "wettingLaws.hpp"
-#include "NearestWall.hpp"
-#include "WallAdhesion.hpp"
-#include "WallPotential.hpp"
-#include "WallTension.hpp"
+#include "models/tension/wettingLaws.hpp"
+#include "models/tension/NearestWall.hpp"
+#include "models/tension/WallAdhesion.hpp"
+#include "models/tension/WallPotential.hpp"
+#include "models/tension/WallTension.hpp"
 
 namespace sph
 {

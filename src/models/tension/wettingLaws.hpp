@@ -1,6 +1,6 @@
 /// Wall laws of wetting by name.
 #pragma once
-#include "Catalogue.hpp"
+#include "plan/Catalogue.hpp"
 
 namespace sph
 {

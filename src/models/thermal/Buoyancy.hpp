@@ -6,8 +6,8 @@
 /// Lifshitz, Fluid Mechanics, section 56. The weight of fluid at T0 is that of `gravity` (forces). Verified by test/unit/thermal and
 /// tutorials/verification/heatedCavity.
 #pragma once
-#include "Coefficients.hpp"
-#include "ThermalProperties.hpp"
+#include "models/thermal/ThermalProperties.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
-#include "HeatBalance.hpp"
-#include "components.hpp"
-#include "reduce.hpp"
-#include "thermalRules.hpp"
-#include "thermalTerms.hpp"
+#include "models/thermal/HeatBalance.hpp"
+#include "geometry/components.hpp"
+#include "models/thermal/thermalRules.hpp"
+#include "models/thermal/thermalTerms.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -9,8 +9,8 @@
 /// Heat-balance error: sum m Cp T now, minus that at the start, minus what all walls have given, relative to sum m Cp |T|. Where an inlet or outlet carries
 /// heat the error has no meaning, and is left out. In two dimensions [J] and [W] are of a metre of depth.
 #pragma once
-#include "Particles.hpp"
-#include "ThermalProperties.hpp"
+#include "models/thermal/ThermalProperties.hpp"
+#include "scene/Particles.hpp"
 
 namespace sph
 {

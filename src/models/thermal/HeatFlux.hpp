@@ -12,8 +12,8 @@
 ///
 /// Verified by test/unit/thermal (plain loop, decay of a wave, slab, two phases, heat balance) and tutorials/verification/heatedCavity.
 #pragma once
-#include "ScalarFlux.hpp"
-#include "ThermalProperties.hpp"
+#include "models/scalarTransport/ScalarFlux.hpp"
+#include "models/thermal/ThermalProperties.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
 /// Numbers of heat conduction and buoyancy, and the tags of the fields.
 #pragma once
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
 #include <algorithm>
 #include <optional>
 #include <string>

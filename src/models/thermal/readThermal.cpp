@@ -1,6 +1,6 @@
-#include "readThermal.hpp"
-#include "carriedScalar.hpp"
-#include "words.hpp"
+#include "models/thermal/readThermal.hpp"
+#include "base/words.hpp"
+#include "models/scalarTransport/carriedScalar.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// Heat conduction and buoyancy of a scene, as constant/thermophysicalProperties states them.
 #pragma once
-#include "Model.hpp"
-#include "ThermalProperties.hpp"
+#include "models/thermal/ThermalProperties.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

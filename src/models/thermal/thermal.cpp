@@ -1,10 +1,10 @@
-#include "thermal.hpp"
-#include "HeatBalance.hpp"
-#include "carriedScalar.hpp"
-#include "makeWallLayers.hpp"
-#include "mirrorsPairwise.hpp"
-#include "readThermal.hpp"
-#include "thermalTerms.hpp"
+#include "models/thermal/thermal.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "models/scalarTransport/carriedScalar.hpp"
+#include "models/scalarTransport/mirrorsPairwise.hpp"
+#include "models/thermal/HeatBalance.hpp"
+#include "models/thermal/readThermal.hpp"
+#include "models/thermal/thermalTerms.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// The model of heat conduction and buoyancy.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

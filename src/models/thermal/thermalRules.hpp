@@ -1,7 +1,7 @@
 /// Rules for the ghosts behind walls that conduct heat, and for the pressure there where fluid is buoyant.
 #pragma once
-#include "ThermalProperties.hpp"
-#include "ghostRules.hpp"
+#include "models/thermal/ThermalProperties.hpp"
+#include "models/walls/ghostRules.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
-#include "thermalTerms.hpp"
-#include "Buoyancy.hpp"
-#include "HeatFlux.hpp"
-#include "scalarFluxTerm.hpp"
+#include "models/thermal/thermalTerms.hpp"
+#include "models/scalarTransport/scalarFluxTerm.hpp"
+#include "models/thermal/Buoyancy.hpp"
+#include "models/thermal/HeatFlux.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Terms of heat conduction and buoyancy.
 #pragma once
-#include "Settings.hpp"
-#include "ThermalProperties.hpp"
+#include "models/thermal/ThermalProperties.hpp"
+#include "scene/Settings.hpp"
 
 namespace sph
 {

@@ -7,9 +7,9 @@
 /// two dimensions and alpha h c/10 in three (Monaghan 2005), which vanishes with the spacing. Conserves linear and angular momentum exactly
 /// and takes kinetic energy only. Verified by test/unit/viscosity (plain loop, energy) and tutorials/verification/rotatingSquarePatch.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
-#include "soundDamping.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
+#include "scene/soundDamping.hpp"
 #include <algorithm>
 
 namespace sph

@@ -13,8 +13,8 @@
 /// (1 - dt L) v_1 = (1 + dt T) v_0, Morris' L implicit and this T explicit, is stable at any step. The step by explicit viscosity stays as well: at short
 /// waves, which limit it, G vanishes. Verified by test/unit/viscosity (plain loop, momentum, energy, solid rotation).
 #pragma once
-#include "Tensor.hpp"
-#include "ViscousForce.hpp"
+#include "base/Tensor.hpp"
+#include "models/viscosity/ViscousForce.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
 /// Acceleration by viscosity. The mean viscosity of a pair is a policy: harmonic between phases, one constant in a single phase.
 #pragma once
-#include "Coefficients.hpp"
-#include "fieldTags.hpp"
+#include "fields/fieldTags.hpp"
+#include "plan/Coefficients.hpp"
 #include <algorithm>
 
 namespace sph

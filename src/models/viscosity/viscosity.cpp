@@ -1,7 +1,7 @@
-#include "viscosity.hpp"
-#include "ArtificialViscosity.hpp"
-#include "TwoLevels.hpp"
-#include "viscosityTerms.hpp"
+#include "models/viscosity/viscosity.hpp"
+#include "models/viscosity/ArtificialViscosity.hpp"
+#include "models/viscosity/viscosityTerms.hpp"
+#include "scene/TwoLevels.hpp"
 #include <algorithm>
 
 namespace sph

@@ -1,6 +1,6 @@
 /// The model of viscosity, physical and artificial.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

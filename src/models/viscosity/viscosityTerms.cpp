@@ -1,6 +1,6 @@
-#include "viscosityTerms.hpp"
-#include "ArtificialViscosity.hpp"
-#include "TransposedViscosity.hpp"
+#include "models/viscosity/viscosityTerms.hpp"
+#include "models/viscosity/ArtificialViscosity.hpp"
+#include "models/viscosity/TransposedViscosity.hpp"
 
 namespace sph
 {

@@ -1,6 +1,6 @@
-#include "WallContact.hpp"
-#include "offWalls.hpp"
-#include "reduce.hpp"
+#include "models/walls/WallContact.hpp"
+#include "geometry/offWalls.hpp"
+#include "parallel/reduce.hpp"
 #include <algorithm>
 
 namespace sph

@@ -13,7 +13,7 @@
 ///
 /// v_w velocity of the wall [m/s], t the part along it, dv_n what v has lost across it [m/s].
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 #include <array>
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "WallRules.hpp"
-#include "ghostRules.hpp"
-#include "reduce.hpp"
+#include "models/walls/WallRules.hpp"
+#include "models/walls/ghostRules.hpp"
+#include "parallel/reduce.hpp"
 #include <numeric>
 
 namespace sph

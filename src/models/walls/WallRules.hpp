@@ -1,6 +1,6 @@
 /// Part that gives images the rules of a scene's walls.
 #pragma once
-#include "Particles.hpp"
+#include "scene/Particles.hpp"
 #include <string>
 
 namespace sph

@@ -1,4 +1,4 @@
-#include "ghostRules.hpp"
+#include "models/walls/ghostRules.hpp"
 
 namespace sph
 {

@@ -1,8 +1,8 @@
 /// Rules for the velocity of a wall ghost, from that of the particle it mirrors: they make a wall stick or slip. Particles of wall layers
 /// (images/layerPairs.hpp) have the same rules at distances d_g = q d of their own; q = 1 for a mirror image.
 #pragma once
-#include "Coefficients.hpp"
-#include "Images.hpp"
+#include "images/Images.hpp"
+#include "plan/Coefficients.hpp"
 
 namespace sph
 {

@@ -1,7 +1,7 @@
-#include "walls.hpp"
-#include "WallContact.hpp"
-#include "WallRules.hpp"
-#include "makeWallLayers.hpp"
+#include "models/walls/walls.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "models/walls/WallContact.hpp"
+#include "models/walls/WallRules.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

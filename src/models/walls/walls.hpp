@@ -1,6 +1,6 @@
 /// The model of walls: rules for ghosts, and contact.
 #pragma once
-#include "Model.hpp"
+#include "scene/Model.hpp"
 
 namespace sph
 {

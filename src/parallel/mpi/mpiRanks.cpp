@@ -1,5 +1,5 @@
 /// Ranks by Open MPI, cut by Zoltan's recursive coordinate bisection: a library of its own, loaded where a run is parallel.
-#include "Ranks.hpp"
+#include "parallel/Ranks.hpp"
 #include <cerrno>
 #include <cstdlib>
 #include <ctime>

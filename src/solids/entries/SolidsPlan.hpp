@@ -1,8 +1,8 @@
 /// Section `solids` of system/packParticlesDict: which solids are packed, in what, and how. In a library of its own, so that what prints the
 /// entries needs neither Bullet nor meshes.
 #pragma once
-#include "Case.hpp"
-#include "EntryList.hpp"
+#include "case/Case.hpp"
+#include "dictionary/EntryList.hpp"
 #include <array>
 
 namespace sph

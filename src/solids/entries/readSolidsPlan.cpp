@@ -1,5 +1,5 @@
-#include "SolidsPlan.hpp"
-#include "phaseEntries.hpp"
+#include "case/phaseEntries.hpp"
+#include "solids/entries/SolidsPlan.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "closedSurface.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <bit>
 #include <cstdint>

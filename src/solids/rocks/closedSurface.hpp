@@ -1,7 +1,7 @@
 /// Sums over a closed surface of triangles, and its files.
 #pragma once
-#include "SymmTensor.hpp"
-#include "TriangleSurface.hpp"
+#include "base/SymmTensor.hpp"
+#include "geometry/TriangleSurface.hpp"
 #include <filesystem>
 #include <string>
 

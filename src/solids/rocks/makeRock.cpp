@@ -1,8 +1,8 @@
-#include "makeRock.hpp"
-#include "Shape.hpp"
-#include "closedSurface.hpp"
-#include "geodesicSphere.hpp"
-#include "noise.hpp"
+#include "solids/rocks/makeRock.hpp"
+#include "base/noise.hpp"
+#include "geometry/Shape.hpp"
+#include "geometry/geodesicSphere.hpp"
+#include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <cassert>
 #include <map>

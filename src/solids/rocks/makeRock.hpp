@@ -1,6 +1,6 @@
 /// Shapes of rocks, as closed surfaces with outward normals about their centroid.
 #pragma once
-#include "TriangleSurface.hpp"
+#include "geometry/TriangleSurface.hpp"
 #include <cstdint>
 #include <string>
 

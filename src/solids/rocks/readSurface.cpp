@@ -1,6 +1,6 @@
-#include "CaseError.hpp"
-#include "closedSurface.hpp"
-#include "importMesh.hpp"
+#include "base/CaseError.hpp"
+#include "meshes/readers/importMesh.hpp"
+#include "solids/rocks/closedSurface.hpp"
 
 namespace sph
 {

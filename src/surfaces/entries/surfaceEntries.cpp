@@ -1,4 +1,4 @@
-#include "surfaceEntries.hpp"
+#include "surfaces/entries/surfaceEntries.hpp"
 
 namespace sph
 {

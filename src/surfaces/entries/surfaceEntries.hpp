@@ -1,7 +1,7 @@
 /// The entries of system/reconstructSurfaceDict. They stand in a library of their own, so that what prints them needs no VTK.
 #pragma once
-#include "EntryList.hpp"
-#include "Kernel.hpp"
+#include "dictionary/EntryList.hpp"
+#include "kernels/Kernel.hpp"
 
 namespace sph
 {

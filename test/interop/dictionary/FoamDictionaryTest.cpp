@@ -1,5 +1,5 @@
-#include "Dictionary.hpp"
-#include "DictionaryText.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "dictionary/DictionaryText.hpp"
 #include <array>
 #include <cstdio>
 #include <cstdlib>

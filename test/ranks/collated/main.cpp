@@ -2,11 +2,11 @@
 ///
 ///   collatedWriting write <folder> ascii|binary <i> <particles of each rank>...    time folder `1`; the phase of particle i (-1: of none) is no label
 ///   mpirun -np N collatedWriting speed <folder> <particles>                        a name, a number and a unit a line
-#include "Clock.hpp"
-#include "Cloud.hpp"
-#include "OutputFile.hpp"
-#include "Ranks.hpp"
-#include "TimeFolder.hpp"
+#include "base/Clock.hpp"
+#include "base/OutputFile.hpp"
+#include "case/Cloud.hpp"
+#include "case/TimeFolder.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fcntl.h>

@@ -1,8 +1,8 @@
 /// Dictionaries damaged at random: reading ends, throws nothing, and gives a dictionary or errors; what is printed of one without errors reads
 /// back as the same; what an edit leaves can be read.
-#include "DictionaryText.hpp"
 #include "Mutator.hpp"
-#include "TimeControls.hpp"
+#include "case/TimeControls.hpp"
+#include "dictionary/DictionaryText.hpp"
 #include "smallCases.hpp"
 
 namespace sph::test

@@ -1,8 +1,8 @@
 /// Field files and time folders damaged at random: reading ends, throws nothing, and what it accepts is what stands in the file, to the last bit,
 /// by a second reading that knows no more of a file than its brackets and numbers.
-#include "Cloud.hpp"
 #include "Mutator.hpp"
-#include "RunTime.hpp"
+#include "case/Cloud.hpp"
+#include "case/RunTime.hpp"
 #include "smallCases.hpp"
 #include <cmath>
 #include <cstring>

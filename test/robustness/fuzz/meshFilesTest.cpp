@@ -3,8 +3,8 @@
 #include "Mutator.hpp"
 #include "NaiveMesh.hpp"
 #include "gltfTexts.hpp"
-#include "importMesh.hpp"
 #include "meshTexts.hpp"
+#include "meshes/readers/importMesh.hpp"
 #include "smallCases.hpp"
 
 namespace sph::test

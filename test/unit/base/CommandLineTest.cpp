@@ -1,6 +1,6 @@
-#include "CommandLine.hpp"
-#include "CaseError.hpp"
-#include "readText.hpp"
+#include "base/CommandLine.hpp"
+#include "base/CaseError.hpp"
+#include "base/readText.hpp"
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 /// Tensors and plane-strain stresses against values by hand and against one another, and what the trait says of each type.
-#include "values.hpp"
+#include "base/values.hpp"
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "Cloud.hpp"
+#include "case/Cloud.hpp"
 #include "temporaryCase.hpp"
 #include <bit>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "OutputTable.hpp"
+#include "case/OutputTable.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 

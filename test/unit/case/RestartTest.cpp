@@ -1,4 +1,4 @@
-#include "RunTime.hpp"
+#include "case/RunTime.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 #include <random>

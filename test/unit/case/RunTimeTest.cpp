@@ -1,5 +1,5 @@
-#include "RunTime.hpp"
-#include "OutputFile.hpp"
+#include "case/RunTime.hpp"
+#include "base/OutputFile.hpp"
 #include "temporaryCase.hpp"
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "OutputFile.hpp"
-#include "RunTime.hpp"
 #include "SmallDisk.hpp"
+#include "base/OutputFile.hpp"
+#include "case/RunTime.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// A case folder of a test's own, removed at its end.
 #pragma once
-#include "CaseError.hpp"
+#include "base/CaseError.hpp"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 /// Particles divided into folders and put together again, and what is found out of folders that do not belong together.
-#include "decompose.hpp"
-#include "RunTime.hpp"
-#include "processorFolders.hpp"
+#include "decomposition/decompose.hpp"
+#include "case/RunTime.hpp"
+#include "decomposition/processorFolders.hpp"
 #include "temporaryCase.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>

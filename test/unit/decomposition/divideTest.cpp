@@ -1,6 +1,6 @@
 /// Parts of equal numbers, and compact ones.
-#include "divide.hpp"
-#include "hilbert.hpp"
+#include "decomposition/divide.hpp"
+#include "decomposition/hilbert.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

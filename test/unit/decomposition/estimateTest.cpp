@@ -1,5 +1,5 @@
 /// Copies and messages of ranks, against a count by hand.
-#include "estimate.hpp"
+#include "decomposition/estimate.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 /// The continuity equation, its diffusion and relaxation against plain loops.
-#include "DensityRelaxation.hpp"
 #include "PlainSums.hpp"
+#include "models/density/DensityRelaxation.hpp"
 
 namespace sph::test
 {

@@ -1,5 +1,5 @@
 #include "Parsed.hpp"
-#include "addDefaults.hpp"
+#include "dictionary/addDefaults.hpp"
 
 using namespace sph;
 

@@ -1,5 +1,5 @@
-#include "Parameter.hpp"
 #include "Parsed.hpp"
+#include "dictionary/Parameter.hpp"
 #include <cstdlib>
 #include <fstream>
 #include <numbers>

@@ -1,5 +1,5 @@
-#include "DictionaryText.hpp"
 #include "Parsed.hpp"
+#include "dictionary/DictionaryText.hpp"
 #include <fstream>
 #include <sstream>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 // What is nested, repeated or endless beyond reason ends in an error that names the limit and the line, before the stack, the memory or ten
 // seconds are spent. Each of these once ended a program by a signal, or not at all.
-#include "KeywordPattern.hpp"
 #include "Parsed.hpp"
-#include "positionExpression.hpp"
+#include "dictionary/KeywordPattern.hpp"
+#include "dictionary/positionExpression.hpp"
 #include <chrono>
 #include <fstream>
 #include <sys/stat.h>

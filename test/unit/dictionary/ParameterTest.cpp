@@ -1,6 +1,6 @@
 /// What is declared is what is read: defaults, ranges, units and words of an entry, and the mistakes that are told.
-#include "EntryList.hpp"
 #include "Parsed.hpp"
+#include "dictionary/EntryList.hpp"
 
 using namespace sph;
 

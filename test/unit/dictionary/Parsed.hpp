@@ -1,6 +1,6 @@
 /// A dictionary from text, and the messages that reading it left, for the tests of this folder.
 #pragma once
-#include "Dictionary.hpp"
+#include "dictionary/Dictionary.hpp"
 #include <gtest/gtest.h>
 
 namespace sph

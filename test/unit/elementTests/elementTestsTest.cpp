@@ -1,12 +1,12 @@
 /// Element tests with stresses held against an independent integrator, to six digits at tight tolerance and to 1e-5 by rows of 1e-2; strength of
 /// Drucker and Prager's soil by its formulas; cases with mistakes.
 #include "Largest.hpp"
-#include "OutputFile.hpp"
 #include "TestCase.hpp"
+#include "base/OutputFile.hpp"
 #include "declaredEntries.hpp"
-#include "readElementTests.hpp"
+#include "elementTests/readElementTests.hpp"
+#include "elementTests/writeElementTests.hpp"
 #include "soilTesting.hpp"
-#include "writeElementTests.hpp"
 #include <fmt/format.h>
 
 using namespace sph;

@@ -1,5 +1,5 @@
 /// The store holds what was asked for and nothing else, keeps values through growth, and sorts the state alone.
-#include "FieldStore.hpp"
+#include "fields/FieldStore.hpp"
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <stdexcept>

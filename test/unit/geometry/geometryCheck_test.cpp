@@ -1,4 +1,4 @@
-#include "GeometryCheck.hpp"
+#include "geometry/GeometryCheck.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

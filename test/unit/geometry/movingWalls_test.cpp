@@ -1,5 +1,5 @@
 /// Planes that move across themselves; all other walls stay.
-#include "MovingWalls.hpp"
+#include "geometry/MovingWalls.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// Walls around a point: what the grid and the tree give is what a plain loop over all patches gives.
-#include "forEachFoot.hpp"
+#include "geometry/forEachFoot.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <random>

@@ -1,5 +1,5 @@
 /// Positions and velocities are held off walls, one after the other.
-#include "offWalls.hpp"
+#include "geometry/offWalls.hpp"
 #include "wallsByHand.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "PatchGrid.hpp"
+#include "geometry/PatchGrid.hpp"
 #include "reading.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "Sphere.hpp"
+#include "geometry/Sphere.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <set>

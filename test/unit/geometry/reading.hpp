@@ -1,6 +1,6 @@
 /// Geometry from text, with the errors that the text deserves.
 #pragma once
-#include "Geometry.hpp"
+#include "geometry/Geometry.hpp"
 #include <string>
 
 namespace sph::test

@@ -1,12 +1,12 @@
 /// One of each shape in general position, on both sides, for tests that hold for all of them.
 #pragma once
-#include "Cone.hpp"
-#include "Cylinder.hpp"
-#include "Ellipsoid.hpp"
-#include "Plane.hpp"
-#include "SolidBox.hpp"
-#include "Sphere.hpp"
-#include "Torus.hpp"
+#include "geometry/Cone.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/Ellipsoid.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/Sphere.hpp"
+#include "geometry/Torus.hpp"
 #include <random>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 /// Solids that touch or overlap act as one: which patches may be covered, which feet are hidden, and which edges are none.
-#include "forEachFoot.hpp"
+#include "geometry/forEachFoot.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

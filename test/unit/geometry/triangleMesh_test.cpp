@@ -1,6 +1,6 @@
 /// Meshes as walls: signed distance, bodies and cavities, regions, files.
-#include "TriangleMesh.hpp"
-#include "Walls.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/Walls.hpp"
 #include "meshes.hpp"
 #include "reading.hpp"
 #include <fstream>

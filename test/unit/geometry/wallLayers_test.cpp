@@ -1,7 +1,7 @@
 /// Layers of wall particles: where they lie, how much of the solid they are, and what has none.
-#include "CaseError.hpp"
 #include "SmallFiles.hpp"
-#include "makeWallLayers.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,5 +1,5 @@
+#include "geometry/wallSurfaces.hpp"
 #include "reading.hpp"
-#include "wallSurfaces.hpp"
 #include <gtest/gtest.h>
 
 using namespace sph;

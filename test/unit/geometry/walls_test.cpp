@@ -1,4 +1,4 @@
-#include "Walls.hpp"
+#include "geometry/Walls.hpp"
 #include "reading.hpp"
 #include <fstream>
 #include <gtest/gtest.h>

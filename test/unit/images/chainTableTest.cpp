@@ -1,5 +1,5 @@
 /// The decision table of chains, row by row: each row has a chain for which it alone decides, and the comment in chainTable names the reason.
-#include "chainTable.hpp"
+#include "images/chainTable.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

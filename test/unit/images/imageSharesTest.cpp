@@ -1,5 +1,5 @@
 /// Shares of images among two walls, by their formulas: halves on the bisector, all of it with one of the two, nothing in a gap. Round-off.
-#include "imageShares.hpp"
+#include "images/imageShares.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,6 +1,6 @@
 /// Images: how they move with their sources, which of them are kept, and what they tell of the walls near.
 #include "Imaged.hpp"
-#include "NeighbourLists.hpp"
+#include "neighbours/NeighbourLists.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>

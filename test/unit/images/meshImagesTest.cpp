@@ -1,8 +1,8 @@
 /// Images in meshes: what is behind a surface is filled once, whatever its edges and vertices.
 #include "Largest.hpp"
-#include "Plane.hpp"
-#include "Sphere.hpp"
-#include "TriangleMesh.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
+#include "geometry/TriangleMesh.hpp"
 #include "meshes.hpp"
 #include "scenes.hpp"
 #include <gtest/gtest.h>

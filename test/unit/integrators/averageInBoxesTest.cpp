@@ -1,5 +1,5 @@
 /// Means over boxes keep momentum, leave what is uniform, and know nothing of their neighbours.
-#include "averageInBoxes.hpp"
+#include "integrators/averageInBoxes.hpp"
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,11 +1,11 @@
 /// The step itself: its order in time, and what it keeps.
-#include "CaseError.hpp"
-#include "DivergedError.hpp"
 #include "Largest.hpp"
-#include "Plane.hpp"
-#include "Simulation.hpp"
+#include "base/CaseError.hpp"
+#include "base/DivergedError.hpp"
+#include "geometry/Plane.hpp"
+#include "parallel/reduce.hpp"
 #include "periodicSquare.hpp"
-#include "reduce.hpp"
+#include "solver/Simulation.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "defaultSupport.hpp"
-#include "Kernel.hpp"
+#include "kernels/defaultSupport.hpp"
+#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 /// Every kernel in two and three dimensions against what defines it: unit integral, slope, compact support, positivity.
-#include "Kernel.hpp"
+#include "kernels/Kernel.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,5 +1,5 @@
 /// Numbers that particles keep for life, in whole runs.
-#include "Cloud.hpp"
+#include "case/Cloud.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>

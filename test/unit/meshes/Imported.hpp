@@ -1,7 +1,7 @@
 /// What the reader alone makes of a file.
 #pragma once
-#include "importMesh.hpp"
 #include "meshTexts.hpp"
+#include "meshes/readers/importMesh.hpp"
 #include "temporaryCase.hpp"
 
 namespace sph::test

@@ -1,7 +1,7 @@
 /// A mesh prepared as meshToGhost does it, in a case of its own: domain (-2 -2 -2) to (2 2 2), spacing 0.01, H = 0.026.
 #pragma once
 #include "meshTexts.hpp"
-#include "prepareMesh.hpp"
+#include "meshes/prepareMesh.hpp"
 #include "temporaryCase.hpp"
 
 namespace sph::test

@@ -2,7 +2,7 @@
 /// told.
 #include "Imported.hpp"
 #include "Prepared.hpp"
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include <gtest/gtest.h>
 
 using namespace sph;

@@ -1,5 +1,5 @@
 #include "Prepared.hpp"
-#include "orientShells.hpp"
+#include "meshes/orientShells.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 

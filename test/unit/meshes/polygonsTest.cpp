@@ -1,5 +1,5 @@
 /// Concave polygons of OBJ, PLY and OFF.
-#include "Polygons.hpp"
+#include "meshes/readers/Polygons.hpp"
 #include "Imported.hpp"
 #include "Prepared.hpp"
 #include <gtest/gtest.h>

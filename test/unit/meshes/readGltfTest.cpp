@@ -1,6 +1,6 @@
 /// glTF 2.0 as programs write it. Each file is a box of 2 x 1 x 0.5 = 1 m3.
 #include "Imported.hpp"
-#include "Shape.hpp"
+#include "geometry/Shape.hpp"
 #include "gltfTexts.hpp"
 #include <gtest/gtest.h>
 

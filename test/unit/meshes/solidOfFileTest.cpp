@@ -1,7 +1,7 @@
 /// Points in the solid that a file bounds, found by rays of CGAL.
-#include "SolidOfFile.hpp"
-#include "NumberedMesh.hpp"
+#include "meshes/SolidOfFile.hpp"
 #include "meshTexts.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 

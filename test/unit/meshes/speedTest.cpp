@@ -1,5 +1,5 @@
 #include "Prepared.hpp"
-#include "importMesh.hpp"
+#include "meshes/readers/importMesh.hpp"
 #include <chrono>
 #include <ctime>
 #include <gtest/gtest.h>

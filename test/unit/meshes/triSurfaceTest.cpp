@@ -1,4 +1,4 @@
-#include "triSurface.hpp"
+#include "geometry/triSurface.hpp"
 #include "declaredEntries.hpp"
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>

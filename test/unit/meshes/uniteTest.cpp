@@ -1,5 +1,5 @@
 #include "Prepared.hpp"
-#include "repairSurface.hpp"
+#include "meshes/repairSurface.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>

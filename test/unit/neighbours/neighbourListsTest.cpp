@@ -1,6 +1,6 @@
 /// Neighbour lists against every pair tried: the sets must be the same, index by index.
-#include "NeighbourLists.hpp"
-#include "CaseError.hpp"
+#include "neighbours/NeighbourLists.hpp"
+#include "base/CaseError.hpp"
 #include "particlesByHand.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 /// Boxes of ranks in a tree: the same ranks as a look at each box finds.
-#include "RankBoxes.hpp"
+#include "neighbours/RankBoxes.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

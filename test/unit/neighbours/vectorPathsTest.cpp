@@ -1,9 +1,9 @@
 /// The loops over lanes do what plain loops do, in the same order, to the same bits, at every width that the build has: with AVX-512
 /// 8, 4 and 2 lanes, with AVX2 (preset avx2) 4 and 2. The code of a width is the same in either build.
-#include "NeighbourLists.hpp"
+#include "neighbours/NeighbourLists.hpp"
+#include "neighbours/records.hpp"
+#include "neighbours/select.hpp"
 #include "particlesByHand.hpp"
-#include "records.hpp"
-#include "select.hpp"
 #include <gtest/gtest.h>
 #include <numeric>
 

@@ -1,6 +1,6 @@
 /// Ducts along x, 3 long from x = -1, and an inlet at x = 0.
 #pragma once
-#include "Opening.hpp"
+#include "models/openings/Opening.hpp"
 
 namespace sph::test
 {

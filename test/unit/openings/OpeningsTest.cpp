@@ -1,7 +1,7 @@
 /// What openings hold, let in and take away, and the account of it.
-#include "Openings.hpp"
-#include "CaseError.hpp"
+#include "models/openings/Openings.hpp"
 #include "Duct.hpp"
+#include "base/CaseError.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,9 +1,9 @@
 /// Sections of ducts: their lines, their area, and the profile of developed flow, against plane channels, squares and pipes.
-#include "Section.hpp"
+#include "models/openings/Section.hpp"
 #include "Duct.hpp"
 #include "Largest.hpp"
-#include "Relaxation.hpp"
-#include "openFaces.hpp"
+#include "packing/Relaxation.hpp"
+#include "packing/openFaces.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "FluidSpace.hpp"
+#include "packing/FluidSpace.hpp"
 #include "handMadeGeometry.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 /// Scenes made by hand, so that packing is tested apart from the reading of constant/geometry.
 #pragma once
-#include "Cylinder.hpp"
-#include "Geometry.hpp"
-#include "Plane.hpp"
-#include "Sphere.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/Geometry.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
 
 namespace sph
 {

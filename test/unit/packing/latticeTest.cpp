@@ -1,4 +1,4 @@
-#include "Lattice.hpp"
+#include "packing/Lattice.hpp"
 #include "Largest.hpp"
 #include <algorithm>
 #include <cmath>

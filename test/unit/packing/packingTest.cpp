@@ -1,7 +1,7 @@
-#include "Packing.hpp"
-#include "FluidSpace.hpp"
-#include "Lattice.hpp"
-#include "reduce.hpp"
+#include "packing/Packing.hpp"
+#include "packing/FluidSpace.hpp"
+#include "packing/Lattice.hpp"
+#include "parallel/reduce.hpp"
 #include <array>
 #include <cmath>
 #include <filesystem>

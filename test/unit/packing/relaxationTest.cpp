@@ -1,9 +1,9 @@
-#include "Relaxation.hpp"
-#include "FluidSpace.hpp"
-#include "Images.hpp"
-#include "Lattice.hpp"
+#include "packing/Relaxation.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include "handMadeGeometry.hpp"
-#include "makeWallLayers.hpp"
+#include "images/Images.hpp"
+#include "packing/FluidSpace.hpp"
+#include "packing/Lattice.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

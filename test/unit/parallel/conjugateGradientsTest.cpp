@@ -1,5 +1,5 @@
 /// Conjugate gradients: exact after as many iterations as there are unknowns, the residual at hand is that of the solution, and weights are respected.
-#include "conjugateGradients.hpp"
+#include "parallel/conjugateGradients.hpp"
 #include "Largest.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

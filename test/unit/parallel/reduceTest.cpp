@@ -1,5 +1,5 @@
 /// From particles to a number: the same bits on any number of threads, and nothing that is no number gets lost.
-#include "reduce.hpp"
+#include "parallel/reduce.hpp"
 #include "Largest.hpp"
 #include <gtest/gtest.h>
 #include <limits>

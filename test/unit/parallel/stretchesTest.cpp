@@ -1,5 +1,5 @@
 /// Pieces of a loop on all threads: each round once, whoever takes it.
-#include "Stretches.hpp"
+#include "parallel/Stretches.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

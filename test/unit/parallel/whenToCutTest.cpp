@@ -1,5 +1,5 @@
 /// Times at which ranks cut space anew: the cost of waiting against that of a cut.
-#include "WhenToCut.hpp"
+#include "parallel/WhenToCut.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>

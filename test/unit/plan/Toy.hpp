@@ -1,7 +1,7 @@
 /// A plan of terms that a test declares, on points of a lattice, all fields scalars of the test's own.
 #pragma once
-#include "Catalogue.hpp"
-#include "Plan.hpp"
+#include "plan/Catalogue.hpp"
+#include "plan/Plan.hpp"
 #include "scenes.hpp"
 #include <gtest/gtest.h>
 #include <sstream>

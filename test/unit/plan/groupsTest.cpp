@@ -1,9 +1,9 @@
 /// Groups of a plan: what one finds of those before it, what it has to make anew, and the kinds of laws that run in them.
 ///
 /// Sums of 21 numbers in another order, with reciprocals that -ffast-math may take: 1e-12 of them.
-#include "CaseError.hpp"
 #include "Toy.hpp"
-#include "models.hpp"
+#include "base/CaseError.hpp"
+#include "solver/models.hpp"
 #include <cmath>
 
 namespace sph::test

@@ -1,5 +1,5 @@
 /// A plan on a rank of two: what it sends before a pass is what the pass reads of neighbours and has not sent before, and its sums are those of one process.
-#include "Halo.hpp"
+#include "neighbours/Halo.hpp"
 #include "Toy.hpp"
 #include <algorithm>
 #include <limits>

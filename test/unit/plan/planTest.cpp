@@ -1,7 +1,7 @@
 /// Terms that the planner takes in, leaves out, and refuses; and the laws that evaluations keep.
-#include "CaseError.hpp"
 #include "Largest.hpp"
 #include "Scene.hpp"
+#include "base/CaseError.hpp"
 #include <omp.h>
 #include <sstream>
 

@@ -1,10 +1,10 @@
 /// What the fluid sees in walls that are layers of particles.
 #include "Largest.hpp"
-#include "PhillipsFlux.hpp"
 #include "Scene.hpp"
-#include "ShearRate.hpp"
-#include "ghostRules.hpp"
-#include "makeWallLayers.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "models/suspension/PhillipsFlux.hpp"
+#include "models/suspension/ShearRate.hpp"
+#include "models/walls/ghostRules.hpp"
 
 namespace sph::test
 {

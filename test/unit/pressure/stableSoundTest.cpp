@@ -1,4 +1,4 @@
-#include "stableSound.hpp"
+#include "models/pressure/stableSound.hpp"
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>

@@ -1,16 +1,16 @@
 /// Nothing is read that is not declared, and nothing is declared that is not read.
-#include "FunctionObject.hpp"
-#include "Packing.hpp"
-#include "RunTime.hpp"
-#include "SolidsPlan.hpp"
-#include "SweepPlan.hpp"
 #include "TestCase.hpp"
+#include "case/RunTime.hpp"
 #include "declaredEntries.hpp"
-#include "readDecomposition.hpp"
-#include "readPhases.hpp"
-#include "readSettings.hpp"
-#include "reference.hpp"
-#include "soilLaws.hpp"
+#include "decomposition/readDecomposition.hpp"
+#include "packing/Packing.hpp"
+#include "reference/reference.hpp"
+#include "sampling/FunctionObject.hpp"
+#include "soilLaws/soilLaws.hpp"
+#include "solids/entries/SolidsPlan.hpp"
+#include "solver/readPhases.hpp"
+#include "solver/readSettings.hpp"
+#include "sweeps/SweepPlan.hpp"
 #include <fstream>
 #include <gtest/gtest.h>
 

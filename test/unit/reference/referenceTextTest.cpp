@@ -1,7 +1,7 @@
 /// The reference names what there is, in words and as a file that can be read.
-#include "ReferenceText.hpp"
-#include "DictionaryText.hpp"
-#include "reference.hpp"
+#include "reference/ReferenceText.hpp"
+#include "dictionary/DictionaryText.hpp"
+#include "reference/reference.hpp"
 #include <gtest/gtest.h>
 #include <regex>
 

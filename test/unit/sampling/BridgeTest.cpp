@@ -1,9 +1,9 @@
 /// Liquid bridges: their shape at rest, and what is measured of one made of particles.
-#include "CapillaryBridge.hpp"
-#include "CaseError.hpp"
-#include "Measurement.hpp"
 #include "Particles.hpp"
-#include "Sphere.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/Sphere.hpp"
+#include "sampling/CapillaryBridge.hpp"
+#include "sampling/Measurement.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

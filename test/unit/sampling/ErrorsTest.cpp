@@ -1,6 +1,6 @@
-#include "Errors.hpp"
-#include "CsvReference.hpp"
+#include "sampling/Errors.hpp"
 #include "Particles.hpp"
+#include "sampling/CsvReference.hpp"
 #include <gtest/gtest.h>
 
 using namespace sph;

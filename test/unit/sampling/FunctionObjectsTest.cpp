@@ -1,9 +1,9 @@
-#include "CaseError.hpp"
-#include "Conservation.hpp"
 #include "Particles.hpp"
-#include "PatchTree.hpp"
-#include "Plane.hpp"
-#include "Sphere.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/PatchTree.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
+#include "sampling/Conservation.hpp"
 #include <atomic>
 #include <gtest/gtest.h>
 #include <numbers>

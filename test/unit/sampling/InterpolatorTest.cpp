@@ -1,4 +1,4 @@
-#include "Interpolator.hpp"
+#include "sampling/Interpolator.hpp"
 #include "Particles.hpp"
 #include <gtest/gtest.h>
 #include <random>

@@ -1,9 +1,9 @@
-#include "Measurement.hpp"
-#include "Cylinder.hpp"
+#include "sampling/Measurement.hpp"
 #include "Particles.hpp"
-#include "Plane.hpp"
-#include "Sphere.hpp"
-#include "SphereFit.hpp"
+#include "geometry/Cylinder.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
+#include "sampling/SphereFit.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>

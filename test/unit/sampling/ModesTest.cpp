@@ -1,8 +1,8 @@
-#include "Bessel.hpp"
-#include "ColumnMode.hpp"
-#include "DropMode.hpp"
-#include "ModeFit.hpp"
-#include "PlaneMode.hpp"
+#include "sampling/Bessel.hpp"
+#include "sampling/ColumnMode.hpp"
+#include "sampling/DropMode.hpp"
+#include "sampling/ModeFit.hpp"
+#include "sampling/PlaneMode.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>

@@ -1,6 +1,6 @@
 /// Particles in memory, a view of them, and a case folder that is gone with the test.
 #pragma once
-#include "FunctionContext.hpp"
+#include "sampling/FunctionContext.hpp"
 #include <filesystem>
 #include <fstream>
 #include <functional>

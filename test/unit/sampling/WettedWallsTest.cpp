@@ -1,9 +1,9 @@
-#include "WettedWalls.hpp"
+#include "sampling/WettedWalls.hpp"
 #include "Particles.hpp"
-#include "PatchTree.hpp"
-#include "Plane.hpp"
-#include "SolidBox.hpp"
-#include "Sphere.hpp"
+#include "geometry/PatchTree.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/SolidBox.hpp"
+#include "geometry/Sphere.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>

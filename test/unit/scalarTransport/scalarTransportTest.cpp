@@ -1,7 +1,7 @@
 /// Scalars that ride on particles: the plain sum, what it conserves, what walls and phases make of it, several at once, restart, openings, mistakes.
 #include "CaseScene.hpp"
-#include "Kernel.hpp"
 #include "Largest.hpp"
+#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 /// What models tell one another: values with one provider and a default.
-#include "Facts.hpp"
-#include "CaseError.hpp"
-#include "models.hpp"
+#include "scene/Facts.hpp"
+#include "base/CaseError.hpp"
 #include "periodicSquare.hpp"
+#include "solver/models.hpp"
 #include <gtest/gtest.h>
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 /// What gets into a solid is put back into the fluid, counted, or ends the run.
-#include "LeakGuard.hpp"
-#include "CaseError.hpp"
-#include "Walls.hpp"
+#include "scene/LeakGuard.hpp"
+#include "base/CaseError.hpp"
+#include "geometry/Walls.hpp"
 #include "scenes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 /// What evolves is declared once: fields that only this test knows are allocated, loaded, sorted, stepped, let in, held, written and restarted by
 /// the walks over the state, and their rates come from terms that the scene defines.
-#include "CaseError.hpp"
-#include "RunningOpenings.hpp"
-#include "Simulation.hpp"
+#include "base/CaseError.hpp"
+#include "models/openings/RunningOpenings.hpp"
 #include "periodicSquare.hpp"
+#include "solver/Simulation.hpp"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>

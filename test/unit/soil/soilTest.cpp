@@ -1,17 +1,17 @@
 /// Soil by SPH: beside one element of it, in rotation, at rest under gravity; what it conserves; mistakes.
-#include "CaseError.hpp"
-#include "ContinuedStress.hpp"
-#include "ElementTest.hpp"
 #include "Largest.hpp"
-#include "Particles.hpp"
-#include "Simulation.hpp"
-#include "SoilFields.hpp"
-#include "VelocityGradient.hpp"
-#include "makeWallLayers.hpp"
-#include "models.hpp"
+#include "base/CaseError.hpp"
+#include "elementTests/ElementTest.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "models/soil/ContinuedStress.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "operators/VelocityGradient.hpp"
 #include "periodicSquare.hpp"
+#include "scene/Particles.hpp"
 #include "scenes.hpp"
-#include "soilLaws.hpp"
+#include "soilLaws/soilLaws.hpp"
+#include "solver/Simulation.hpp"
+#include "solver/models.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// Loose Karlsruhe sand, tables of the independent integrator, and strains.
 #pragma once
-#include "csv.hpp"
-#include "soilLaws.hpp"
+#include "base/csv.hpp"
+#include "soilLaws/soilLaws.hpp"
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>

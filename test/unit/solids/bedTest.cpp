@@ -1,10 +1,10 @@
 /// Beds are at rest, within their container, free of overlaps, as porous as beds are, and the same for the same seed.
-#include "BedReport.hpp"
-#include "CollisionShape.hpp"
 #include "TestCase.hpp"
-#include "closedSurface.hpp"
-#include "makeRock.hpp"
-#include "meshDistance.hpp"
+#include "solids/BedReport.hpp"
+#include "solids/CollisionShape.hpp"
+#include "solids/meshDistance.hpp"
+#include "solids/rocks/closedSurface.hpp"
+#include "solids/rocks/makeRock.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

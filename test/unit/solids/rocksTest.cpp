@@ -1,8 +1,8 @@
 /// The shapes of rocks are what their names say, and the scan has the faults of one.
 #include "TestCase.hpp"
-#include "closedSurface.hpp"
-#include "makeRock.hpp"
-#include "meshDistance.hpp"
+#include "solids/meshDistance.hpp"
+#include "solids/rocks/closedSurface.hpp"
+#include "solids/rocks/makeRock.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>

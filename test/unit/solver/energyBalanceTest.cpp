@@ -1,7 +1,7 @@
 /// What a run holds in energy and what its scene can have supplied.
-#include "EnergyBalance.hpp"
-#include "Simulation.hpp"
+#include "solver/EnergyBalance.hpp"
 #include "periodicSquare.hpp"
+#include "solver/Simulation.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 

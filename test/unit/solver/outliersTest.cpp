@@ -1,5 +1,5 @@
 /// The particle that a run's error names: the one with the number that no solution has.
-#include "outliers.hpp"
+#include "solver/outliers.hpp"
 #include "periodicSquare.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 /// The printed plan is what runs: the numbered stages and operations of -dry-run against a count of what steps have run.
-#include "Case.hpp"
-#include "Simulation.hpp"
-#include "models.hpp"
+#include "case/Case.hpp"
 #include "smallCases.hpp"
+#include "solver/Simulation.hpp"
+#include "solver/models.hpp"
 #include <gtest/gtest.h>
 #include <regex>
 #include <set>

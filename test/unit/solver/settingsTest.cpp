@@ -1,12 +1,12 @@
 /// Mistakes in the words of a scheme, with file and line; and the choices that are made for the user.
-#include "ArtificialViscosity.hpp"
-#include "Migration.hpp"
-#include "Plane.hpp"
-#include "SuspensionConstants.hpp"
-#include "Tensions.hpp"
-#include "TransportVelocity.hpp"
-#include "readSettings.hpp"
+#include "geometry/Plane.hpp"
+#include "models/shifting/TransportVelocity.hpp"
+#include "models/suspension/Migration.hpp"
+#include "models/suspension/SuspensionConstants.hpp"
+#include "models/tension/Tensions.hpp"
+#include "models/viscosity/ArtificialViscosity.hpp"
 #include "smallCases.hpp"
+#include "solver/readSettings.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

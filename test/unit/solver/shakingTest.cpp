@@ -1,7 +1,7 @@
 /// Gravity that varies with time is that of the middle of each step, for forces and walls alike.
 #include "Largest.hpp"
-#include "Simulation.hpp"
 #include "periodicSquare.hpp"
+#include "solver/Simulation.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

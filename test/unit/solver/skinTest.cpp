@@ -1,9 +1,9 @@
 /// Lists hold every pair within the kernel's support, also where images move faster than any particle.
-#include "Cylinder.hpp"
-#include "Particles.hpp"
-#include "models.hpp"
-#include "moves.hpp"
+#include "geometry/Cylinder.hpp"
+#include "integrators/moves.hpp"
 #include "periodicSquare.hpp"
+#include "scene/Particles.hpp"
+#include "solver/models.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

@@ -1,6 +1,6 @@
 /// A wall that slips beside walls that hold the fluid.
-#include "Case.hpp"
-#include "Cloud.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// What the log and the checks of a run see: nothing that is not finite gets lost on the way, in whichever particle and field it is.
-#include "summarise.hpp"
-#include "models.hpp"
+#include "solver/summarise.hpp"
 #include "periodicSquare.hpp"
+#include "solver/models.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,6 +1,6 @@
 /// Each limit by its formula with numbers worked by hand, and which one binds.
-#include "TimeStepLimits.hpp"
-#include "Tensions.hpp"
+#include "solver/TimeStepLimits.hpp"
+#include "models/tension/Tensions.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>

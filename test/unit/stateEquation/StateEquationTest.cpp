@@ -1,5 +1,5 @@
 /// Pressure, slope, energy and compression of one equation of state belong together.
-#include "StateEquation.hpp"
+#include "stateEquation/StateEquation.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

@@ -1,4 +1,4 @@
-#include "Cloud.hpp"
+#include "case/Cloud.hpp"
 #include "particles.hpp"
 #include "temporaryFolder.hpp"
 #include <fmt/format.h>

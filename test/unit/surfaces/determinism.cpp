@@ -1,5 +1,5 @@
-#include "EnclosedVolume.hpp"
 #include "particles.hpp"
+#include "surfaces/EnclosedVolume.hpp"
 #include <gtest/gtest.h>
 #include <omp.h>
 #include <random>

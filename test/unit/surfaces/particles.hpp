@@ -1,6 +1,6 @@
 /// Particles and spaces for the tests of surfaces; lengths in spacings.
 #pragma once
-#include "ColourFunction.hpp"
+#include "surfaces/ColourFunction.hpp"
 #include <cmath>
 #include <functional>
 

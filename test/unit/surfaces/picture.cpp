@@ -1,8 +1,8 @@
-#include "Picture.hpp"
-#include "CaseError.hpp"
-#include "Cuts.hpp"
-#include "VirtualDisplay.hpp"
+#include "surfaces/Picture.hpp"
+#include "base/CaseError.hpp"
 #include "particles.hpp"
+#include "surfaces/Cuts.hpp"
+#include "surfaces/VirtualDisplay.hpp"
 #include "temporaryFolder.hpp"
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,8 +1,8 @@
-#include "PhaseCloud.hpp"
-#include "SurfaceSettings.hpp"
 #include "declaredEntries.hpp"
 #include "particles.hpp"
-#include "surfaceEntries.hpp"
+#include "surfaces/PhaseCloud.hpp"
+#include "surfaces/SurfaceSettings.hpp"
+#include "surfaces/entries/surfaceEntries.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

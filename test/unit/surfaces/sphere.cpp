@@ -1,6 +1,6 @@
-#include "EnclosedVolume.hpp"
-#include "IsoSurface.hpp"
 #include "particles.hpp"
+#include "surfaces/EnclosedVolume.hpp"
+#include "surfaces/IsoSurface.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vtkFeatureEdges.h>

@@ -1,10 +1,10 @@
-#include "EnclosedVolume.hpp"
-#include "IsoSurface.hpp"
 #include "Largest.hpp"
-#include "Plane.hpp"
-#include "Sphere.hpp"
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
+#include "parallel/reduce.hpp"
 #include "particles.hpp"
-#include "reduce.hpp"
+#include "surfaces/EnclosedVolume.hpp"
+#include "surfaces/IsoSurface.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vtkFeatureEdges.h>

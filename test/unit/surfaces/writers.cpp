@@ -1,7 +1,7 @@
-#include "CaseError.hpp"
-#include "IsoSurface.hpp"
-#include "SurfaceWriter.hpp"
+#include "base/CaseError.hpp"
 #include "particles.hpp"
+#include "surfaces/IsoSurface.hpp"
+#include "surfaces/SurfaceWriter.hpp"
 #include "temporaryFolder.hpp"
 #include <gtest/gtest.h>
 #include <vtkNew.h>

@@ -1,9 +1,9 @@
 /// Powder in a suspension: what its fluxes conserve and where they end, which shear rates are exact, and the capped viscosity.
 #include "Largest.hpp"
-#include "OfDensity.hpp"
 #include "Scene.hpp"
-#include "ShearRate.hpp"
-#include "ViscosityFlux.hpp"
+#include "models/suspension/OfDensity.hpp"
+#include "models/suspension/ShearRate.hpp"
+#include "models/suspension/ViscosityFlux.hpp"
 #include <functional>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 /// Programs that are run, measured and stopped.
-#include "ChildProcess.hpp"
-#include "CaseError.hpp"
+#include "sweeps/ChildProcess.hpp"
 #include "TestCase.hpp"
+#include "base/CaseError.hpp"
 #include <fstream>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// Observed orders, fitted slopes, Pareto fronts and expected costs, against numbers made by hand.
-#include "convergence.hpp"
+#include "sweeps/convergence.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// Scripts for gnuplot.
-#include "plots.hpp"
-#include "ChildProcess.hpp"
+#include "sweeps/plots.hpp"
 #include "TestCase.hpp"
+#include "sweeps/ChildProcess.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

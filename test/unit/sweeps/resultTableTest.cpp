@@ -1,5 +1,5 @@
 /// Tables of results as comma-separated values.
-#include "ResultTable.hpp"
+#include "sweeps/ResultTable.hpp"
 #include "TestCase.hpp"
 #include <cmath>
 #include <gtest/gtest.h>

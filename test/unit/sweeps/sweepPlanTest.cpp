@@ -1,7 +1,7 @@
 /// workPrecisionDict as a plan, and what its overrides do to a copy of a case.
-#include "CaseCopy.hpp"
-#include "DictionaryText.hpp"
 #include "TestCase.hpp"
+#include "dictionary/DictionaryText.hpp"
+#include "sweeps/CaseCopy.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test

@@ -1,6 +1,6 @@
 /// Surface tension by stress and by curvature against plain loops.
 #include "PlainSums.hpp"
-#include "phaseCurvatureTerms.hpp"
+#include "models/tension/phaseCurvatureTerms.hpp"
 
 namespace sph::test
 {

@@ -1,6 +1,6 @@
 /// Tensions of a wall with any number of phases from contact angles, by hand values; and angles that no sigmas allow.
-#include "YoungsLaw.hpp"
-#include "Tensions.hpp"
+#include "models/tension/YoungsLaw.hpp"
+#include "models/tension/Tensions.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

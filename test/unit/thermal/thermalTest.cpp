@@ -1,7 +1,7 @@
 /// Heat conduction and buoyancy: the plain sum, exact solutions, the account of heat, forces, restart, mistakes.
 #include "CaseScene.hpp"
-#include "Kernel.hpp"
 #include "Largest.hpp"
+#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 /// Two plane walls nearer to each other than two supports, with points of two phases between them.
 #pragma once
-#include "Coefficients.hpp"
-#include "Images.hpp"
-#include "Plane.hpp"
-#include "Tensions.hpp"
-#include "terms.hpp"
+#include "geometry/Plane.hpp"
+#include "images/Images.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/Coefficients.hpp"
+#include "plan/terms.hpp"
 #include <algorithm>
 
 namespace sph

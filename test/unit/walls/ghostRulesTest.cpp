@@ -1,6 +1,6 @@
 /// Velocity and pressure rules of wall ghosts against the flows and columns that they are to continue exactly.
-#include "ghostRules.hpp"
-#include "Plane.hpp"
+#include "models/walls/ghostRules.hpp"
+#include "geometry/Plane.hpp"
 #include <gtest/gtest.h>
 
 namespace sph

@@ -1,7 +1,7 @@
 /// Wall adhesion: which wall a particle is next to, and the direction that its interface is given.
-#include "WallAdhesion.hpp"
+#include "models/tension/WallAdhesion.hpp"
 #include "Channel.hpp"
-#include "CurvatureForce.hpp"
+#include "models/tension/CurvatureForce.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

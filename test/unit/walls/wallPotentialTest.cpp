@@ -1,8 +1,8 @@
 /// Potential of walls: its energy per area, and the force on particles between plane walls.
-#include "WallPotential.hpp"
+#include "models/tension/WallPotential.hpp"
 #include "Channel.hpp"
 #include "Largest.hpp"
-#include "SolidBox.hpp"
+#include "geometry/SolidBox.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 /// Tension of walls: the kernel's marginal, and the stress on particles between plane walls.
-#include "WallTension.hpp"
+#include "models/tension/WallTension.hpp"
 #include "Channel.hpp"
-#include "Kernel.hpp"
+#include "kernels/Kernel.hpp"
 #include <gtest/gtest.h>
 #include <numbers>
 

@@ -1,10 +1,10 @@
 /// Tests of the laboratory on one element of soil: see src/elementTests.
-#include "ChildProcess.hpp"
-#include "CommandLine.hpp"
-#include "OutputFile.hpp"
-#include "calibrate.hpp"
-#include "readElementTests.hpp"
-#include "writeElementTests.hpp"
+#include "base/CommandLine.hpp"
+#include "base/OutputFile.hpp"
+#include "elementTests/calibrate.hpp"
+#include "elementTests/readElementTests.hpp"
+#include "elementTests/writeElementTests.hpp"
+#include "sweeps/ChildProcess.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

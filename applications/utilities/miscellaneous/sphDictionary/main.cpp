@@ -1,8 +1,8 @@
 /// Shows and edits entries of dictionaries from scripts, on machines without OpenFOAM's foamDictionary, and says which entries there are.
-#include "CommandLine.hpp"
-#include "DictionaryText.hpp"
-#include "ReferenceText.hpp"
-#include "reference.hpp"
+#include "base/CommandLine.hpp"
+#include "dictionary/DictionaryText.hpp"
+#include "reference/ReferenceText.hpp"
+#include "reference/reference.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

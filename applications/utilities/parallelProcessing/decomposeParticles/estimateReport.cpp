@@ -1,7 +1,7 @@
 #include "estimateReport.hpp"
-#include "Cloud.hpp"
-#include "FieldFile.hpp"
-#include "skin.hpp"
+#include "case/Cloud.hpp"
+#include "case/FieldFile.hpp"
+#include "kernels/skin.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
-#include "Case.hpp"
-#include "estimate.hpp"
+#include "case/Case.hpp"
+#include "decomposition/estimate.hpp"
 #include <optional>
 #include <string>
 

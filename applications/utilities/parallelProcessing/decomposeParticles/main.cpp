@@ -1,11 +1,11 @@
 /// The particles of a case in folders processor0, processor1, .., for `sphFoamLike -parallel` and ParaView's decomposed reader.
-#include "CaseLock.hpp"
-#include "CommandLine.hpp"
-#include "RunTime.hpp"
-#include "decompose.hpp"
+#include "base/CommandLine.hpp"
+#include "case/CaseLock.hpp"
+#include "case/RunTime.hpp"
+#include "case/timeSelection.hpp"
+#include "decomposition/decompose.hpp"
+#include "decomposition/processorFolders.hpp"
 #include "estimateReport.hpp"
-#include "processorFolders.hpp"
-#include "timeSelection.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 /// Time folders of a case from those of its folders processor0, processor1, ..
-#include "CaseLock.hpp"
-#include "CommandLine.hpp"
-#include "Geometry.hpp"
-#include "TimeControls.hpp"
-#include "decompose.hpp"
-#include "timeSelection.hpp"
+#include "base/CommandLine.hpp"
+#include "case/CaseLock.hpp"
+#include "case/TimeControls.hpp"
+#include "case/timeSelection.hpp"
+#include "decomposition/decompose.hpp"
+#include "geometry/Geometry.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

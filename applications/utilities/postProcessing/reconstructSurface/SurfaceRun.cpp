@@ -1,10 +1,10 @@
 #include "SurfaceRun.hpp"
-#include "Cuts.hpp"
-#include "EnclosedVolume.hpp"
-#include "PhaseCloud.hpp"
-#include "SurfaceWriter.hpp"
-#include "phaseEntries.hpp"
-#include "words.hpp"
+#include "base/words.hpp"
+#include "case/phaseEntries.hpp"
+#include "surfaces/Cuts.hpp"
+#include "surfaces/EnclosedVolume.hpp"
+#include "surfaces/PhaseCloud.hpp"
+#include "surfaces/SurfaceWriter.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

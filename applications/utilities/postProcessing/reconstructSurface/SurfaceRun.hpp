@@ -1,10 +1,10 @@
 /// Surfaces and pictures of the times of one case.
 #pragma once
-#include "Case.hpp"
-#include "Cloud.hpp"
-#include "Geometry.hpp"
-#include "OpenPlanes.hpp"
-#include "SurfaceSettings.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
+#include "geometry/Geometry.hpp"
+#include "models/openings/OpenPlanes.hpp"
+#include "surfaces/SurfaceSettings.hpp"
 #include <optional>
 #include <string>
 #include <vector>

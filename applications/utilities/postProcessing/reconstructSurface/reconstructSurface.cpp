@@ -1,10 +1,10 @@
 /// The surface of a phase from its particles: meshes, their area and volume, and pictures.
-#include "CommandLine.hpp"
-#include "OutputTable.hpp"
 #include "SurfaceRun.hpp"
-#include "VirtualDisplay.hpp"
-#include "timeSelection.hpp"
-#include "words.hpp"
+#include "base/CommandLine.hpp"
+#include "base/words.hpp"
+#include "case/OutputTable.hpp"
+#include "case/timeSelection.hpp"
+#include "surfaces/VirtualDisplay.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <optional>

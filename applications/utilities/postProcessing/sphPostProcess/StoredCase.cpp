@@ -1,7 +1,7 @@
 #include "StoredCase.hpp"
-#include "Shaking.hpp"
-#include "Walls.hpp"
-#include "viewOfScene.hpp"
+#include "geometry/Walls.hpp"
+#include "models/forces/Shaking.hpp"
+#include "sampling/viewOfScene.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

@@ -1,11 +1,11 @@
 /// A case whose time folders are looked at again: its dictionaries as the solver reads them, and its particles as a view.
 #pragma once
-#include "Case.hpp"
-#include "Cloud.hpp"
-#include "Geometry.hpp"
-#include "OpenPlanes.hpp"
-#include "ParticleView.hpp"
-#include "readSettings.hpp"
+#include "case/Case.hpp"
+#include "case/Cloud.hpp"
+#include "geometry/Geometry.hpp"
+#include "models/openings/OpenPlanes.hpp"
+#include "sampling/ParticleView.hpp"
+#include "solver/readSettings.hpp"
 #include <string>
 #include <vector>
 

@@ -1,8 +1,8 @@
 /// Runs the function objects of a case on its stored times.
-#include "CommandLine.hpp"
-#include "FunctionObject.hpp"
 #include "StoredCase.hpp"
-#include "timeSelection.hpp"
+#include "base/CommandLine.hpp"
+#include "case/timeSelection.hpp"
+#include "sampling/FunctionObject.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

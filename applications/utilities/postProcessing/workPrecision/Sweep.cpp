@@ -1,8 +1,8 @@
 #include "Sweep.hpp"
-#include "CaseCopy.hpp"
-#include "OutputFile.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
 #include "checkCase.hpp"
-#include "words.hpp"
+#include "sweeps/CaseCopy.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

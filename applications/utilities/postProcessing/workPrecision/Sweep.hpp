@@ -1,9 +1,9 @@
 /// A ladder of runs: what is to be done, doing it one by one, and what came of it.
 #pragma once
-#include "ChildProcess.hpp"
-#include "Clock.hpp"
-#include "ResultTable.hpp"
-#include "SweepPlan.hpp"
+#include "base/Clock.hpp"
+#include "sweeps/ChildProcess.hpp"
+#include "sweeps/ResultTable.hpp"
+#include "sweeps/SweepPlan.hpp"
 #include <set>
 
 namespace sph

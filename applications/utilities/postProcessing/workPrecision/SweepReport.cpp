@@ -1,9 +1,9 @@
 /// The part of Sweep that tells: the plan, tables, plots.
-#include "OutputFile.hpp"
 #include "Sweep.hpp"
-#include "convergence.hpp"
-#include "csv.hpp"
-#include "plots.hpp"
+#include "base/OutputFile.hpp"
+#include "base/csv.hpp"
+#include "sweeps/convergence.hpp"
+#include "sweeps/plots.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 /// The part of Sweep that runs cases.
-#include "CaseCopy.hpp"
-#include "DivergedError.hpp"
-#include "OutputFile.hpp"
 #include "Sweep.hpp"
-#include "convergence.hpp"
-#include "csv.hpp"
-#include "stopSignals.hpp"
+#include "base/DivergedError.hpp"
+#include "base/OutputFile.hpp"
+#include "base/csv.hpp"
+#include "base/stopSignals.hpp"
+#include "sweeps/CaseCopy.hpp"
+#include "sweeps/convergence.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/chrono.h>

@@ -1,10 +1,10 @@
 #include "checkCase.hpp"
-#include "FunctionObject.hpp"
-#include "Measurement.hpp"
-#include "OutputFile.hpp"
-#include "Packing.hpp"
-#include "RunTime.hpp"
-#include "readSettings.hpp"
+#include "base/OutputFile.hpp"
+#include "case/RunTime.hpp"
+#include "packing/Packing.hpp"
+#include "sampling/FunctionObject.hpp"
+#include "sampling/Measurement.hpp"
+#include "solver/readSettings.hpp"
 #include <algorithm>
 #include <sstream>
 

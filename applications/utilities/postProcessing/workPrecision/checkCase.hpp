@@ -1,6 +1,6 @@
 /// Reads a case as the applications of the suite do, to find its mistakes before the first run.
 #pragma once
-#include "Case.hpp"
+#include "case/Case.hpp"
 #include <string>
 #include <vector>
 

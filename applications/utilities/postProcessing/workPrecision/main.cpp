@@ -1,6 +1,6 @@
 /// Runs a case over resolutions and variants and draws its error against its cost.
-#include "CommandLine.hpp"
 #include "Sweep.hpp"
+#include "base/CommandLine.hpp"
 #include <CLI/CLI.hpp>
 
 int main(int argc, char** argv)

@@ -1,10 +1,10 @@
 /// Shapes of rocks to pack: see src/solids/rocks.
-#include "CaseError.hpp"
-#include "CommandLine.hpp"
-#include "OutputFile.hpp"
-#include "closedSurface.hpp"
-#include "makeRock.hpp"
-#include "words.hpp"
+#include "base/CaseError.hpp"
+#include "base/CommandLine.hpp"
+#include "base/OutputFile.hpp"
+#include "base/words.hpp"
+#include "solids/rocks/closedSurface.hpp"
+#include "solids/rocks/makeRock.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "inSolids.hpp"
-#include "periodicShifts.hpp"
+#include "geometry/periodicShifts.hpp"
 #include "report.hpp"
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// Particles of time folders that lie in walls, and the text that meshToGhost prints of them.
 #pragma once
-#include "Cloud.hpp"
-#include "Geometry.hpp"
-#include "SolidOfFile.hpp"
+#include "case/Cloud.hpp"
+#include "geometry/Geometry.hpp"
+#include "meshes/SolidOfFile.hpp"
 #include <functional>
 
 struct Solid

@@ -1,19 +1,19 @@
 /// Prepares the walls of a case for the solver: constant/geometry, checked against the kernel support of system/sphSchemes,
 /// becomes constant/walls, each of its meshes constant/wallMeshes/<wall>, and constant/triSurface/walls.{stl,vtp} to look at; with `walls
 /// layers;` also constant/lagrangian/wallLayers.
-#include "Case.hpp"
-#include "CommandLine.hpp"
-#include "GeometryCheck.hpp"
-#include "NumberedMesh.hpp"
-#include "OutputFile.hpp"
-#include "Walls.hpp"
+#include "base/CommandLine.hpp"
+#include "base/OutputFile.hpp"
+#include "case/Case.hpp"
+#include "geometry/GeometryCheck.hpp"
+#include "geometry/Walls.hpp"
+#include "geometry/makeWallLayers.hpp"
+#include "geometry/readShapes.hpp"
+#include "geometry/readSpace.hpp"
+#include "geometry/wallSurfaces.hpp"
 #include "inSolids.hpp"
-#include "makeWallLayers.hpp"
-#include "prepareMesh.hpp"
-#include "readShapes.hpp"
-#include "readSpace.hpp"
+#include "meshes/prepareMesh.hpp"
+#include "meshes/readers/NumberedMesh.hpp"
 #include "report.hpp"
-#include "wallSurfaces.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 /// What meshToGhost prints of the walls it has prepared.
 #pragma once
-#include "GeometryCheck.hpp"
+#include "geometry/GeometryCheck.hpp"
 #include <string>
 #include <vector>
 

@@ -1,8 +1,8 @@
 /// Fills the space between the walls with particles: see src/packing. Before that, with -solids, packs the solids: see src/solids.
-#include "BedReport.hpp"
-#include "CaseLock.hpp"
-#include "CommandLine.hpp"
-#include "Packing.hpp"
+#include "base/CommandLine.hpp"
+#include "case/CaseLock.hpp"
+#include "packing/Packing.hpp"
+#include "solids/BedReport.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
