@@ -59,7 +59,7 @@ enum class JoinPoint
     exchange, ///< before each sorting: removes and inserts particles (Particles::setSize)
     sorted,   ///< after particles have been sorted and lists have been built
     moved,    ///< at new positions before an evaluation between two sortings
-    complete, ///< after an evaluation: fields that output, log and limits need beyond it, at the present state
+    complete, ///< after an evaluation: fields that output, log and limits need beyond it, at the present state; what the next step reads stays as it was
     beforeDrift,
     beforeEvaluation, ///< positions are those that forces are taken at, velocities still those of the start of the step
     afterEvaluation,  ///< after each evaluation: also at the start, and before fields are written
@@ -97,9 +97,6 @@ public:
     virtual ~RunningModel() = default;
     /// Stages that join the step at a place, in order.
     virtual std::vector<Stage<dim>> stages(JoinPoint) { return {}; }
-    /// A number that an observation must leave as it was, and its return.
-    virtual double memory() const { return 0; }
-    virtual void recall(double) {}
     /// Sets to 0, at buffer particles, a rate that is about to act for `deltaT` [s] by a model's own step.
     virtual void withholdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
     /// Further limits of the step.

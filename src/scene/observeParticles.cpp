@@ -32,8 +32,6 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
                 idle.pop_back();
             }
         }
-    std::vector<double> memories;
-    for (const auto& model : runningModels_) memories.push_back(model->memory());
 
     // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
     if (travelled_ > 0.5 * skin_) makeLists();
@@ -42,7 +40,6 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
 
     for (const auto& [rate, where] : kept) std::copy_n(values(where), owned_, values(rate));
     for (const auto& [rate, copy] : copied) std::copy_n(copy.begin(), owned_, values(rate));
-    for (std::size_t k = 0; k < runningModels_.size(); ++k) runningModels_[k]->recall(memories[k]);
 }
 
 template<int dim> void Particles<dim>::observe()

@@ -44,14 +44,14 @@ template<int dim> std::vector<Stage<dim>> Migration<dim>::stages(JoinPoint place
     if (corrects_) groups.emplace_back(ofCorrection);
     groups.emplace_back(ofMigration);
     if (place == JoinPoint::complete)
-        return {{"rates of powder", "mu, shear rate and dphi/dt", [this](Particles<dim>& p, const Substep&) { complete(p); }, groups}};
+        return {{"rates of powder", "mu, shear rate and dphi/dt", [this](Particles<dim>& p, const Substep&) { look(p); }, groups}};
     if (place != JoinPoint::afterKick) return {};
     if (steps_.solves) groups.push_back(ofMigrationSolve);
     const std::string equation = steps_.solves ? "(1 - dt K_eta) dphi = dt dphi/dt" : "phi += dt dphi/dt";
     return {{"migrate", equation + ", in steps of its own", [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups}};
 }
 
-template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
+template<int dim> double Migration<dim>::evaluateRates(Particles<dim>& particles)
 {
     particles.evaluate(ofMigration);
     const auto& s = particles.coefficients().template of<Suspension>();
@@ -65,17 +65,25 @@ template<int dim> void Migration<dim>::evaluateRates(Particles<dim>& particles)
         const double D = largest([&](std::size_t i) { return gammaDot[i] * phi[i] * (s.Dc_a2 + Deta_a2 * phi[i] * slope[i]); });
         return steps_.factor * sqr(0.5 * particles.coefficients().support) / D;
     };
-    limit_ = byDiffusion(s.Deta_a2);
-    if (!steps_.solves) return;
+    const double limit = byDiffusion(s.Deta_a2);
+    if (!steps_.solves) return limit;
     const double fastest = largest([&](std::size_t i) { return std::fabs(rate[i]) / std::max(s.phiMax - phi[i], capped); });
-    limit_ = std::min(byDiffusion(0), std::max(limit_, mostChange / fastest));
+    return std::min(byDiffusion(0), std::max(limit, mostChange / fastest));
 }
 
-template<int dim> void Migration<dim>::complete(Particles<dim>& particles)
+template<int dim> double Migration<dim>::complete(Particles<dim>& particles)
 {
     if (corrects_) particles.evaluate(ofCorrection);
-    evaluateRates(particles);
-    if (!startVolume_) startVolume_ = volume(particles);
+    return evaluateRates(particles);
+}
+
+/// The step goes on by the limit that its own migration has left, whoever looks in between; the first one has none.
+template<int dim> void Migration<dim>::look(Particles<dim>& particles)
+{
+    const double limit = complete(particles);
+    if (startVolume_) return;
+    startVolume_ = volume(particles);
+    limit_ = limit;
 }
 
 template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double deltaT)
@@ -84,7 +92,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
     const std::size_t n = particles.size();
     double* const phi = store.component(PowderFraction::info.name, 0);
     double* const rate = store.component(PowderRate::info.name, 0);
-    complete(particles);
+    limit_ = complete(particles);
     for (taken_ = 1;; ++taken_)
     {
         // The remaining time is cut into equal parts, so that no last one is a sliver.
@@ -100,7 +108,7 @@ template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double
                             "physical. Choose a smaller `migrationFactor` in `integration`",
                             taken_, limit_));
         deltaT -= part;
-        evaluateRates(particles);
+        limit_ = evaluateRates(particles);
     }
 }
 

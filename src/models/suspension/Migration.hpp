@@ -36,8 +36,6 @@ public:
     Migration(Particles<dim>&, const Numbers& restored, const MigrationSteps&, bool corrects);
 
     std::vector<Stage<dim>> stages(JoinPoint) override;
-    double memory() const override { return limit_; }
-    void recall(double limit) override { limit_ = limit; }
     std::vector<StepLimit> limits() const override;
     Numbers columns(const Particles<dim>&) const override;
     std::string report(const Particles<dim>&) const override;
@@ -56,7 +54,7 @@ public:
 private:
     MigrationSteps steps_;
     bool corrects_;
-    double limit_;  ///< of one step, at the last evaluation [s]
+    double limit_;  ///< of one step, at the last evaluation of a migration [s]
     int taken_ = 0; ///< in the last step of the flow
     bool warned_ = false;
     double leastViscosity_ = 0, largestViscosity_ = 0;
@@ -64,8 +62,10 @@ private:
     Array change_, residual_;           ///< of the owned particles, where J_eta is solved for
 
     /// Viscosity, shear rate and dphi/dt at the present phi and velocities, for positions and pairs as of the last evaluation of the flow.
-    void complete(Particles<dim>&);
-    void evaluateRates(Particles<dim>&);
+    /// Returns the limit of one step [s].
+    double complete(Particles<dim>&);
+    double evaluateRates(Particles<dim>&);
+    void look(Particles<dim>&);
     void advance(Particles<dim>&, double deltaT);
     /// dphi/dt of a step in which J_eta is that of its end. Throws DivergedError where nothing is finite, or no solution is found.
     void solve(Particles<dim>&, double deltaT);
