@@ -77,13 +77,13 @@ template<int dim> double Migration<dim>::complete(Particles<dim>& particles)
     return evaluateRates(particles);
 }
 
-/// The step goes on by the limit that its own migration has left, whoever looks in between; the first one has none.
+/// A step goes on by the limit that the migration of the last one has left, whoever looks in between; the first one has none. In creeping flow velocities follow phi,
+/// and the limit is that at the new ones, which is the same at each look.
 template<int dim> void Migration<dim>::look(Particles<dim>& particles)
 {
     const double limit = complete(particles);
-    if (startVolume_) return;
-    startVolume_ = volume(particles);
-    limit_ = limit;
+    if (!startVolume_ || !particles.settings().integration.moves) limit_ = limit;
+    if (!startVolume_) startVolume_ = volume(particles);
 }
 
 template<int dim> void Migration<dim>::advance(Particles<dim>& particles, double deltaT)
