@@ -95,7 +95,7 @@ private:
         Transit marked = {};
         double held = 0; ///< number of buffer particles now
     };
-    /// What ranks add up.
+    /// Amounts that ranks add up: what each has counted of its own particles.
     struct Sums
     {
         std::vector<Passed> of = {};
