@@ -58,6 +58,9 @@ bool inDomain(const OpenScene& scene, const Vector<3>& x, double beyond)
     throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what));
 }
 
+/// Least distance of a line from walls [spacings]. Lines that are moved are held 0.2 off walls (packing/Relaxation.cpp), to round-off.
+constexpr double leastFromWalls = 0.19;
+
 void checkDuct(const Opening& opening, const Section& section, const OpenScene& scene)
 {
     const auto& c = scene.coefficients;
@@ -73,7 +76,7 @@ void checkDuct(const Opening& opening, const Section& section, const OpenScene& 
             if (!inDomain(scene, x, c.support))
                 fail(opening, fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there",
                                           scene.bufferDepth - c.support));
-            if (scene.geometry.distance(x) < 0.2 * c.spacing)
+            if (scene.geometry.distance(x) < leastFromWalls * c.spacing)
                 fail(opening,
                      fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x,
                                  x.y, x.z, scene.bufferDepth));
