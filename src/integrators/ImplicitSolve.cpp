@@ -16,7 +16,7 @@ namespace
 /// velocity at 0.1 s and the largest of the gas: single particles 0.999, 3.1 m/s; 1: 0.994, 2.5; 2: 0.993, 1.6; 4: 0.995, 1.4; all together 0.952, 1.2.
 constexpr double boxSize = 2;
 
-/// Steps from one measurement of gamma, a sum over pairs, to the next, of another component. In between particles move by a spacing at most.
+/// Steps from one measurement of gamma, a sum over pairs, to the next, of another component. A particle moves by 0.2 h a step at most.
 constexpr long stepsBetween = 6;
 
 constexpr const char* wallRateNames[] = {"wallRateX", "wallRateY", "wallRateZ"};
