@@ -46,6 +46,7 @@ struct WallProperties
     bool slips = false;                  ///< the fluid slides along it freely
     std::optional<double> frictionAngle; ///< of soil at it [degrees]; without one it holds what touches it, or slips
     Location where;
+    bool moves() const { return mag(velocity) > 0 || mag(omega) > 0; }
     /// tan of the friction angle
     double frictionCoefficient() const { return std::tan(frictionAngle.value_or(0) * std::numbers::pi / 180); }
 };

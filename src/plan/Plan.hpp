@@ -37,6 +37,7 @@ struct Group
     Names names = {};                     ///< other names of results that are summed separately
     std::set<std::string> inputs = {};    ///< fields that the caller writes before the group runs: the change that a solver tries
     std::optional<OwnKernel> kernel = {}; ///< none: the scene's; not for the first group
+    bool bySharesGiven = false; ///< each neighbour counts by BoundaryShare, which the caller writes, in place of its volume factor
 };
 
 template<int dim> class Plan
@@ -60,6 +61,9 @@ public:
     void bind(FieldStore<dim>&, const Coefficients&);
     /// Runs the passes of a group. `deltaT` [s] is the step of laws that advance a state.
     void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0);
+    /// Runs the pair passes of a group of given shares for these particles alone.
+    void evaluateAt(std::span<const int> particles, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
+                    std::size_t group);
 
     /// Index of the group of that name; throws std::logic_error where there is none.
     std::size_t group(const std::string& name) const;
@@ -123,8 +127,9 @@ private:
     void select(Passes&);
     void close(Passes&, const std::set<std::string>& given);
     void order(Passes&, const std::set<std::string>& given, std::set<std::string>& fresh);
-    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&,
-                       const Kernel<dim>&);
+    /// `only`: the particles that the pass is for; all where there is none.
+    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
+                       std::optional<std::span<const int>> only = {});
     /// Positions and columns of the particles [begin, end), eight doubles to a cache line.
     const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.

@@ -13,22 +13,30 @@ template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
 {
     store.allocate(Position{});
     for (const auto& g : groups_)
+    {
         for (const auto* e : g.chosen)
         {
             for (const auto& f : e->results) store.allocate(g.resultName(f), f.info, f.type);
             forEachRead(*e, [&](const FieldUse<dim>& f) { store.allocate(f.name, f.info, f.type); });
         }
+        if (!g.group.bySharesGiven) continue;
+        store.allocate(BoundaryShare{});
+        store.allocate(GhostWall{});
+    }
 }
 
 template<int dim> std::set<std::string> Plan<dim>::readAtNeighbours() const
 {
     std::set<std::string> read{Position::info.name, ImageWeight::info.name};
     for (const auto& g : groups_)
+    {
         for (const auto& pass : g.passes)
         {
             for (const auto& f : pass.columns) read.insert(f.name);
             if (pass.normalised) read.insert(GradientScale::info.name);
         }
+        if (g.group.bySharesGiven) read.insert({BoundaryShare::info.name, GhostWall::info.name}); // by which shares are given
+    }
     return read;
 }
 
@@ -76,7 +84,8 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
                 if (needed) pass.sources.push_back(store.component(info.name, 0));
                 return needed ? int(pass.sources.size()) - 1 : -1;
             };
-            pass.factors = {factor(pass.pair() && store.has(ImageWeight{}), ImageWeight::info),
+            const bool given = g.group.bySharesGiven;
+            pass.factors = {factor(pass.pair() && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
                             factor(pass.normalised, GradientScale::info)};
             for (const auto* e : pass.entries)
             {
@@ -124,7 +133,7 @@ template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim
 
 template<int dim>
 void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldStore<dim>& store, const Images<dim>& images,
-                              NeighbourLists<dim>& lists, const Kernel<dim>& kernel)
+                              NeighbourLists<dim>& lists, const Kernel<dim>& kernel, std::optional<std::span<const int>> only)
 {
     if (keeps) lists.makeRoomWithin();
     const auto pointers = store.pointers(Position{});
@@ -174,13 +183,14 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
                         images.setNullParticle(store.component(f.name, c));
                 records = pack(pass, store, 0, owned);
                 pack(pass, store, std::size_t(null), std::size_t(null) + 1);
-                over(lists.interior().size(), lists.interior().data(), k);
+                if (!only) over(lists.interior().size(), lists.interior().data(), k);
                 halo->finish();
                 packed = owned;
             }
             for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
             records = pack(pass, store, packed, store.size());
-            if (halo) over(lists.border().size(), lists.border().data(), k);
+            if (only) over(only->size(), only->data(), k);
+            else if (halo) over(lists.border().size(), lists.border().data(), k);
             else over(owned, nullptr, k);
         },
         kernel.choice());
@@ -212,6 +222,19 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
                 if (walls) o->atWalls(images.nearWalls(), begin, std::min(n, begin + block));
                 else o->evaluate(begin, std::min(n, begin + block), deltaT);
             }
+    }
+}
+
+template<int dim>
+void Plan<dim>::evaluateAt(std::span<const int> particles, FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists,
+                           const Kernel<dim>& kernel, std::size_t group)
+{
+    for (const auto& pass : groups_[group].passes)
+    {
+        if (counts_)
+            for (const auto* e : pass.entries) ++(*counts_)[groups_[group].group.name + "/" + e->name];
+        evaluatePairs(pass, false, false, store, images, lists, kernel, particles);
+        ++pairPassesRun_;
     }
 }
 

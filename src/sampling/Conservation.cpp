@@ -22,7 +22,8 @@ Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
       angular_(entry::angularMomentum(d)),
       origin_(entry::origin(d)),
       where_(d.location()),
-      isClosed_(context.geometry.patches.empty())
+      isClosed_(context.geometry.patches.empty()),
+      anyWork_(std::ranges::any_of(context.geometry.walls, [](const WallProperties& w) { return w.moves(); }))
 {
     if (!angular_ && entry::origin.given(d))
         entry::origin.error(
@@ -69,6 +70,7 @@ void Conservation::execute(const ParticleView& view)
 {
     last_ = sums(view, origin_, where_);
     supply_ = view.supply;
+    anyWork_ = anyWork_ || view.heldBy;
     if (!first_)
     {
         first_ = last_;
@@ -148,8 +150,9 @@ std::string Conservation::report() const
                            mag(momentum), motion + last_.potentialEnergy - first_->potentialEnergy);
     const auto since = given();
     const double unbalanced = relativeTo(mostEnergy_, motion + since.stored - since.work);
-    const char* const others = unbalanced < 0 ? isClosed_ ? " (dissipated)" : " (dissipated, or taken by walls and openings)"
-                               : isClosed_    ? ""
+    const bool counted = !anyWork_ || supply_->ofBoundaries;
+    const char* const others = unbalanced < 0 ? counted ? " (dissipated)" : " (dissipated, or taken by walls and openings)"
+                               : counted      ? ""
                                               : " (walls and openings)";
     return fmt::format("{}, of momentum {:.3g} beyond the impulse of gravity and body force{}, of energy {:.3g} beyond their work{}", mass,
                        relativeTo(mostMomentum_, mag(momentum - since.impulse)), isClosed_ ? "" : " (walls and openings)", unbalanced,

@@ -18,10 +18,11 @@ namespace sph
 ///
 ///   dm/m,   (dP - I)/max(sum m|u|, |I|),   (dE_kin + dE_stored - W)/max(E_kin, |W|, |dE_stored|)
 ///
-/// I [kg m/s] the impulse and W [J] the work of gravity and body force, E_stored [J] the energy of interfaces and of compression (Supply),
-/// max the largest until now. Walls and openings take momentum and bring mass: without them the second is what forces between particles do
-/// not conserve. The third is below 0 by what is dissipated, -1 where that is all that forces and interfaces have given, and above 0 by what
-/// the scheme creates. Moving walls and openings do work that W leaves out: where there are some the log says so beside the number.
+/// I [kg m/s] the impulse of gravity and body force, W [J] their work and that of walls in motion (solver/WallWork), E_stored [J] the energy of interfaces
+/// and of compression (Supply), max the largest until now. Walls and openings take momentum and bring mass: without them the second is what forces between
+/// particles do not conserve. The third is below 0 by what is dissipated, -1 where that is all that forces and interfaces have given, and above 0 by what
+/// the scheme creates. Where the work of walls and openings is not measured (openings; beside moving walls pressure within the step, substeps, soil) the log
+/// says so beside the number.
 /// Stored times know neither I nor W: there the log gets dP and dE_kin + dE_pot themselves.
 class Conservation : public FunctionObject
 {
@@ -31,6 +32,7 @@ class Conservation : public FunctionObject
     Vector<3> origin_;
     Location where_;
     bool isClosed_; ///< no walls: what momentum changes beyond the forces' impulse is an error
+    bool anyWork_;  ///< some wall moves, or openings hold particles: they do work
     std::optional<OutputTable> table_;
 
 public:

@@ -13,9 +13,10 @@ namespace sph
 /// Energy and impulse that forces have given the fluid since the start of the run, and the energy that it stores beside motion.
 struct Supply
 {
-    Vector<3> impulse; ///< of gravity and body force [kg m/s]
-    double work = 0;   ///< of gravity, of the body force and of models [J]
-    double stored = 0; ///< energy of interfaces and of compression [J]
+    Vector<3> impulse;         ///< of gravity and body force [kg m/s]
+    double work = 0;           ///< of gravity, of the body force and of models [J]
+    double stored = 0;         ///< energy of interfaces and of compression [J]
+    bool ofBoundaries = false; ///< the work of moving walls and openings is counted
 };
 
 struct ParticleView

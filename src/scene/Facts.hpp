@@ -139,6 +139,13 @@ struct LeakedParticles
     LeakAction action = LeakAction::putBack;
 };
 
+/// All that walls and openings do upon the fluid is in the energy balance.
+struct BoundaryPower
+{
+    static constexpr auto says = "whether the power of walls and openings is measured";
+    bool isMeasured = false;
+};
+
 /// Advice where a run gains energy.
 struct EnergyAdvice
 {

@@ -148,6 +148,11 @@ template<int dim> void Particles<dim>::evaluate(const std::string& group, double
     plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
 }
 
+template<int dim> void Particles<dim>::evaluateAt(std::span<const int> particles, const std::string& group)
+{
+    plan_.evaluateAt(particles, store_, images_, lists_, kernel_, plan_.group(group));
+}
+
 template<int dim> std::size_t Particles<dim>::bytes() const
 {
     std::size_t n = store_.bytes() + images_.bytes() + plan_.bytes();

@@ -139,11 +139,13 @@ struct Settings
         if constexpr (dim == 2) return terms2;
         else return terms3;
     }
+    /// Name of the entry whose sum is separate.
+    static std::string apart(const std::string& term) { return term + "Apart"; }
     /// The name by which to select a term of these catalogues: an entry of its own where its sum is separate (`separateSums`).
     std::string force(const std::string& term, const Catalogue<2>& in2, const Catalogue<3>& in3)
     {
         if (separateSums.empty()) return term;
-        const std::string name = term + "Apart";
+        const std::string name = apart(term);
         terms2.push_back(redirected(in2, term, name, separateSums));
         terms3.push_back(redirected(in3, term, name, separateSums));
         return name;

@@ -6,6 +6,7 @@
 #include "solver/TimeStepLimits.hpp"
 #include "solver/models.hpp"
 #include "solver/readPhases.hpp"
+#include "solver/WallWork.hpp"
 #include "solver/shareFilled.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (const auto* model : models())
         for (const auto& conflict : model->conflicts)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
+    askForWallWork(reading);
     checkStepFactors(reading);
     warnOfSoftPhases(theCase, settings);
     dict.reportUnused();
