@@ -16,8 +16,13 @@ template<int dim> Schedule<dim>& Schedule<dim>::evaluate()
 {
     // Particles::evaluate runs what joins each evaluation; here it is named.
     std::string equation = "all that follows from the state";
-    for (const auto& stage : particles_.stages(JoinPoint::afterEvaluation)) equation += fmt::format("; {}: {}", stage.name, stage.equation);
-    return then({ofEvaluation, equation, [](Particles<dim>& p, const Substep&) { p.evaluate(); }, {ofEvaluation}});
+    std::vector<std::string> groups{ofEvaluation};
+    for (const auto& stage : particles_.stages(JoinPoint::afterEvaluation))
+    {
+        equation += fmt::format("; {}: {}", stage.name, stage.equation);
+        groups.insert(groups.end(), stage.groups.begin(), stage.groups.end());
+    }
+    return then({ofEvaluation, equation, [](Particles<dim>& p, const Substep&) { p.evaluate(); }, groups});
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::evaluateOnceAStep()

@@ -261,6 +261,25 @@ TEST(PrintedPlan, IsWhatRunsWithAnEvaluationMore)
 }
 
 // Creeping flow: particles stay where they are, and what the log shows is evaluated at the new velocities.
+// The forces of a lid, asked for by a balance: after each evaluation, or at the end of the step that solves for viscosity.
+TEST(PrintedPlan, IsWhatRunsWithALid)
+{
+    for (const auto& [scheme, evaluations] : {std::pair("predictorCorrector", 2), {"semiImplicit", 1}})
+    {
+        SCOPED_TRACE(scheme);
+        auto files = channelCase();
+        auto &schemes = files["system/sphSchemes"], &geometry = files["constant/geometry"];
+        schemes.replace(schemes.find("predictorCorrector"), 18, scheme);
+        geometry.insert(geometry.rfind("normal (0 -1 0);"), "velocity (1 0 0); ");
+        files["system/controlDict"] += "functions { sums { type conservation; } }\n";
+        const int steps = 3;
+        const auto ran = printsWhatRuns<2>(files, steps);
+        const auto& forces = ran.groups.at("forces of moving walls");
+        EXPECT_EQ(forces.size(), 2);
+        for (const auto& [term, count] : forces) EXPECT_EQ(count, evaluations * steps) << term;
+    }
+}
+
 TEST(PrintedPlan, IsWhatRunsInCreepingFlow)
 {
     auto files = suspensionCase();
