@@ -23,7 +23,8 @@ Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
       origin_(entry::origin(d)),
       where_(d.location()),
       isClosed_(context.geometry.patches.empty()),
-      anyWork_(std::ranges::any_of(context.geometry.walls, [](const WallProperties& w) { return w.moves(); }))
+      anyWork_(std::ranges::any_of(context.geometry.walls, &WallProperties::moves)),
+      anyWetting_(std::ranges::any_of(context.geometry.walls, &WallProperties::wets))
 {
     if (!angular_ && entry::origin.given(d))
         entry::origin.error(
@@ -150,7 +151,7 @@ std::string Conservation::report() const
                            mag(momentum), motion + last_.potentialEnergy - first_->potentialEnergy);
     const auto since = given();
     const double unbalanced = relativeTo(mostEnergy_, motion + since.stored - since.work);
-    const bool counted = !anyWork_ || supply_->ofBoundaries;
+    const bool counted = !anyWetting_ && (!anyWork_ || supply_->ofBoundaries);
     const char* const others = unbalanced < 0 ? counted ? " (dissipated)" : " (dissipated, or taken by walls and openings)"
                                : counted      ? ""
                                               : " (walls and openings)";

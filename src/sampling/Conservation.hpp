@@ -21,8 +21,8 @@ namespace sph
 /// I [kg m/s] the impulse of gravity and body force, W [J] their work and that of walls in motion (solver/WallWork), E_stored [J] the energy of interfaces
 /// and of compression (Supply), max the largest until now. Walls and openings take momentum and bring mass: without them the second is what forces between
 /// particles do not conserve. The third is below 0 by what is dissipated, -1 where that is all that forces and interfaces have given, and above 0 by what
-/// the scheme creates. Where the work of walls and openings is not measured (openings; beside moving walls pressure within the step, substeps, soil) the log
-/// says so beside the number.
+/// the scheme creates. Where what walls and openings give is not measured (contact angles; openings; beside moving walls pressure within the step, substeps,
+/// soil) the log says so beside the number.
 /// Stored times know neither I nor W: there the log gets dP and dE_kin + dE_pot themselves.
 class Conservation : public FunctionObject
 {
@@ -31,8 +31,9 @@ class Conservation : public FunctionObject
     bool angular_;
     Vector<3> origin_;
     Location where_;
-    bool isClosed_; ///< no walls: what momentum changes beyond the forces' impulse is an error
-    bool anyWork_;  ///< some wall moves, or openings hold particles: they do work
+    bool isClosed_;   ///< no walls: what momentum changes beyond the forces' impulse is an error
+    bool anyWork_;    ///< some wall moves, or openings hold particles: they do work
+    bool anyWetting_; ///< some wall has a contact angle: its interfaces with the phases have an energy
     std::optional<OutputTable> table_;
 
 public:

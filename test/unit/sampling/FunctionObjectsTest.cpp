@@ -293,7 +293,8 @@ TEST(Conservation, balancesWithImpulseAndWork)
 }
 
 // A drop at rest whose surface shrinks by 8 J, of which 2 J are left as motion: 0.75 of what the surface gave is dissipated. What a moving wall has given
-// the log does not take for the scheme's, unless its work is counted. A wall at rest gives nothing.
+// the log does not take for the scheme's, unless its work is counted; nor what
+// a wall gives as it is wetted. A wall at rest gives nothing.
 TEST(Conservation, saysWhatInterfacesAndWallsGave)
 {
     enum Wall
@@ -301,11 +302,12 @@ TEST(Conservation, saysWhatInterfacesAndWallsGave)
         none,
         atRest,
         moving,
-        counted
+        counted,
+        wet
     };
-    for (const auto wall : {none, atRest, moving, counted})
+    for (const auto wall : {none, atRest, moving, counted, wet})
     {
-        const bool isNamed = wall == moving;
+        const bool isNamed = wall == moving || wall == wet;
         Functions f;
         Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
         particles.mass = {1, 1, 1, 1};
@@ -313,7 +315,8 @@ TEST(Conservation, saysWhatInterfacesAndWallsGave)
         {
             particles.geometry.patches = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0}};
             particles.geometry.walls.resize(1);
-            if (wall != atRest) particles.geometry.walls[0].velocity = {1, 0, 0};
+            if (wall == moving || wall == counted) particles.geometry.walls[0].velocity = {1, 0, 0};
+            particles.geometry.walls[0].wets = wall == wet;
         }
         auto functions = f.make(particles, "sums { type conservation; }");
         const auto report = [&](Vector<3> u, const Supply& supply)
