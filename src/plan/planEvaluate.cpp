@@ -9,6 +9,16 @@
 namespace sph
 {
 
+namespace
+{
+/// Adds a run of each operation of a pass, where they are counted.
+void countRuns(std::map<std::string, long>* counts, const std::string& group, const auto& entries)
+{
+    if (!counts) return;
+    for (const auto* e : entries) ++(*counts)[group + "/" + e->name];
+}
+}
+
 template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
 {
     store.allocate(Position{});
@@ -205,8 +215,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
     bool within = group > 0 && !g.kernel; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {
-        if (counts_)
-            for (const auto* e : pass.entries) ++(*counts_)[g.group.name + "/" + e->name];
+        countRuns(counts_, g.group.name, pass.entries);
         if (pass.pair())
         {
             evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, g.kernel ? *g.kernel : kernel);
@@ -231,8 +240,7 @@ void Plan<dim>::evaluateAt(std::span<const int> particles, FieldStore<dim>& stor
 {
     for (const auto& pass : groups_[group].passes)
     {
-        if (counts_)
-            for (const auto* e : pass.entries) ++(*counts_)[groups_[group].group.name + "/" + e->name];
+        countRuns(counts_, groups_[group].group.name, pass.entries);
         evaluatePairs(pass, false, false, store, images, lists, kernel, particles);
         ++pairPassesRun_;
     }

@@ -4,9 +4,9 @@
 #include "parallel/Ranks.hpp"
 #include "schemes/schemeSets.hpp"
 #include "solver/TimeStepLimits.hpp"
+#include "solver/WallWork.hpp"
 #include "solver/models.hpp"
 #include "solver/readPhases.hpp"
-#include "solver/WallWork.hpp"
 #include "solver/shareFilled.hpp"
 #include <cmath>
 #include <fmt/format.h>

@@ -293,8 +293,8 @@ TEST(Conservation, balancesWithImpulseAndWork)
 }
 
 // A drop at rest whose surface shrinks by 8 J, of which 2 J are left as motion: 0.75 of what the surface gave is dissipated. What a moving wall has given
-// the log does not take for the scheme's, unless its work is counted; nor what
-// a wall gives as it is wetted. A wall at rest gives nothing.
+// the log does not take for the scheme's, unless its work is counted; nor what a wall gives as it is wetted. A wall at
+// rest gives nothing.
 TEST(Conservation, saysWhatInterfacesAndWallsGave)
 {
     enum Wall

@@ -260,7 +260,6 @@ TEST(PrintedPlan, IsWhatRunsWithAnEvaluationMore)
     EXPECT_EQ(ran.stages.at("filter"), 3);
 }
 
-// Creeping flow: particles stay where they are, and what the log shows is evaluated at the new velocities.
 // The forces of a lid, asked for by a balance: after each evaluation, or at the end of the step that solves for viscosity.
 TEST(PrintedPlan, IsWhatRunsWithALid)
 {
@@ -280,6 +279,7 @@ TEST(PrintedPlan, IsWhatRunsWithALid)
     }
 }
 
+// Creeping flow: particles stay where they are, and what the log shows is evaluated at the new velocities.
 TEST(PrintedPlan, IsWhatRunsInCreepingFlow)
 {
     auto files = suspensionCase();
