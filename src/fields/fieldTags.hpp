@@ -89,6 +89,7 @@ struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};    
 struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim> struct At { double p_h; }; };
 struct BoundaryShare       { static constexpr FieldInfo info{"boundaryShare", "1", Image::placed};              template<int dim> struct At { double s_b; }; };
 struct BoundaryAcceleration{ static constexpr FieldInfo info{"dUdtByBoundary", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_b; }; };
+struct BoundaryDensityRate { static constexpr FieldInfo info{"drhodtByBoundary", "kg/(m^3 s)"};          template<int dim> struct At { double drhodt_b; }; };
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim> struct At { double w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).
 struct GhostWall           { static constexpr FieldInfo info{"ghostWall", "1", Image::placed};                  template<int dim> struct At { double wall; }; };

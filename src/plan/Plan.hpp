@@ -37,7 +37,8 @@ struct Group
     Names names = {};                     ///< other names of results that are summed separately
     std::set<std::string> inputs = {};    ///< fields that the caller writes before the group runs: the change that a solver tries
     std::optional<OwnKernel> kernel = {}; ///< none: the scene's; not for the first group
-    bool bySharesGiven = false; ///< each neighbour counts by BoundaryShare, which the caller writes, in place of its volume factor
+    /// Fields by which the caller chooses BoundaryShare, by which each neighbour then counts in place of its volume factor; none: by that factor.
+    std::set<std::string> sharesBy = {};
 };
 
 template<int dim> class Plan

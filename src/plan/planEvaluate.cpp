@@ -29,7 +29,7 @@ template<int dim> void Plan<dim>::allocate(FieldStore<dim>& store) const
             for (const auto& f : e->results) store.allocate(g.resultName(f), f.info, f.type);
             forEachRead(*e, [&](const FieldUse<dim>& f) { store.allocate(f.name, f.info, f.type); });
         }
-        if (!g.group.bySharesGiven) continue;
+        if (g.group.sharesBy.empty()) continue;
         store.allocate(BoundaryShare{});
         store.allocate(GhostWall{});
     }
@@ -45,7 +45,9 @@ template<int dim> std::set<std::string> Plan<dim>::readAtNeighbours() const
             for (const auto& f : pass.columns) read.insert(f.name);
             if (pass.normalised) read.insert(GradientScale::info.name);
         }
-        if (g.group.bySharesGiven) read.insert({BoundaryShare::info.name, GhostWall::info.name}); // by which shares are given
+        if (g.group.sharesBy.empty()) continue;
+        read.insert(BoundaryShare::info.name);
+        read.insert(g.group.sharesBy.begin(), g.group.sharesBy.end());
     }
     return read;
 }
@@ -94,7 +96,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
                 if (needed) pass.sources.push_back(store.component(info.name, 0));
                 return needed ? int(pass.sources.size()) - 1 : -1;
             };
-            const bool given = g.group.bySharesGiven;
+            const bool given = !g.group.sharesBy.empty();
             pass.factors = {factor(pass.pair() && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
                             factor(pass.normalised, GradientScale::info)};
             for (const auto* e : pass.entries)

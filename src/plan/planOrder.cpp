@@ -48,7 +48,8 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     bool pairsBehind = false;
     for (auto g = groups_.rbegin(); g != groups_.rend(); ++g)
     {
-        if (g->kernel || g->group.bySharesGiven) continue; // what the scene's kernel reaches is not what theirs does, or few particles ask
+        if (g->kernel || !g->group.sharesBy.empty())
+            continue; // what the scene's kernel reaches is not what theirs does, or few particles ask
         const auto pairs = std::count_if(g->passes.begin(), g->passes.end(), [](const Pass& p) { return p.pair(); });
         g->keepsPairs = pairs > 1 || (pairs > 0 && pairsBehind);
         pairsBehind = pairsBehind || pairs > 0;

@@ -18,11 +18,11 @@ namespace sph
 ///
 ///   dm/m,   (dP - I)/max(sum m|u|, |I|),   (dE_kin + dE_stored - W)/max(E_kin, |W|, |dE_stored|)
 ///
-/// I [kg m/s] the impulse of gravity and body force, W [J] their work and that of walls in motion (solver/WallWork), E_stored [J] the energy of interfaces
+/// I [kg m/s] the impulse of gravity and body force, W [J] their work and that of walls in motion and of openings, with the energy of what passes these (solver/BoundaryWork), E_stored [J] the energy of interfaces
 /// and of compression (Supply), max the largest until now. Walls and openings take momentum and bring mass: without them the second is what forces between
 /// particles do not conserve. The third is below 0 by what is dissipated, -1 where that is all that forces and interfaces have given, and above 0 by what
-/// the scheme creates. Where what walls and openings give is not measured (contact angles; openings; beside moving walls pressure within the step, substeps,
-/// soil) the log says so beside the number.
+/// the scheme creates. Where what walls and openings give is not measured (contact angles; openings with surface tension or a background pressure; beside either pressure within the step,
+/// substeps, soil) the log says so beside the number.
 /// Stored times know neither I nor W: there the log gets dP and dE_kin + dE_pot themselves.
 class Conservation : public FunctionObject
 {

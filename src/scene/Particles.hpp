@@ -27,7 +27,7 @@ public:
     void evaluate();
     /// Evaluates a further group of the plan, after an evaluation and at the same positions. `deltaT` [s] is the step of laws that advance a state.
     void evaluate(const std::string& group, double deltaT = 0);
-    /// Evaluates a group of given shares (Group::bySharesGiven) for these particles alone.
+    /// Evaluates a group of given shares (Group::sharesBy) for these particles alone.
     void evaluateAt(std::span<const int> particles, const std::string& group);
     /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so
     /// the bytes of a run, stay as they are.

@@ -112,8 +112,10 @@ public:
     virtual std::string warning(const Particles<dim>&) { return ""; }
     /// Adds the numbers of a restart.
     virtual void save(Numbers&) const {}
-    /// Power of the model upon the fluid in the last step [W].
+    /// Power of the model upon the fluid in the last step, or the most that it can have been [W].
     virtual double power() const { return 0; }
+    /// The same as measured.
+    virtual double measuredPower() const { return power(); }
     /// Energy that the model stores at the present state.
     virtual std::optional<StoredEnergy> energy(const Particles<dim>&) const { return {}; }
     /// The most that the model may give to motion from its start on, besides its energy and power [J]; `mass` of each phase in the scene [kg].

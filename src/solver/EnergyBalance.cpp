@@ -1,6 +1,7 @@
 #include "solver/EnergyBalance.hpp"
 #include "base/words.hpp"
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace sph
@@ -45,30 +46,33 @@ template<int dim> EnergyBalance<dim>::EnergyBalance(const Particles<dim>& partic
 
 template<int dim> Energy EnergyBalance<dim>::at(const Particles<dim>& particles, const Summary& summary) const
 {
-    return {summary.kineticEnergy, storedIn(particles), given_ + mostWork_, work_, impulse_};
+    return {summary.kineticEnergy, storedIn(particles), given_ + mostWork_, measuredWork_, impulse_};
 }
 
-template<int dim> void EnergyBalance<dim>::addWork(double work)
+template<int dim> void EnergyBalance<dim>::addWork(double work, double measured)
 {
     work_ += work;
+    measuredWork_ += measured;
     mostWork_ = std::max(mostWork_, work_);
+}
+
+template<int dim> auto EnergyBalance<dim>::numbersOf(auto& self)
+{
+    return std::array{std::pair{"energyGiven", &self.given_}, std::pair{"work", &self.work_}, std::pair{"mostWork", &self.mostWork_},
+                      std::pair{"measuredWork", &self.measuredWork_}};
 }
 
 template<int dim> void EnergyBalance<dim>::save(Numbers& numbers) const
 {
-    numbers["energyGiven"] = given_;
-    numbers["work"] = work_;
-    numbers["mostWork"] = mostWork_;
+    for (const auto& [name, number] : numbersOf(*this)) numbers[name] = *number;
     for (const auto& [name, c] : impulseComponents) numbers[name] = impulse_.*c;
 }
 
 template<int dim> void EnergyBalance<dim>::restore(const Numbers& numbers)
 {
-    const auto given = numbers.find("energyGiven"), work = numbers.find("work"), most = numbers.find("mostWork");
-    if (given == numbers.end() || work == numbers.end() || most == numbers.end()) return;
-    given_ = given->second;
-    work_ = work->second;
-    mostWork_ = most->second;
+    if (!numbers.contains("energyGiven")) return;
+    for (const auto& [name, number] : numbersOf(*this))
+        if (const auto found = numbers.find(name); found != numbers.end()) *number = found->second;
     for (const auto& [name, c] : impulseComponents)
         if (const auto found = numbers.find(name); found != numbers.end()) impulse_.*c = found->second;
 }

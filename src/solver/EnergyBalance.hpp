@@ -24,13 +24,17 @@ std::string sourceInWords(const std::map<std::string, double>& workOfEach);
 
 template<int dim> class EnergyBalance
 {
-    double given_, work_ = 0, mostWork_ = 0;
+    double given_, work_ = 0, mostWork_ = 0, measuredWork_ = 0;
     Vector<3> impulse_;
+
+    /// Numbers of a restart, by name.
+    static auto numbersOf(auto& self);
 
 public:
     /// The balance at the start of a run.
     EnergyBalance(const Particles<dim>&, const Summary&);
-    void addWork(double work);
+    /// `work`: the most that was done [J], against which the energy is held; `measured` [J] what was done, for whoever balances energy.
+    void addWork(double work, double measured);
     void addImpulse(const Vector<3>& impulse) { impulse_ += impulse; }
     /// The account, for a restart.
     void save(Numbers&) const;

@@ -81,9 +81,10 @@ template<int dim> class Simulation final : public AnySimulation
     {
         const double power = summary_.power;
         summary_ = measured();
-        energy_.addWork(0.5 * (power + summary_.power) * deltaT);
+        const double work = 0.5 * (power + summary_.power) * deltaT;
+        energy_.addWork(work, work);
         energy_.addImpulse(deltaT * summary_.force);
-        for (const auto& model : particles_.runningModels()) energy_.addWork(model->power() * deltaT);
+        for (const auto& model : particles_.runningModels()) energy_.addWork(model->power() * deltaT, model->measuredPower() * deltaT);
     }
 
 public:

@@ -43,7 +43,7 @@ struct Energy
     double kinetic = 0;               ///< [J]
     std::vector<StoredEnergy> stored; ///< of models
     double supplied = 0;              ///< the most that the scene can have given since the start [J]
-    double work = 0;                  ///< since the start, of gravity, of the body force and of models [J]
+    double measuredWork = 0;          ///< since the start, of gravity, of the body force and of models [J]
     Vector<3> impulse;                ///< since the start, of gravity and body force [kg m/s]
 
     double held() const

@@ -3,8 +3,8 @@
 #include "integrators/Integrator.hpp"
 #include "parallel/Ranks.hpp"
 #include "schemes/schemeSets.hpp"
+#include "solver/BoundaryWork.hpp"
 #include "solver/TimeStepLimits.hpp"
-#include "solver/WallWork.hpp"
 #include "solver/models.hpp"
 #include "solver/readPhases.hpp"
 #include "solver/shareFilled.hpp"
@@ -110,7 +110,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     for (const auto* model : models())
         for (const auto& conflict : model->conflicts)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
-    askForWallWork(reading);
+    askForBoundaryWork(reading);
     checkStepFactors(reading);
     warnOfSoftPhases(theCase, settings);
     dict.reportUnused();

@@ -414,7 +414,7 @@ ParticleView Run::view(WholeCloud& cloud) const
     v.heldBy = cloud.whole(simulation_->field(Holder::info.name)).component[0];
     v.numbers = simulation_->summary().columns;
     const auto energy = simulation_->energy();
-    v.supply = Supply{energy.impulse, energy.work, energy.allStored(), settings_.facts.get<BoundaryPower>().isMeasured};
+    v.supply = Supply{energy.impulse, energy.measuredWork, energy.allStored(), settings_.facts.get<BoundaryPower>().isMeasured};
     v.time = time_.value();
     v.deltaT = time_.deltaT();
     v.executionTime = Clock::executionTime();

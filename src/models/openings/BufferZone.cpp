@@ -1,5 +1,4 @@
 #include "models/openings/BufferZone.hpp"
-#include "models/openings/OpenPlanes.hpp"
 
 namespace sph
 {
@@ -28,7 +27,7 @@ template<int dim> int BufferZone<dim>::holderOf(const Vector<3>& x) const
     {
         const auto& opening = placed_[k].opening;
         const double s = opening.distance(x);
-        if (!(s < -onPlane * scene_.coefficients.spacing && s > -2 * scene_.bufferDepth && placed_[k].faces(x, dim))) continue;
+        if (!(s < -onPlane * scene_.coefficients.spacing && s > -2 * scene_.bufferDepth && placed_[k].opening.faces(x, dim))) continue;
         if (opening.margin == 0 || opening.opensAt(x - s * opening.normal, dim)) return int(k) + 1;
         if (beside == 0) beside = int(k) + 1;
     }
@@ -41,7 +40,7 @@ template<int dim> int BufferZone<dim>::farBeyond(const Vector<3>& x) const
     const auto found = std::ranges::find_if(placed_,
                                             [&](const PlacedOpening& each) {
                                                 return each.opening.distance(x) <= -2 * scene_.bufferDepth &&
-                                                       inSight(each.opening, scene_.geometry, x, scene_.coefficients.spacing);
+                                                       each.opening.inSight(scene_.geometry, x, scene_.coefficients.spacing);
                                             });
     return found == placed_.end() ? 0 : 1 + int(found - placed_.begin());
 }
@@ -142,7 +141,8 @@ template<int dim> void BufferZone<dim>::list(FieldStore<dim>& store)
             continue;
         }
         for (std::size_t k = 0; k < placed_.size(); ++k)
-            if (const double s = placed_[k].opening.distance(x_i); s >= 0 && s < scene_.coefficients.support && placed_[k].faces(x_i, dim))
+            if (const double s = placed_[k].opening.distance(x_i);
+                s >= 0 && s < scene_.coefficients.support && placed_[k].opening.faces(x_i, dim))
                 near_[k].push_back(i);
     }
     account_.countHeld(numbers);

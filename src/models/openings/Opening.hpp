@@ -1,8 +1,7 @@
-/// Planes through which fluid comes into a scene or leaves it.
+/// Openings: planes through which fluid comes into a scene or leaves it, with what drives it and what comes in.
 #pragma once
 #include "case/Case.hpp"
-#include "dictionary/EntryList.hpp"
-#include "geometry/Geometry.hpp"
+#include "geometry/OpenPlane.hpp"
 #include "plan/Coefficients.hpp"
 #include "scene/State.hpp"
 #include <map>
@@ -24,31 +23,17 @@ struct Layer
     Stream stream;
 };
 
-struct Opening
+struct Opening : OpenPlane
 {
-    std::string name;
-    bool inlet = true;
-    Vector<3> point, normal;        ///< of the plane [m]; unit, into the scene
-    Box extent;                     ///< the plane is open within it alone
-    double margin = 0;              ///< beside the extent, where what passes the plane leaves all the same [m]
-    std::optional<double> radius;   ///< and this near to `point` [m]
-    std::vector<Opening> without;   ///< other openings in the same plane, which have their parts of it
-    std::optional<double> velocity; ///< mean over the section, along the normal [m/s]
-    std::optional<double> flowRate; ///< [m^3/s], per metre of depth [m^2/s] in 2-D
-    std::optional<double> pressure; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
-    bool developed = false;         ///< the velocity has the profile of developed flow; else it is the same everywhere
-    Stream stream;                  ///< what comes in, through an outlet with `backflow` where the flow is inwards
-    std::vector<Layer> layers;
+    std::optional<double> velocity = {}; ///< mean over the section, along the normal [m/s]
+    std::optional<double> flowRate = {}; ///< [m^3/s], per metre of depth [m^2/s] in 2-D
+    std::optional<double> pressure = {}; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
+    bool developed = false;              ///< the velocity has the profile of developed flow; else it is the same everywhere
+    Stream stream = {};                  ///< what comes in, through an outlet with `backflow` where the flow is inwards
+    std::vector<Layer> layers = {};
     bool backflow = false;
-    std::optional<double> markFrom; ///< what comes in from this time [s] on tells when it did
-    Location where;
+    std::optional<double> markFrom = {}; ///< what comes in from this time [s] on tells when it did
 
-    /// Distance from the plane [m], > 0 in the scene.
-    double distance(const Vector<3>& x) const { return dot(x - point, normal); }
-    /// Whether the plane is open at a point of it, or at a point so far beside its extent [m].
-    bool opensAt(const Vector<3>& x, int dimension, double beside = 0) const;
-    /// Whether another opening is cut out of the plane.
-    bool leavesOut(const Opening& part) const;
     bool brings(std::size_t phase) const;
     const Stream& streamAt(const Vector<3>& x, int dimension) const;
 };
@@ -74,8 +59,6 @@ struct EntryTime
 /// does not have, and what to say to it.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
                                   const std::map<std::string, std::string>& absent = {});
-/// Reads the planes alone: what models make of the other entries is left unread.
-std::vector<Opening> readOpeningPlanes(const Case&, const Geometry&, const Coefficients&);
 EntryList openingEntries();
 
 }

@@ -2,6 +2,7 @@
 #include "parallel/reduce.hpp"
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace sph
 {
@@ -28,6 +29,25 @@ template<int dim> void OpeningAccount<dim>::pass(FieldStore<dim>& store, std::si
     to.mass[scene_.phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
     if (marks_) mark(store, i, placed_[opening].opening, to.marked, sign);
     for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountsOf(store, *counted_[q], predicted)(i);
+    energyPassed_ += sign * energyOf(store, i);
+}
+
+/// m (v^2/2 + e(rho))
+template<int dim> double OpeningAccount<dim>::energyOf(const FieldStore<dim>& store, std::size_t i) const
+{
+    const double m = store.component(Mass::info.name, 0)[i], rho = store.component(Density::info.name, 0)[i];
+    const auto v = valueAt<Vector<dim>>(store.pointers(Velocity{}), i);
+    return m * (0.5 * dot(v, v) + scene_.coefficients.stateEquation[scene_.phasesOf(store)(i)].energy(rho));
+}
+
+template<int dim>
+double OpeningAccount<dim>::rateInto(const FieldStore<dim>& store, const Evolving& fraction, std::span<const int> held) const
+{
+    const double *m = store.component(Mass::info.name, 0), *rate = store.component(fraction.rate->name, 0);
+    const auto phase = scene_.phasesOf(store);
+    double into = 0;
+    for (const int i : held) into += rate[i] * m[i] / scene_.coefficients.restDensity[phase(std::size_t(i))];
+    return into;
 }
 
 /// What comes in is marked by the time, what leaves tells how long it was there.
@@ -77,39 +97,25 @@ template<int dim> void OpeningAccount<dim>::countHeld(const std::vector<std::siz
 
 template<int dim> void OpeningAccount<dim>::noteRates(const FieldStore<dim>& store, std::span<const int> held)
 {
-    const double* const m = store.component(Mass::info.name, 0);
-    const auto phase = scene_.phasesOf(store);
     for (std::size_t q = 0; q < counted_.size(); ++q)
-    {
-        if (!counted_[q]->rate || counted_[q]->advancedByModel) continue;
-        const double* const rate = store.component(counted_[q]->rate->name, 0);
-        intoHeld_[q] = 0;
-        for (const int i : held) intoHeld_[q] += rate[i] * m[i] / scene_.coefficients.restDensity[phase(std::size_t(i))];
-    }
+        if (counted_[q]->rate && !counted_[q]->advancedByModel) intoHeld_[q] = rateInto(store, *counted_[q], held);
 }
 
 template<int dim> void OpeningAccount<dim>::advance(double deltaT, double time)
 {
     time_ = time;
+    powerOfPassing_ = std::exchange(energyPassed_, 0) / deltaT;
     for (std::size_t q = 0; q < counted_.size(); ++q) sums_.heldAmounts[q] += deltaT * intoHeld_[q];
 }
 
 template<int dim>
 void OpeningAccount<dim>::withholdRate(FieldStore<dim>& store, const std::string& field, double deltaT, std::span<const int> held)
 {
-    const double* const m = store.component(Mass::info.name, 0);
-    const auto phase = scene_.phasesOf(store);
     for (std::size_t q = 0; q < counted_.size(); ++q)
     {
         if (counted_[q]->value.name != field) continue;
-        double* const rate = store.component(counted_[q]->rate->name, 0);
-        double intoHeld = 0;
-        for (const int i : held)
-        {
-            intoHeld += deltaT * rate[i] * m[i] / scene_.coefficients.restDensity[phase(std::size_t(i))];
-            rate[i] = 0;
-        }
-        sums_.heldAmounts[q] += intoHeld;
+        sums_.heldAmounts[q] += deltaT * rateInto(store, *counted_[q], held);
+        for (const int i : held) store.component(counted_[q]->rate->name, 0)[i] = 0;
     }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 #include "fields/FieldStore.hpp"
 #include "models/openings/PlacedOpening.hpp"
+#include "parallel/reduce.hpp"
 #include "scene/State.hpp"
 #include <algorithm>
 #include <cmath>
@@ -69,10 +70,13 @@ public:
     void countHeld(const std::vector<std::size_t>& numbers);
     /// Remembers the amounts that present rates bring into buffer particles.
     void noteRates(const FieldStore<dim>&, std::span<const int> held);
-    /// Ends a step of `deltaT` at `time` [s], in which the rates have acted.
+    /// Ends a step of `deltaT` at `time` [s], in which the rates have acted and particles have passed.
     void advance(double deltaT, double time);
     /// Sets a rate that is about to act for `deltaT` [s] to 0 at the buffer particles, and counts the amount that it would have brought into them.
     void withholdRate(FieldStore<dim>&, const std::string& field, double deltaT, std::span<const int> held);
+
+    /// Kinetic energy and energy of compression that particles brought in during the last step, over its length [W]. All ranks must ask.
+    double powerOfPassing() const { return ofAllRanks(powerOfPassing_, 0.0, Add{}); }
 
     /// Whether some inlet marks its fluid.
     bool marks() const { return marks_; }
@@ -111,13 +115,17 @@ private:
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
     bool marks_ = false;
-    double time_ = 0; ///< [s]
-    Sums sums_;       ///< amounts that this rank has counted
+    double time_ = 0;                              ///< [s]
+    double energyPassed_ = 0, powerOfPassing_ = 0; ///< of this rank, since the last step ended [J]; in that step [W]
+    Sums sums_;                                    ///< amounts that this rank has counted
     std::vector<Taken> taken_;
     std::vector<double> startMass_;               ///< mass of the free and the removed particles, at the first start [kg]
     std::vector<double> startAmounts_, intoHeld_; ///< the same amounts [m^3]; present rates into the buffer [m^3/s]
 
     void mark(FieldStore<dim>&, std::size_t i, const Opening&, Transit& marked, double sign);
+    double energyOf(const FieldStore<dim>&, std::size_t i) const;
+    /// Rate of the amount of a counted fraction in the buffer [m^3/s].
+    double rateInto(const FieldStore<dim>&, const Evolving& fraction, std::span<const int> held) const;
     Sums ofAll() const;
     static void eachShare(auto& sums, const auto& visit);
     /// Calls visit(name, value, whether a 0 is left out) for each number of a restart.

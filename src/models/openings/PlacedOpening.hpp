@@ -38,7 +38,7 @@ struct OpenScene
 struct PlacedOpening
 {
     Opening opening;
-    Opening plane; ///< the whole plane that it is a part of; itself where it stands alone
+    OpenPlane plane; ///< the whole plane that it is a part of; itself where it stands alone
     Section section;
     std::optional<double> asked;         ///< prescribed rate of an inlet [m^3/s]; none where a pressure alone drives it
     double most, speed;                  ///< U of an inlet [m/s]: its limit, and its present value
@@ -47,12 +47,6 @@ struct PlacedOpening
     double inflow = 0;                   ///< mean velocity near the plane times the area [m^3/s]
     std::vector<double> inflows;         ///< inflow of each phase [m^3/s]
     std::vector<double> velocity = {};   ///< velocity of each line [m/s]; infinite where its particles keep what they have
-
-    /// Whether a point lies before or behind the open part of the plane, or as near beside it as its margin.
-    bool faces(const Vector<3>& x, int dimension) const
-    {
-        return opening.opensAt(x - opening.distance(x) * opening.normal, dimension, opening.margin);
-    }
 };
 
 /// Places openings in a scene. Throws CaseError where one does not fit: inside a wall, narrower than the kernel's support, with a duct that is not

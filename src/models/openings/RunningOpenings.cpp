@@ -16,7 +16,8 @@ template<int dim>
 RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
     : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
                 particles.settings().facts.template get<ForceReach>().supports),
-      phases_(particles.coefficients().phases)
+      phases_(particles.coefficients().phases),
+      isMeasured_(particles.settings().facts.template get<BoundaryPower>().isMeasured)
 {}
 
 template<int dim> std::vector<Stage<dim>> RunningOpenings<dim>::stages(JoinPoint place)

@@ -10,6 +10,7 @@ template<int dim> class RunningOpenings final : public RunningModel<dim>
 {
     Openings<dim> openings_;
     std::vector<std::string> phases_;
+    const bool isMeasured_; ///< whether the energy balance knows all that openings do
 
     /// One number of each phase: "1 kg of water, 2 kg of air".
     std::string ofPhases(const std::vector<double>&, const std::string& format) const;
@@ -24,6 +25,8 @@ public:
     std::string report(const Particles<dim>&) const override;
     void save(Numbers&) const override;
     double power() const override { return openings_.power(); }
+    /// That of what passes the planes; what is held beyond them does the rest (solver/BoundaryWork).
+    double measuredPower() const override { return isMeasured_ ? openings_.account().powerOfPassing() : power(); }
 };
 
 }

@@ -54,7 +54,7 @@ void eachStretch(double from, double to, double fine, const auto& open, const au
 }
 }
 
-Section::Section(const Opening& opening, const Geometry& geometry, double spacing, const Opening* plane)
+Section::Section(const Opening& opening, const Geometry& geometry, double spacing, const OpenPlane* plane)
     : point_(opening.point), dimension_(geometry.dimension)
 {
     // Across the normal, along coordinates where it is along one.
@@ -70,7 +70,7 @@ Section::Section(const Opening& opening, const Geometry& geometry, double spacin
 
     const double margin = 1e-9 * spacing;
     const Box domain{geometry.low - margin * Vector<3>{1, 1, 1}, geometry.high + margin * Vector<3>{1, 1, 1}};
-    const auto openOf = [&](const Opening& o)
+    const auto openOf = [&](const OpenPlane& o)
     {
         return [&](const Vector<3>& x, double clearance = 0)
         { return contains(domain, x, dimension_) && o.opensAt(x, dimension_) && geometry.distance(x) > clearance; };

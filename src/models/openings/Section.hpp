@@ -28,7 +28,7 @@ public:
     };
 
     /// `plane`: what the opening is a part of, whose lattice it takes; null where it stands alone.
-    Section(const Opening&, const Geometry&, double spacing, const Opening* plane = nullptr);
+    Section(const Opening&, const Geometry&, double spacing, const OpenPlane* plane = nullptr);
 
     const std::vector<Line>& lines() const { return lines_; }
     /// Distance between particles of one line [m].

@@ -1,7 +1,6 @@
 #include "base/CaseError.hpp"
 #include "geometry/components.hpp"
 #include "geometry/forEachFoot.hpp"
-#include "models/openings/OpenPlanes.hpp"
 #include "models/openings/PlacedOpening.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,11 +13,11 @@ namespace
 {
 /// The plane that an opening is a part of, with all its parts: that from which it is cut out, or its own without the others; of a drip that is cut out of none,
 /// all of the duct. None where the opening stands alone.
-std::optional<Opening> planeOf(const Opening& opening, const std::vector<Opening>& all)
+std::optional<OpenPlane> planeOf(const Opening& opening, const std::vector<Opening>& all)
 {
     const auto host = std::ranges::find_if(all, [&](const Opening& other) { return other.leavesOut(opening); });
     if (host == all.end() && opening.without.empty() && !opening.radius) return {};
-    auto plane = host == all.end() ? opening : *host;
+    OpenPlane plane = host == all.end() ? opening : *host;
     plane.point = opening.point;
     plane.without.clear();
     plane.radius.reset();
@@ -114,7 +113,7 @@ bool meet(const PlacedOpening& a, const PlacedOpening& b, const OpenScene& scene
         for (double s = c.support; s > -scene.bufferDepth; s -= c.spacing)
         {
             const auto x = line.foot + s * a.opening.normal;
-            if (const double beyond = b.opening.distance(x); beyond < 0 && beyond > -scene.bufferDepth && b.faces(x, c.dimension))
+            if (const double beyond = b.opening.distance(x); beyond < 0 && beyond > -scene.bufferDepth && b.opening.faces(x, c.dimension))
                 return true;
         }
     return false;
@@ -129,8 +128,7 @@ void checkNormal(const PlacedOpening& placed, const std::vector<PlacedOpening>& 
     for (const auto& other : all)
         if (std::ranges::any_of(other.section.lines(),
                                 [&](const auto& line) {
-                                    return opening.distance(line.foot) <= -2 * depth &&
-                                           inSight(opening, scene.geometry, line.foot, spacing);
+                                    return opening.distance(line.foot) <= -2 * depth && opening.inSight(scene.geometry, line.foot, spacing);
                                 }))
             wrong(fmt::format("\"{}\" beyond its plane, and would take away the fluid between them", other.opening.name));
     double deepest = 0;

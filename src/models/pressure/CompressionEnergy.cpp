@@ -12,11 +12,12 @@ template<int dim> std::optional<StoredEnergy> CompressionEnergy<dim>::energy(con
     const auto& store = particles.store();
     const double *m = store.pointers(Mass{})[0], *rho = store.pointers(Density{})[0];
     const double* phase = c.phases.size() > 1 ? store.pointers(Phase{})[0] : nullptr;
+    const double* holder = store.has(Holder{}) ? store.pointers(Holder{})[0] : nullptr;
     const double total = sum(particles.size(),
                              [&](std::size_t i)
                              {
                                  const std::size_t k = phase ? std::size_t(phase[i]) : 0;
-                                 return m[i] * c.stateEquation[k].energy(rho[i]);
+                                 return holder && holder[i] > 0 ? 0.0 : m[i] * c.stateEquation[k].energy(rho[i]);
                              });
     return StoredEnergy{"compression", total, false};
 }

@@ -75,9 +75,9 @@ SurfaceRun::SurfaceRun(const Case& folder, const std::string& phase) : case_(fol
     const double nodes = nodesOfDomain(geometry_, settings_.gridSpacing);
     sparse_ = nodes > mostOfDomain;
     const double coarser = sparse_ ? std::pow(nodes / ofWalls, 1.0 / geometry_.dimension) : 1;
-    openings_.emplace(folder, geometry_, resolution, scene_.phases);
+    openEnds_.emplace(folder, geometry_, resolution);
     folder.diagnostics().throwIfAny();
-    if (openings_->none()) openings_.reset();
+    if (openEnds_->none()) openEnds_.reset();
     space_ = spaceOf(gridOfDomain(geometry_, coarser * settings_.gridSpacing));
     if (const auto& names = settings_.picture.shownWalls; !names.empty())
     {
@@ -112,16 +112,16 @@ std::string SurfaceRun::output(const std::string& time, const std::string& file)
 SurfaceRun::Space SurfaceRun::spaceOf(const RegularGrid& grid) const
 {
     Space space{grid, wallDistances(grid, geometry_), {}};
-    if (!openings_) return space;
+    if (!openEnds_) return space;
     const double far = mag(geometry_.high - geometry_.low);
-    space.toOpenings = space.wallDistance;
-    space.toOpenings.resize(grid.size(), far);
+    space.toOpenEnds = space.wallDistance;
+    space.toOpenEnds.resize(grid.size(), far);
     for (int k = 0; k < grid.nodes[2]; ++k)
         for (int j = 0; j < grid.nodes[1]; ++j)
             for (int i = 0; i < grid.nodes[0]; ++i)
             {
-                double& distance = space.toOpenings[grid.index(i, j, k)];
-                distance = std::min({distance, openings_->distance(grid.node(i, j, k)), far});
+                double& distance = space.toOpenEnds[grid.index(i, j, k)];
+                distance = std::min({distance, openEnds_->distance(grid.node(i, j, k)), far});
             }
     return space;
 }
@@ -130,14 +130,14 @@ Mesh SurfaceRun::freeSurfaceIn(const Part& part, double level, int smoothing) co
 {
     const auto& grid = part.space.grid;
     const Mesh mesh = freeSurface(grid, part.colour, level, geometry_, smoothing);
-    if (!openings_ || mesh->GetNumberOfPoints() == 0) return mesh;
+    if (!openEnds_ || mesh->GetNumberOfPoints() == 0) return mesh;
     vtkNew<vtkDoubleArray> distance;
     distance->SetNumberOfValues(mesh->GetNumberOfPoints());
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
     {
         double x[3];
         mesh->GetPoint(p, x);
-        distance->SetValue(p, std::min(openings_->distance({x[0], x[1], x[2]}), grid.largestStep()));
+        distance->SetValue(p, std::min(openEnds_->distance({x[0], x[1], x[2]}), grid.largestStep()));
     }
     return clipped(mesh, distance);
 }

@@ -3,7 +3,7 @@
 #include "case/Case.hpp"
 #include "case/Cloud.hpp"
 #include "geometry/Geometry.hpp"
-#include "models/openings/OpenPlanes.hpp"
+#include "geometry/OpenEnds.hpp"
 #include "surfaces/SurfaceSettings.hpp"
 #include <optional>
 #include <string>
@@ -37,13 +37,13 @@ class SurfaceRun
     SurfaceCase scene_;
     Geometry geometry_;
     SurfaceSettings settings_;
-    std::optional<OpenPlanes> openings_;
+    std::optional<OpenEnds> openEnds_;
     /// A grid and the distances of its nodes from the walls and, where the case has openings, from their planes as well, behind which there is no scene.
     struct Space
     {
         RegularGrid grid;
-        std::vector<double> wallDistance, toOpenings;
-        const std::vector<double>& sceneDistance() const { return toOpenings.empty() ? wallDistance : toOpenings; }
+        std::vector<double> wallDistance, toOpenEnds;
+        const std::vector<double>& sceneDistance() const { return toOpenEnds.empty() ? wallDistance : toOpenEnds; }
     };
     Space space_; ///< of the domain, once for all times; where that has too many nodes for its surfaces, a coarser one that shows the walls
     bool sparse_; ///< the latter
@@ -63,7 +63,7 @@ class SurfaceRun
     };
     Space spaceOf(const RegularGrid&) const;
     std::vector<Part> partsAround(const PhaseParticles&) const;
-    bool beyond(const Vector<3>& x) const { return openings_ && openings_->beyond(x); }
+    bool beyond(const Vector<3>& x) const { return openEnds_ && openEnds_->beyond(x); }
     /// The free surface in a part, before the planes of openings.
     Mesh freeSurfaceIn(const Part&, double level, int smoothing) const;
     SurfaceReport reconstruct(const std::vector<Part>&, const PhaseParticles&, int phase, const std::string& time, bool write,

@@ -23,10 +23,7 @@ Geometry loadGeometry(const Case& c)
 }
 
 StoredCase::StoredCase(const Case& c)
-    : case_(c),
-      geometry_(loadGeometry(c)),
-      settings_(readSettings(c, geometry_)),
-      openings_(c, geometry_, settings_.resolution, settings_.coefficients.phases)
+    : case_(c), geometry_(loadGeometry(c)), settings_(readSettings(c, geometry_)), openEnds_(c, geometry_, settings_.resolution)
 {}
 
 std::vector<std::string> StoredCase::times() const
@@ -63,10 +60,10 @@ ParticleView StoredCase::load(const std::string& time)
         phasesOf(cloud_, c.phases.size());
         v.phase = cloud_.fields.at("phase").component[0].data();
     }
-    if (!openings_.none())
+    if (!openEnds_.none())
     {
         heldBy_.clear();
-        for (std::size_t i = 0; i < cloud_.size(); ++i) heldBy_.push_back(openings_.beyond({cloud_.x[i], cloud_.y[i], cloud_.z[i]}));
+        for (std::size_t i = 0; i < cloud_.size(); ++i) heldBy_.push_back(openEnds_.beyond({cloud_.x[i], cloud_.y[i], cloud_.z[i]}));
         v.heldBy = heldBy_.data();
     }
     v.time = at;

@@ -3,7 +3,7 @@
 #include "case/Case.hpp"
 #include "case/Cloud.hpp"
 #include "geometry/Geometry.hpp"
-#include "models/openings/OpenPlanes.hpp"
+#include "geometry/OpenEnds.hpp"
 #include "sampling/ParticleView.hpp"
 #include "solver/readSettings.hpp"
 #include <string>
@@ -17,7 +17,7 @@ class StoredCase
     const Case& case_;
     Geometry geometry_;
     Settings settings_;
-    OpenPlanes openings_;
+    OpenEnds openEnds_;
     Cloud cloud_;
     std::vector<double> volume_, heldBy_;
 
