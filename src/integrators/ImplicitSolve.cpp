@@ -162,6 +162,7 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
             change_[c][i] += added;
             r[c][i] -= added;
         }
+        for (const int i : particles.held()) change_[c][i] = 0;
     }
     averageInBoxes<dim>(r, store.pointers(Position{}), m, n, boxSize * particles.coefficients().support);
 }
@@ -204,6 +205,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         r[c] = withPressure_ ? store.component(DelayedImpulse::info.name, c) : residual_[c].data();
 #pragma omp parallel for simd schedule(static)
         for (std::size_t i = 0; i < n; ++i) r[c][i] = (withPressure_ ? r[c][i] : 0) + deltaT * a[c][i];
+        for (const int i : particles.held()) r[c][i] = 0;
     }
     const auto diagonal = [=](std::size_t i) { return inertia + (lambda ? implicit * lambda[i] : 0) + (kappa ? stiff * kappa[i] : 0); };
     const auto applied = [=](int c, std::size_t i)

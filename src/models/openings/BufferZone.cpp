@@ -163,6 +163,14 @@ template<int dim> void BufferZone<dim>::clearRates(FieldStore<dim>& store) const
     clear(TransportAcceleration::info.name);
 }
 
+template<int dim> void BufferZone<dim>::soften(FieldStore<dim>& store) const
+{
+    const double* const holder = store.component(Holder::info.name, 0);
+    double* const stiffness = store.component(VolumeStiffness::info.name, 0);
+    for (const int i : held_)
+        if (!placed_[std::size_t(holder[i]) - 1].opening.inlet) stiffness[i] = 0;
+}
+
 /// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
 template<int dim> void BufferZone<dim>::imposePressure(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
 {

@@ -26,6 +26,8 @@ public:
     void follow(FieldStore<dim>&, bool predicted);
     /// Sets the rates of the buffer particles to 0.
     void clearRates(FieldStore<dim>&) const;
+    /// Sets the stiffness of those beyond outlets to 0.
+    void soften(FieldStore<dim>&) const;
     /// Prescribes velocities and pressures of the buffer particles.
     void impose(FieldStore<dim>&) const;
 

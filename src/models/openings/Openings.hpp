@@ -42,6 +42,8 @@ public:
     void hold(FieldStore<dim>&);
     /// Prescribes pressures and velocities of the buffer particles, once a step, after the kick. `time` [s] is that of the end of the step.
     void drive(FieldStore<dim>&, double deltaT, double time = 0);
+    /// Takes the stiffness of what outlets hold away, whose pressure stays as it is while free particles move.
+    void soften(FieldStore<dim>& store) const { buffer_.soften(store); }
     /// Sets a rate that is about to act for `deltaT` [s] to 0 at the buffer particles, and counts the amount that it would have brought into them.
     void withholdRate(FieldStore<dim>& store, const std::string& field, double deltaT)
     {

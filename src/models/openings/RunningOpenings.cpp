@@ -17,6 +17,7 @@ RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& 
     : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
                 particles.settings().facts.template get<ForceReach>().supports),
       phases_(particles.coefficients().phases),
+      solvesPressure_(particles.settings().integration.solvesPressure),
       isMeasured_(particles.settings().facts.template get<BoundaryPower>().isMeasured)
 {
     if (isMeasured_) openings_.countEnergy();
@@ -44,6 +45,8 @@ template<int dim> std::vector<Stage<dim>> RunningOpenings<dim>::stages(JoinPoint
                  }}};
     if (place == JoinPoint::afterEvaluation)
         return {{"hold", "dq/dt = 0 of what openings hold", [this](Particles<dim>& p, const Substep&) { openings_.hold(p.store()); }}};
+    if (place == JoinPoint::solve && solvesPressure_)
+        return {{"soften", "dp/drho = 0 of what outlets hold", [this](Particles<dim>& p, const Substep&) { openings_.soften(p.store()); }}};
     if (place == JoinPoint::afterKick)
         return {{"drive", "U and p of what openings hold",
                  [this](Particles<dim>& p, const Substep& s) { openings_.drive(p.store(), s.deltaT, s.time + s.deltaT); }}};

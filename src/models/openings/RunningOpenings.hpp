@@ -10,6 +10,7 @@ template<int dim> class RunningOpenings final : public RunningModel<dim>
 {
     Openings<dim> openings_;
     std::vector<std::string> phases_;
+    const bool solvesPressure_;
     const bool isMeasured_; ///< whether the energy balance knows all that openings do
 
     /// One number of each phase: "1 kg of water, 2 kg of air".

@@ -14,6 +14,14 @@ namespace
 /// The number after `word` in the last line of a log that has it.
 double lastAfter(const std::string& log, const std::string& word) { return std::stod(log.substr(log.rfind(word) + word.size())); }
 
+/// The case with other steps than semi-implicit ones.
+Files by(const std::string& scheme, Files files)
+{
+    auto& schemes = files["system/sphSchemes"];
+    schemes.replace(schemes.find("semiImplicit"), 12, scheme);
+    return files;
+}
+
 // 3 m/s through 1 m for 0.6 s: phi of 0.4 has left but beside the walls, where the first row moves at 0.44 m/s.
 TEST(OpenScene, FillsWithWhatComesIn)
 {
@@ -45,21 +53,21 @@ std::string packAndRun(const TestCase& c)
 
 // Densities 1:1, 10:1 and 1000:1 at the same viscosity: the velocity is a parabola all the way from plane to plane, 6 U y (1 - y), U = 0.5. L2 of the
 // mean of the last four samples, of its largest velocity; measured 0.6, 0.7 and 1.5 %. What particles of one phase miss of what has passed is nothing.
-TEST(OpenScene, LayersComeInAndLeaveTogether)
+void layersComeInAndLeaveTogether(const std::string& scheme, const std::string& ofOne, double mostError)
 {
     for (const auto& [rho, soundSpeed] : {std::pair("100", "15"), std::pair("10", "50"), std::pair("0.1", "150")})
     {
         SCOPED_TRACE(rho);
-        auto files = layersCase();
+        auto files = by(scheme, layersCase());
         auto& control = files["system/controlDict"];
         control.replace(control.find("0.08"), 4, "0.6");
         control.replace(control.find("0.02"), 4, "0.1");
         control +=
             "functions { errors { type errors; field U; component x; region { min (0 0 0); max (1 1 0); } reference { type formula; name "
             "planePoiseuille; steady yes; nu 0.1; acceleration 0.6; width 1; } } }\n";
-        files["constant/phaseProperties"] = std::string("phases (water gas); water { rho 100; mu 10; soundSpeed ") +
-                                            (std::string(rho) == "100" ? "50" : "15") + "; } gas { rho " + rho + "; mu 10; soundSpeed " +
-                                            (std::string(rho) == "100" ? "50" : soundSpeed) + "; }\n";
+        const bool isOne = std::string(rho) == "100";
+        files["constant/phaseProperties"] = std::string("phases (water gas); water { rho 100; mu 10; soundSpeed ") + (isOne ? ofOne : "15") +
+                                            "; } gas { rho " + rho + "; mu 10; soundSpeed " + (isOne ? ofOne : soundSpeed) + "; }\n";
         const TestCase c(files);
         const auto log = packAndRun(c);
         EXPECT_LT(std::abs(lastAfter(log, "balance: mass off by ")), 1e-14);
@@ -71,14 +79,18 @@ TEST(OpenScene, LayersComeInAndLeaveTogether)
         std::string time, field;
         double l1 = 1, l2 = 1;
         last >> time >> field >> l1 >> l2;
-        EXPECT_LT(l2, 0.03);
+        EXPECT_LT(l2, mostError);
     }
 }
 
+TEST(OpenScene, LayersComeInAndLeaveTogether) { layersComeInAndLeaveTogether("semiImplicit", "50", 0.03); }
+// In 44 to 50 steps in place of 1177 to 3654, the last of them 1.5 to 4.2 % off.
+TEST(OpenScene, LayersComeInAndLeaveTogetherByImplicitSteps) { layersComeInAndLeaveTogether("implicit", "15", 0.06); }
+
 // 0.12 m^3/s drips into gas for a second: as much leaves as comes in, to a row of particles across the drain, and the restarted run has the same bytes.
-TEST(OpenScene, GasMakesRoomForWhatDripsIn)
+void gasMakesRoomForWhatDripsIn(const std::string& scheme)
 {
-    auto files = dripCase();
+    auto files = by(scheme, dripCase());
     auto& control = files["system/controlDict"];
     control.replace(control.find("0.08"), 4, "0.5");
     control.replace(control.find("0.02"), 4, "0.25");
@@ -100,6 +112,9 @@ TEST(OpenScene, GasMakesRoomForWhatDripsIn)
     EXPECT_LT(std::abs(lastAfter(log, "volume let in ")), 0.05);
     EXPECT_EQ(lastAfter(log, "Leaked: "), 0);
 }
+
+TEST(OpenScene, GasMakesRoomForWhatDripsIn) { gasMakesRoomForWhatDripsIn("semiImplicit"); }
+TEST(OpenScene, GasMakesRoomForWhatDripsInByImplicitSteps) { gasMakesRoomForWhatDripsIn("implicit"); }
 
 // A film through half of the top, exactly as wide as it says, beside gas that leaves by the other half.
 TEST(OpenScene, AFluxIsCutOutOfAnOpenPlane)

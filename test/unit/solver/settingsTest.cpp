@@ -442,7 +442,7 @@ TEST(Settings, ImplicitTakesItsEntries)
     expectError(with("; tolerance -1"), "tolerance");
     expectError(with("; tolerance 1"), "is a share of the forces, below 1");
     expectError(edited(openCase(), "system/sphSchemes", "semiImplicit", "implicit"),
-                "needs steps that sound limits: integration scheme implicit takes longer ones");
+                "opening \"gate\" has a pressure, which drives the plug that it holds at the start of a step");
 }
 
 // An implicit step is the default where surface tension would allow steps 1.5 times as long as sound and stiffness do; a form without an energy, which
