@@ -29,7 +29,7 @@ template<int dim> void OpeningAccount<dim>::pass(FieldStore<dim>& store, std::si
     to.mass[scene_.phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
     if (marks_) mark(store, i, placed_[opening].opening, to.marked, sign);
     for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountsOf(store, *counted_[q], predicted)(i);
-    energyPassed_ += sign * energyOf(store, i);
+    if (countsEnergy_) energyPassed_ += sign * energyOf(store, i);
 }
 
 /// m (v^2/2 + e(rho))

@@ -75,6 +75,8 @@ public:
     /// Sets a rate that is about to act for `deltaT` [s] to 0 at the buffer particles, and counts the amount that it would have brought into them.
     void withholdRate(FieldStore<dim>&, const std::string& field, double deltaT, std::span<const int> held);
 
+    /// Counts the energy of what passes from now on.
+    void countEnergy() { countsEnergy_ = true; }
     /// Kinetic energy and energy of compression that particles brought in during the last step, over its length [W]. All ranks must ask.
     double powerOfPassing() const { return ofAllRanks(powerOfPassing_, 0.0, Add{}); }
 
@@ -114,7 +116,7 @@ private:
     const std::vector<PlacedOpening>& placed_;
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
-    bool marks_ = false;
+    bool marks_ = false, countsEnergy_ = false;
     double time_ = 0;                              ///< [s]
     double energyPassed_ = 0, powerOfPassing_ = 0; ///< of this rank, since the last step ended [J]; in that step [W]
     Sums sums_;                                    ///< amounts that this rank has counted

@@ -18,7 +18,9 @@ RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& 
                 particles.settings().facts.template get<ForceReach>().supports),
       phases_(particles.coefficients().phases),
       isMeasured_(particles.settings().facts.template get<BoundaryPower>().isMeasured)
-{}
+{
+    if (isMeasured_) openings_.countEnergy();
+}
 
 template<int dim> std::vector<Stage<dim>> RunningOpenings<dim>::stages(JoinPoint place)
 {
