@@ -84,7 +84,7 @@ std::string chosenScheme(const Reading& reading)
     const std::string explicitScheme = "predictorCorrector";
     const auto& facts = settings.facts;
     if (!facts.get<InterfaceForces>().act || reading.paper() || facts.get<IntegratedDensity>().exists ||
-        !facts.get<PressureForce>().hasEnergy() || facts.get<OpenBoundary>().exists)
+        !facts.get<PressureForce>().hasEnergy() || facts.get<OpenBoundary>().isDriven)
         return explicitScheme;
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double slow = infinity;

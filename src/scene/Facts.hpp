@@ -114,6 +114,7 @@ struct OpenBoundary
 {
     static constexpr auto says = "what particles come in by";
     bool exists = false;
+    bool isDriven = false; ///< by a pressure: a plug of fluid is pushed in, whose steps sound limits
 };
 
 /// Velocity by which particles drift besides their own, a field.

@@ -54,13 +54,14 @@ void askForBoundaryWork(const Reading& reading)
     const auto& facts = settings.facts;
     const bool moves = std::ranges::any_of(reading.geometry.walls, &WallProperties::moves), opens = facts.get<OpenBoundary>().exists;
     if (!(moves || opens) || facts.get<ConstitutiveStress>().exists || integration.solvesPressure || !integration.moves ||
-        integration.maxSubSteps > 1 ||
-        (opens && (facts.get<InterfaceForces>().act || settings.coefficients.backgroundPressure != 0)) || !asksForBalance(reading.theCase))
+        integration.maxSubSteps > 1 || (opens && (facts.get<InterfaceForces>().act || settings.coefficients.backgroundPressure != 0)) ||
+        !asksForBalance(reading.theCase))
         return;
     settings.facts.give(BoundaryPower{true}, "conservation of system/controlDict");
     const Names accelerations{{Acceleration::info.name, BoundaryAcceleration::info.name}};
     if (moves)
-        settings.groups.push_back({.name = ofWalls, .terms = forcesOf(settings), .names = accelerations, .sharesBy = {GhostWall::info.name}});
+        settings.groups.push_back(
+            {.name = ofWalls, .terms = forcesOf(settings), .names = accelerations, .sharesBy = {GhostWall::info.name}});
     if (opens)
     {
         auto terms = forcesOf(settings);
@@ -113,8 +114,8 @@ template<int dim> double BoundaryWork<dim>::powerOfWalls(Particles<dim>& particl
 {
     auto& store = particles.store();
     const double* const ghostWall = store.component(GhostWall::info.name, 0);
-    const double* const share = shareOf(
-        particles, [&](std::size_t j) { return ghostWall[j] > 0 && motionOf_[std::size_t(ghostWall[j]) - 1] == motion; });
+    const double* const share =
+        shareOf(particles, [&](std::size_t j) { return ghostWall[j] > 0 && motionOf_[std::size_t(ghostWall[j]) - 1] == motion; });
     std::vector<int> near;
     typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -139,7 +140,8 @@ template<int dim> double BoundaryWork<dim>::powerOfHeld(Particles<dim>& particle
     if (images.halo()) images.halo()->refresh(store, std::array{std::string(Holder::info.name)});
     Images<dim>::template refresh<Holder>(images, store);
     const double *holder = store.component(Holder::info.name, 0), *ghostWall = store.component(GhostWall::info.name, 0);
-    shareOf(particles, [&, layers = images.layers() != nullptr](std::size_t j) { return layers && ghostWall[j] > 0 ? false : holder[j] == 0; });
+    shareOf(particles,
+            [&, layers = images.layers() != nullptr](std::size_t j) { return layers && ghostWall[j] > 0 ? false : holder[j] == 0; });
     const auto held = particles.held();
     particles.evaluateAt(held, ofHeld);
 

@@ -10,7 +10,17 @@ namespace
 {
 void declare(const Reading& reading)
 {
-    if (reading.theCase.has("constant/openings")) reading.settings.facts.give(OpenBoundary{true}, "constant/openings");
+    const char* const file = "constant/openings";
+    if (!reading.theCase.has(file)) return;
+    const auto openings = reading.theCase.dictionary(file);
+    const bool isDriven = std::ranges::any_of(openings.keys(),
+                                              [&](const std::string& name)
+                                              {
+                                                  if (!openings.isDictionary(name)) return false;
+                                                  const auto d = openings.subDict(name);
+                                                  return d.isWord("type", "inlet") && d.found("pressure");
+                                              });
+    reading.settings.facts.give(OpenBoundary{true, isDriven}, file);
 }
 
 void prepare(const Reading& reading)

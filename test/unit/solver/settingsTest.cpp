@@ -469,6 +469,11 @@ TEST(Settings, ChooseAnImplicitStepWhereItPays)
     EXPECT_TRUE(std::ranges::any_of(settings.reasons,
                                     [](const auto& r) { return r.starts_with("integration implicit: surface tension allows steps of"); }));
     EXPECT_TRUE(selects(reading(with("1e-3", "pressureGradient densityWeighted;")).settings, "curvatureForce"));
+    auto open = with("1e-3", "");
+    open["constant/openings"] = "drip { type drip; points ((0.5 1 0)); radius 0.1; normal (0 -1 0); flowRate 1e-3; phase liquid; }\n";
+    EXPECT_EQ(reading(open).settings.integration.scheme, "implicit");
+    open["constant/openings"] += "in { type inlet; point (0 0.5 0); normal (1 0 0); pressure 10; phase liquid; }\n";
+    EXPECT_EQ(reading(open).settings.integration.scheme, "predictorCorrector");
     auto nothing = with("1e-3", "surfaceTension curvature;");
     nothing["constant/phaseProperties"] = "phases ();\n";
     expectError(nothing, "there must be at least one phase");
