@@ -108,9 +108,9 @@ TEST(BoundaryWork, OfOpeningsIsStored)
 // Developed flow between walls, 12 mu U^2/h^2 per area: what the inlet gives beyond what the outlet takes.
 TEST(BoundaryWork, OfOpeningsIsDissipated)
 {
-    CaseScene scene(ductOf(
-        "}\nwalls { bottom { type plane; point (0 0 0); normal (0 1 0); } top { type plane; point (0 1 0); normal (0 -1 0); } }\n",
-        "mu 1000; soundSpeed 15;", "velocity 0.2; profile developed;", "wallVelocity secondOrder;\n"));
+    CaseScene scene(
+        ductOf("}\nwalls { bottom { type plane; point (0 0 0); normal (0 1 0); } top { type plane; point (0 1 0); normal (0 -1 0); } }\n",
+               "mu 1000; soundSpeed 15;", "velocity 0.2; profile developed;", "wallVelocity secondOrder;\n"));
     ASSERT_EQ(scene.errors, "");
     const double before = advance(*scene.simulation, 0, 1);
     EXPECT_NEAR(advance(*scene.simulation, 1, 2) - before, 480, 0.02 * 480);
