@@ -66,8 +66,9 @@ void layersComeInAndLeaveTogether(const std::string& scheme, const std::string& 
             "functions { errors { type errors; field U; component x; region { min (0 0 0); max (1 1 0); } reference { type formula; name "
             "planePoiseuille; steady yes; nu 0.1; acceleration 0.6; width 1; } } }\n";
         const bool isOne = std::string(rho) == "100";
-        files["constant/phaseProperties"] = std::string("phases (water gas); water { rho 100; mu 10; soundSpeed ") + (isOne ? ofOne : "15") +
-                                            "; } gas { rho " + rho + "; mu 10; soundSpeed " + (isOne ? ofOne : soundSpeed) + "; }\n";
+        files["constant/phaseProperties"] = std::string("phases (water gas); water { rho 100; mu 10; soundSpeed ") +
+                                            (isOne ? ofOne : "15") + "; } gas { rho " + rho + "; mu 10; soundSpeed " +
+                                            (isOne ? ofOne : soundSpeed) + "; }\n";
         const TestCase c(files);
         const auto log = packAndRun(c);
         EXPECT_LT(std::abs(lastAfter(log, "balance: mass off by ")), 1e-14);
