@@ -29,7 +29,7 @@ template<int dim> void OpeningAccount<dim>::pass(FieldStore<dim>& store, std::si
     to.mass[scene_.phasesOf(store)(i)] += sign * store.component(Mass::info.name, 0)[i];
     if (marks_) mark(store, i, placed_[opening].opening, to.marked, sign);
     for (std::size_t q = 0; q < counted_.size(); ++q) to.amounts[q] += sign * amountsOf(store, *counted_[q], predicted)(i);
-    if (countsEnergy_) energyPassed_ += sign * energyOf(store, i);
+    if (countsEnergy_) sums_.energy += sign * energyOf(store, i);
 }
 
 /// m (v^2/2 + e(rho))
@@ -104,7 +104,7 @@ template<int dim> void OpeningAccount<dim>::noteRates(const FieldStore<dim>& sto
 template<int dim> void OpeningAccount<dim>::advance(double deltaT, double time)
 {
     time_ = time;
-    powerOfPassing_ = std::exchange(energyPassed_, 0) / deltaT;
+    powerOfPassing_ = std::exchange(sums_.energy, 0) / deltaT;
     for (std::size_t q = 0; q < counted_.size(); ++q) sums_.heldAmounts[q] += deltaT * intoHeld_[q];
 }
 
@@ -126,6 +126,7 @@ template<int dim> void OpeningAccount<dim>::eachShare(auto& sums, const auto& vi
         for (auto& q : numbers) visit(q);
     };
     each(sums.heldAmounts);
+    visit(sums.energy);
     for (auto& passed : sums.of)
     {
         each(passed.mass);
@@ -150,6 +151,7 @@ template<int dim> void OpeningAccount<dim>::eachNumber(auto& self, auto& sums, c
     const auto& scene = self.scene_;
     for (std::size_t k = 0; k < scene.phases(); ++k) visit(scene.named("openingsStartMass", k), self.startMass_[k], false);
     if (self.marks_) visit("openingsTime", self.time_, false);
+    visit("openingsEnergy", sums.energy, true);
     for (std::size_t q = 0; q < self.counted_.size(); ++q)
     {
         visit("openingsStart" + self.amountNames_[q], self.startAmounts_[q], false);

@@ -106,6 +106,7 @@ private:
     {
         std::vector<Passed> of = {};
         std::vector<double> heldAmounts = {}; ///< amounts that rates have brought into buffer particles [m^3]
+        double energy = 0;                    ///< energy that has passed since the last step ended [J]
     };
     /// Amounts removed at the start, from farther beyond a plane than the buffer reaches.
     struct Taken
@@ -117,9 +118,9 @@ private:
     std::vector<const Evolving*> counted_; ///< fractions whose amounts are counted
     std::vector<std::string> amountNames_;
     bool marks_ = false, countsEnergy_ = false;
-    double time_ = 0;                              ///< [s]
-    double energyPassed_ = 0, powerOfPassing_ = 0; ///< of this rank, since the last step ended [J]; in that step [W]
-    Sums sums_;                                    ///< amounts that this rank has counted
+    double time_ = 0;           ///< [s]
+    double powerOfPassing_ = 0; ///< of this rank, in the last step [W]
+    Sums sums_;                 ///< amounts that this rank has counted
     std::vector<Taken> taken_;
     std::vector<double> startMass_;               ///< mass of the free and the removed particles, at the first start [kg]
     std::vector<double> startAmounts_, intoHeld_; ///< the same amounts [m^3]; present rates into the buffer [m^3/s]
