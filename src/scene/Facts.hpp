@@ -117,6 +117,13 @@ struct OpenBoundary
     bool isDriven = false; ///< by a pressure: a plug of fluid is pushed in, whose steps sound limits
 };
 
+/// A phase that is there only in part, and ends at a constant pressure.
+struct PhaseInPart
+{
+    static constexpr auto says = "which phase is there in part";
+    int phase = -1; ///< none
+};
+
 /// Velocity by which particles drift besides their own, a field.
 struct DriftVelocity
 {

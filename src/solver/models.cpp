@@ -2,6 +2,7 @@
 #include "integrators/Integrator.hpp"
 #include "models/density/density.hpp"
 #include "models/forces/forces.hpp"
+#include "models/gas/gas.hpp"
 #include "models/labels/labels.hpp"
 #include "models/openings/openingsModel.hpp"
 #include "models/pressure/pressure.hpp"
@@ -20,10 +21,10 @@ namespace sph
 
 const std::vector<const Model*>& models()
 {
-    static const std::vector<const Model*> all{&openingsModel(), &suspensionModel(), &scalarTransportModel(), &densityModel(),
-                                               &pressureModel(), &viscosityModel(),  &tensionModel(),         &forcesModel(),
-                                               &shiftingModel(), &soilModel(),       &wallsModel(),           &integrationModel(),
-                                               &labelsModel(),   &thermalModel()};
+    static const std::vector<const Model*> all{&openingsModel(),    &gasModel(),      &suspensionModel(), &scalarTransportModel(),
+                                               &densityModel(),     &pressureModel(), &viscosityModel(),  &tensionModel(),
+                                               &forcesModel(),      &shiftingModel(), &soilModel(),       &wallsModel(),
+                                               &integrationModel(), &labelsModel(),   &thermalModel()};
     return all;
 }
 

@@ -34,9 +34,12 @@ template<int dim> double DensityScale<dim>::ofPacking(const Particles<dim>& part
     const double *m = store.component(Mass::info.name, 0), *V = store.component(Volume::info.name, 0);
     const double* phase = coefficients_.phases.size() > 1 ? store.component(Phase::info.name, 0) : nullptr;
     const double compression = *coefficients_.of<StartCompression>().mean;
-    return coefficients_.densityScale * (compression * double(particles.total()) /
-                                         sum(particles.size(), [&](std::size_t i)
-                                             { return m[i] / coefficients_.restDensity[phase ? std::size_t(phase[i]) : 0] / V[i]; }));
+    const int inPart = particles.settings().facts.template get<PhaseInPart>().phase; // it ends where others go on
+    const auto counts = [&](std::size_t i) { return !phase || int(phase[i]) != inPart; };
+    return coefficients_.densityScale *
+           (compression * double(count(particles.size(), counts)) /
+            sum(particles.size(), [&](std::size_t i)
+                { return counts(i) ? m[i] / coefficients_.restDensity[phase ? std::size_t(phase[i]) : 0] / V[i] : 0.0; }));
 }
 
 template<int dim> std::vector<Stage<dim>> DensityScale<dim>::stages(JoinPoint place)

@@ -134,7 +134,8 @@ void read(const Reading& reading)
     if (!integrated && volume == "continuity")
         entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     settings.facts.give(VolumeOfPlaces{volume == "numberDensity"}, "volume of system/sphSchemes");
-    reading.select(volume == "continuity" ? "integratedVolume" : "numberDensity");
+    const bool ends = settings.facts.get<PhaseInPart>().phase >= 0;
+    reading.select(volume == "continuity" ? "integratedVolume" : ends ? "numberDensityOrRest" : "numberDensity");
     const bool byMass = reading.choose(entry::continuityForm) == "mass";
     if (!integrated && byMass) entry::continuityForm.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(!integrated ? "summedDensity" : byMass ? "massContinuity" : "continuity");
@@ -142,6 +143,7 @@ void read(const Reading& reading)
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
     if (normalises) reading.select("gradientNormalisation");
+    if (normalises) reading.select(ends ? "secondMomentOrRest" : "secondMoment");
     if (volume == "numberDensity" && normalises) settings.runningModels.push_back(running<DensityScale>());
     readDiffusion(reading);
     readRelaxation(reading);

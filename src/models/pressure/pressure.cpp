@@ -89,9 +89,11 @@ void read(const Reading& reading)
     settings.runningModels.push_back(running<CompressionEnergy>());
     const bool prescribed = std::any_of(settings.state.begin(), settings.state.end(),
                                         [](const Evolving& e) { return e.value.name == HeldPressure::info.name; });
-    reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : ""));
+    reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : "") +
+                   (settings.facts.get<PhaseInPart>().phase >= 0 ? "OrAmbient" : ""));
     const auto& gradient = settings.chosen.at(entry::pressureGradient.keyword());
-    reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
+    if (settings.facts.get<PhaseInPart>().phase < 0)
+        reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
     if (!settings.separateSums.empty()) reading.select("addPressure");
     if (gradient == "densityWeighted") warnOfWeighing(reading);
     if (!settings.integration.solvesPressure) return;

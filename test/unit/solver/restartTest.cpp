@@ -58,6 +58,12 @@ TEST(Restart, OfSymplecticEulerWithSecondOrderWalls) { restartEqualsTheWhole(wit
 TEST(Restart, OfSemiImplicitWithSecondOrderWalls) { restartEqualsTheWhole(with(channelCase(), "semiImplicit")); }
 TEST(Restart, OfTwoPhasesWithSemiImplicit) { restartEqualsTheWhole(with(dropCase(), "semiImplicit")); }
 TEST(Restart, OfTwoPhasesWithImplicit) { restartEqualsTheWhole(with(dropCase(), "implicit")); }
+TEST(Restart, OfGasInABand)
+{
+    auto files = with(dropCase(), "implicit");
+    files["system/sphSchemes"] += "gas band; gasBand 2.5;\n";
+    restartEqualsTheWhole(files);
+}
 TEST(Restart, OfTwoPhasesWithSurfaceTension) { restartEqualsTheWhole(dropCase()); }
 TEST(Restart, OfTwoPhasesWithShifting)
 {

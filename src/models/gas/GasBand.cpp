@@ -1,0 +1,366 @@
+#include "models/gas/GasBand.hpp"
+#include "models/gas/AmbientGas.hpp"
+#include "parallel/reduce.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sph
+{
+
+namespace
+{
+/// Distances [spacings].
+constexpr double leastGapOfStanding = 0.9, leastGapOfMoving = 0.6; ///< of gas that joins, to what is there
+constexpr double leastGapWithin = 0.6;                             ///< of gas that comes to stand, to what stands there
+constexpr double hysteresis = 1;                                   ///< by which gas goes and stands farther out than it joins and moves
+constexpr double mostFree = 3;                                     ///< of the gas beside the liquid that is not ambient
+template<int dim> constexpr int cellsOfBlock = 4;                  ///< along each side, of what is kept from being crowded or sparse
+constexpr double mostOff = 0.75;                                   ///< particles of a block, too many or too few
+
+}
+
+template<int dim>
+GasBand<dim>::GasBand(Particles<dim>& particles, const Numbers& restored, std::size_t gas, double width)
+    : map_(particles.geometry(), particles.coefficients().spacing),
+      gas_(gas),
+      spacing_(particles.coefficients().spacing),
+      width_(width * particles.coefficients().support / spacing_),
+      widthOfMotion_(width_ - particles.coefficients().support / spacing_),
+      freeWidth_(std::min(mostFree, widthOfMotion_ - 1)),
+      restVolume_(std::pow(spacing_, dim)),
+      solvesPressure_(particles.settings().integration.solvesPressure)
+{
+    const auto restore = [&](const char* name, auto& value)
+    {
+        if (const auto found = restored.find(name); found != restored.end()) value = found->second;
+    };
+    restore("gasJoined", joined_);
+    restore("gasGone", gone_);
+    restore("gasAtStart", start_);
+}
+
+template<int dim> void GasBand<dim>::save(Numbers& numbers) const
+{
+    numbers["gasJoined"] = joined_;
+    numbers["gasGone"] = gone_;
+    if (start_) numbers["gasAtStart"] = *start_;
+}
+
+template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
+{
+    if (place == JoinPoint::exchange)
+        return {{"follow the liquid", "gas joins within the band, and goes beyond it",
+                 [this](Particles<dim>& p, const Substep&) { exchange(p); }}};
+    if (place == JoinPoint::sorted)
+        return {{"find standing gas", "gas in the outer support of the band", [this](Particles<dim>& p, const Substep&) { hold(p); }}};
+    if (place == JoinPoint::afterEvaluation)
+        return {{"hold standing gas", "dU/dt = 0 of it",
+                 [this](Particles<dim>& p, const Substep&)
+                 {
+                     const auto a = p.store().pointers(Acceleration{});
+                     const double* const ambient = p.store().component(Ambient::info.name, 0);
+#pragma omp parallel for schedule(static)
+                     for (std::size_t i = 0; i < p.size(); ++i)
+                         for (int c = 0; c < dim; ++c) a[c][i] = ambient[i] == Ambient::stands ? 0 : a[c][i];
+                     knowsVolumes_ = true;
+                 }}};
+    if (place == JoinPoint::afterKick)
+        return {{"slow gas", "v /= 1 + 0.03 s^2 dt (p_b/rho_0)^(1/2)/dx of ambient gas",
+                 [this](Particles<dim>& p, const Substep& step)
+                 {
+                     const auto v = p.store().pointers(Velocity{});
+                     const double* const ambient = p.store().component(Ambient::info.name, 0);
+                     const auto& k = p.coefficients();
+                     const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
+#pragma omp parallel for schedule(static)
+                     for (std::size_t i = 0; i < p.size(); ++i)
+                         for (int c = 0; c < dim; ++c) v[c][i] /= 1 + step.deltaT * rate * sqr(Ambient::share(ambient[i]));
+                 }}};
+    if (place == JoinPoint::solve && solvesPressure_)
+        return {{"soften gas", "(1 - s) dp/drho of ambient gas",
+                 [](Particles<dim>& p, const Substep&)
+                 {
+                     const double* const ambient = p.store().component(Ambient::info.name, 0);
+                     double* const stiffness = p.store().component(VolumeStiffness::info.name, 0);
+#pragma omp parallel for schedule(static)
+                     for (std::size_t i = 0; i < p.size(); ++i) stiffness[i] *= 1 - Ambient::share(ambient[i]);
+                 }}};
+    return {};
+}
+
+template<int dim> bool GasBand<dim>::isGas(const FieldStore<dim>& store, std::size_t i) const
+{
+    return std::size_t(store.component(Phase::info.name, 0)[i]) == gas_;
+}
+
+/// Over that at rest.
+template<int dim> double GasBand<dim>::volumeOver(const FieldStore<dim>& store, std::size_t i) const
+{
+    return store.component(Volume::info.name, 0)[i] / restVolume_;
+}
+
+template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
+{
+    const double* const ambient = particles.store().component(Ambient::info.name, 0);
+    std::vector<int> held;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        if (ambient[i] == Ambient::stands) held.push_back(int(i));
+    particles.hold(std::move(held));
+}
+
+template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t owned) const
+{
+    auto& store = particles.store();
+    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    double* const ambient = store.component(Ambient::info.name, 0);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        const auto cell = map_.cellOf(in3D(valueAt<Vector<dim>>(x, i)));
+        const double outwards = Ambient::isMoving(ambient[i]) ? widthOfMotion_ + hysteresis : widthOfMotion_,
+                     d = std::sqrt(map_.squaredDistance(cell));
+        ambient[i] = !isGas(store, i) || map_.isEnclosed(cell) ? 0
+                     : d > outwards                            ? Ambient::stands
+                                    : Ambient::moving(std::clamp((d - freeWidth_) / (widthOfMotion_ - freeWidth_), 0.0, 1.0));
+        for (int c = 0; ambient[i] == Ambient::stands && c < dim; ++c) v[c][i] = 0;
+    }
+}
+
+template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
+{
+    auto& store = particles.store();
+    std::size_t owned = particles.size();
+    map_.clear();
+    const auto x = store.pointers(Position{});
+    for (std::size_t i = 0; i < owned; ++i)
+        if (!isGas(store, i)) map_.mark(in3D(valueAt<Vector<dim>>(x, i)));
+    map_.measure(width_ + hysteresis);
+    owned = join(particles, remove(store, owned));
+    mark(particles, owned);
+    particles.setSize(owned);
+
+    const double* const m = store.component(Mass::info.name, 0);
+    now_ = count(owned, [&](std::size_t i) { return isGas(store, i); });
+    mass_ = sum(owned, [&](std::size_t i) { return isGas(store, i) ? m[i] : 0.0; });
+    if (!start_) start_ = mass_ - joined_ + gone_;
+    leftOut_ = 0;
+    for (std::size_t c = 0; c < map_.cells(); ++c)
+        leftOut_ += map_.isRoom(c) && !map_.isEnclosed(c) && map_.squaredDistance(c) > sqr(width_);
+}
+
+/// Particles of each cell, as chains.
+template<int dim> struct GasBand<dim>::Chains
+{
+    const LiquidMap& map;
+    std::vector<int> first, next;
+    std::array<const double*, dim> x;
+
+    Chains(const LiquidMap& cells, const FieldStore<dim>& store, std::size_t owned)
+        : map(cells), first(map.cells(), -1), next(owned, -1), x(store.pointers(Position{}))
+    {
+        for (std::size_t i = 0; i < owned; ++i)
+        {
+            const auto cell = map.cellOf(at(i));
+            next[i] = first[cell];
+            first[cell] = int(i);
+        }
+    }
+    Vector<3> at(std::size_t i) const { return in3D(valueAt<Vector<dim>>(x, i)); }
+    /// Distance of the nearest particle of which `counts(j)` holds from a place, at most `reach`, a cell's width at most [m].
+    double gap(const Vector<3>& place, double reach, const auto& counts) const
+    {
+        double nearest = reach;
+        map.forEachAround(map.cellOf(place),
+                          [&](std::size_t cell)
+                          {
+                              for (int j = first[cell]; j >= 0; j = next[std::size_t(j)])
+                                  if (counts(std::size_t(j))) nearest = std::min(nearest, mag(map.between(at(std::size_t(j)), place)));
+                          });
+        return nearest;
+    }
+    double gap(const Vector<3>& place, double reach) const
+    {
+        return gap(place, reach, [](std::size_t) { return true; });
+    }
+};
+
+template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::size_t owned)
+{
+    const double *const m = store.component(Mass::info.name, 0), *const ambient = store.component(Ambient::info.name, 0);
+    const Chains chains(map_, store, owned);
+    std::vector<std::uint8_t> goes(owned, 0);
+    const auto isPressed = [&](std::size_t i)
+    {
+        return chains.gap(chains.at(i), leastGapWithin * spacing_,
+                          [&](std::size_t j) { return j != i && !goes[j] && ambient[j] == Ambient::stands; }) < leastGapWithin * spacing_;
+    };
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        if (!isGas(store, i)) continue;
+        const auto cell = map_.cellOf(chains.at(i));
+        const int d = map_.squaredDistance(cell);
+        if (map_.isEnclosed(cell)) continue;
+        goes[i] = d > sqr(width_ + hysteresis) || (ambient[i] > 0 && d > sqr(widthOfMotion_ - 1) && isPressed(i));
+    }
+    // Of a block whose particles are too many for the volume that they fill, the most crowded go.
+    for (auto& [block, gas] : blocks(store, chains, owned))
+    {
+        std::ranges::sort(gas.byVolume);
+        const auto tooMany = std::size_t(std::max(0.0, gas.excess + 1 - mostOff));
+        for (std::size_t k = 0; k < std::min(tooMany, gas.byVolume.size()); ++k) goes[std::size_t(gas.byVolume[k].second)] = 1;
+    }
+    std::vector<int> kept;
+    kept.reserve(owned);
+    double gone = 0;
+    for (std::size_t i = 0; i < owned; ++i)
+        if (goes[i]) gone += m[i];
+        else kept.push_back(int(i));
+    gone_ += ofAllRanks(gone, 0.0, Add{});
+    if (kept.size() == owned) return owned;
+    // Volumes are asked for below, and no state.
+    double* const V = store.component(Volume::info.name, 0);
+    for (std::size_t k = 0; k < kept.size(); ++k) V[k] = V[std::size_t(kept[k])];
+    store.sortState(kept);
+    store.resize(kept.size());
+    return kept.size();
+}
+
+template<int dim> std::vector<Vector<3>> GasBand<dim>::bareCells(const Chains& chains) const
+{
+    std::vector<std::size_t> candidates;
+    for (std::size_t c = 0; c < map_.cells(); ++c)
+        if (const int d = map_.squaredDistance(c);
+            map_.isRoom(c) && d > sqr(widthOfMotion_) && (map_.isEnclosed(c) ? map_.isClosing(c) : d <= sqr(width_)))
+            candidates.push_back(c);
+    std::vector<std::uint8_t> taken(candidates.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t q = 0; q < candidates.size(); ++q)
+        taken[q] = chains.gap(map_.centre(candidates[q]), spacing_) < leastGapOfStanding * spacing_;
+    taken = ofAllRanks(taken, std::vector<std::uint8_t>(taken.size(), 0), AddEach{});
+    std::vector<Vector<3>> bare;
+    for (std::size_t q = 0; q < candidates.size(); ++q)
+        if (!taken[q]) bare.push_back(map_.centre(candidates[q]));
+    return bare;
+}
+
+/// The widest gaps beside the particles of the largest volumes, of each block whose particles are too few for the volume that they fill.
+template<int dim>
+std::vector<Vector<3>> GasBand<dim>::sparsePlaces(const FieldStore<dim>& store, const Chains& chains, std::size_t owned) const
+{
+    std::vector<Vector<3>> places;
+    const auto widestBeside = [&](std::size_t i)
+    {
+        double widest = leastGapOfMoving * spacing_;
+        std::optional<Vector<3>> best;
+        map_.forEachAround(map_.cellOf(chains.at(i)),
+                           [&](std::size_t cell)
+                           {
+                               if (!map_.isRoom(cell) || map_.squaredDistance(cell) <= 1) return;
+                               const auto x = map_.centre(cell);
+                               if (std::ranges::any_of(places, [&](const auto& other) { return mag(map_.between(other, x)) < spacing_; }))
+                                   return;
+                               if (const double gap = chains.gap(x, spacing_); gap > widest)
+                               {
+                                   widest = gap;
+                                   best = x;
+                               }
+                           });
+        return best;
+    };
+    for (auto& [block, gas] : blocks(store, chains, owned))
+    {
+        auto tooFew = std::size_t(std::max(0.0, -gas.excess + 1 - mostOff));
+        if (tooFew == 0) continue;
+        std::ranges::sort(gas.byVolume, std::greater{});
+        for (std::size_t k = 0; tooFew > 0 && k < gas.byVolume.size(); ++k)
+            if (const auto place = widestBeside(std::size_t(gas.byVolume[k].second)))
+            {
+                places.push_back(*place);
+                --tooFew;
+            }
+    }
+    return places;
+}
+
+template<int dim>
+auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, std::size_t owned) const -> std::map<std::size_t, Block>
+{
+    std::map<std::size_t, Block> all;
+    if (!knowsVolumes_) return all;
+    const double* const ambient = store.component(Ambient::info.name, 0);
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        if (!Ambient::isMoving(ambient[i])) continue;
+        const auto cell = map_.cellOf(chains.at(i));
+        if (map_.squaredDistance(cell) <= sqr(freeWidth_)) continue;
+        auto& block = all[map_.blockOf(cell, cellsOfBlock<dim>)];
+        block.excess += 1 - volumeOver(store, i);
+        block.byVolume.emplace_back(volumeOver(store, i), int(i));
+    }
+    return all;
+}
+
+/// What joins is at rest: where openings bring other fields in, it has the mean of the gas.
+template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std::size_t owned)
+{
+    auto& store = particles.store();
+    const auto& settings = particles.settings();
+    auto places = std::vector<Vector<3>>{};
+    std::size_t bare = 0;
+    {
+        const Chains chains(map_, store, owned);
+        const auto ofAll = bareCells(chains);
+        bare = ofAll.size();
+        if (isFirstRank()) places = ofAll;
+        const auto own = sparsePlaces(store, chains, owned);
+        bare += ofAllRanks(own.size(), std::size_t(0), Add{});
+        places.insert(places.end(), own.begin(), own.end());
+    }
+    if (bare == 0) return owned;
+
+    std::map<std::string, double> values;
+    for (const auto& evolving : settings.state)
+    {
+        const auto& name = evolving.value.name;
+        if (evolving.value.in(dim) != 1) continue;
+        if (name == Mass::info.name) values[name] = settings.coefficients.restDensity[gas_] * restVolume_;
+        else if (name == Phase::info.name) values[name] = double(gas_);
+        else if (name != Ambient::info.name)
+        {
+            const double* const q = store.component(name, 0);
+            const auto all = count(owned, [&](std::size_t i) { return isGas(store, i); });
+            values[name] = all == 0 ? 0 : sum(owned, [&](std::size_t i) { return isGas(store, i) ? q[i] : 0.0; }) / double(all);
+        }
+    }
+    joined_ += double(bare) * values.at(Mass::info.name);
+    store.resize(owned + places.size()); // what is new is 0
+    const auto x = store.pointers(Position{});
+    for (std::size_t q = 0; q < places.size(); ++q)
+    {
+        const std::size_t i = owned + q;
+        sph::store(in<dim>(places[q]), [&](int c, double value) { x[c][i] = value; });
+        for (const auto& [name, value] : values) store.component(name, 0)[i] = value;
+        for (const auto& evolving : settings.state)
+            for (int c = 0; store.has(evolving.startName()) && c < evolving.value.in(dim); ++c)
+                store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
+    }
+    return owned + places.size();
+}
+
+template<int dim> std::string GasBand<dim>::introduction() const
+{
+    return fmt::format("Gas       : {} particles within {:.3g} spacings of the liquid, standing still beyond {:.3g}; about {} left out\n",
+                       now_, width_, widthOfMotion_, leftOut_);
+}
+
+template<int dim> std::string GasBand<dim>::report(const Particles<dim>&) const
+{
+    const double before = start_.value_or(0) + joined_ - gone_;
+    return fmt::format("gas: {} particles, {:.4g} kg joined, {:.4g} kg gone, balance off by {:.2g}{}\n", now_, joined_, gone_,
+                       mass_ > 0 ? std::fabs(mass_ - before) / mass_ : 0.0,
+                       map_.pockets() > 0 ? fmt::format(", {} enclosed", map_.pockets()) : "");
+}
+
+template class GasBand<2>;
+template class GasBand<3>;
+
+}

@@ -1,0 +1,64 @@
+/// Gas in a band around the liquid, at a constant pressure: gas joins where the liquid bares its surface, and goes where it has passed.
+///
+/// Before particles are sorted:
+///  * Gas farther from all liquid than the band and a spacing goes. That which liquid and walls enclose (LiquidMap.hpp) stays and has its state equation; all other gas is
+///    ambient (AmbientGas.hpp), and stands still in the outer support of the band.
+///  * Places of a cubic lattice in the part that stands still are filled where no particle is nearer than 0.9 spacings. A region that liquid has just enclosed is
+///    filled likewise, and keeps its gas from then on.
+///  * Of ambient gas that moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
+#pragma once
+#include "models/gas/LiquidMap.hpp"
+#include "scene/Particles.hpp"
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace sph
+{
+
+template<int dim> class GasBand final : public RunningModel<dim>
+{
+public:
+    /// `width` of the band [supports]; `gas`: number of its phase.
+    GasBand(Particles<dim>&, const Numbers& restored, std::size_t gas, double width);
+
+    std::vector<Stage<dim>> stages(JoinPoint) override;
+    std::string introduction() const override;
+    std::string report(const Particles<dim>&) const override;
+    void save(Numbers&) const override;
+    std::size_t bytes() const override { return map_.bytes(); }
+
+private:
+    struct Chains;
+    LiquidMap map_;
+    std::size_t gas_;
+    double spacing_;
+    double width_, widthOfMotion_, freeWidth_; ///< of the band, of its part that moves, and of that which is not ambient [spacings]
+    double restVolume_;                        ///< of a particle [m^d]
+    bool solvesPressure_, knowsVolumes_ = false;
+    double joined_ = 0, gone_ = 0;      ///< mass since the first start [kg]
+    std::size_t now_ = 0, leftOut_ = 0; ///< particles of the gas, and places of the scene beyond the band, when last exchanged
+    std::optional<double> start_;       ///< mass of the gas after the first exchange, less what has joined and gone before it [kg]
+    double mass_ = 0;                   ///< of the gas after the last exchange [kg]
+
+    bool isGas(const FieldStore<dim>&, std::size_t i) const;
+    double volumeOver(const FieldStore<dim>&, std::size_t i) const;
+    void exchange(Particles<dim>&);
+    /// Removes gas from beyond the band and where it is crowded, and returns how many particles there are now.
+    std::size_t remove(FieldStore<dim>&, std::size_t owned);
+    /// Places for gas that joins, the same on all ranks.
+    std::vector<Vector<3>> bareCells(const Chains&) const;
+    /// Ambient gas that moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest.
+    struct Block
+    {
+        double excess = 0;
+        std::vector<std::pair<double, int>> byVolume = {};
+    };
+    std::map<std::size_t, Block> blocks(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
+    std::vector<Vector<3>> sparsePlaces(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
+    std::size_t join(Particles<dim>&, std::size_t owned);
+    void mark(Particles<dim>&, std::size_t owned) const;
+    void hold(Particles<dim>&) const;
+};
+
+}

@@ -1,0 +1,143 @@
+/// Gas in a band around a drop: what joins and goes, what stands still, and what the drop feels of it.
+#include "CaseScene.hpp"
+#include "models/gas/AmbientGas.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+namespace
+{
+
+struct Side
+{
+    double p, V, m = 1, ambient;
+};
+
+Vector<2> force(const Side& i, const std::vector<Side>& others, const std::vector<Vector<2>>& gradients, double p_b)
+{
+    Coefficients c;
+    c.backgroundPressure = p_b;
+    const AmbientPressure term(c);
+    Vector<2> sum;
+    for (std::size_t k = 0; k < others.size(); ++k)
+    {
+        struct
+        {
+            Vector<2> gradW;
+        } const ij{gradients[k]};
+        sum += term(ij, i, others[k]);
+    }
+    return sum;
+}
+
+/// A layer of liquid below y = 0.5, gas above, in a box of 1 x 2 between floor and lid, or periodic.
+Files layer(const std::string& schemes, const std::string& g, bool between)
+{
+    auto files = channelCase();
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value " + g + ";\n";
+    files["constant/geometry"] =
+        std::string("dimension 2; domain { min (0 0 0); max (1 2 0); periodic ") +
+        (between
+             ? "(x); }\nwalls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point (0 2 0); normal (0 -1 0); } }\n"
+             : "(x y); }\nwalls { }\n");
+    files["constant/phaseProperties"] =
+        "phases (liquid gas);\nliquid { rho 1000; mu 1; soundSpeed 10; }\ngas { rho 1; mu 1e-2; soundSpeed 100; "
+        "exponent 1.4; }\nsigma ( (liquid gas) 50 );\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\n" + schemes;
+    return files;
+}
+
+/// Advances, and returns the number of steps.
+int advance(AnySimulation& simulation, double from, double to)
+{
+    int steps = 0;
+    for (; from < to; ++steps)
+    {
+        const double deltaT = std::min(simulation.stepLimit().deltaT, to - from);
+        simulation.step(from, deltaT);
+        from += deltaT;
+    }
+    return steps;
+}
+
+}
+
+// Uniform ambient gas exerts no force on itself however it lies, and is that of Hu and Adams where no share of it is ambient.
+TEST(AmbientPressure, HasNoLatticeOfUniformGas)
+{
+    const std::vector<Vector<2>> gradients{{1, 0.2}, {-0.3, 0.8}, {0.1, -0.4}};
+    const double p_b = 300;
+    const auto gas = [&](double V, double share) { return Side{p_b, V, 1, Ambient::moving(share)}; };
+    EXPECT_NEAR(mag(force(gas(0.9, 1), {gas(1.1, 1), gas(1, 1), gas(0.8, 1)}, gradients, p_b)), 0, 1e-12);
+    Vector<2> huAdams;
+    const std::vector<Side> others{{310, 1.1, 1, 0}, {290, 1, 1, 0}, {300, 0.8, 1, 0}};
+    const Side i{305, 0.9, 1, 0};
+    for (std::size_t k = 0; k < 3; ++k) huAdams -= (i.p * sqr(i.V) + others[k].p * sqr(others[k].V)) * gradients[k];
+    EXPECT_NEAR(mag(force(i, others, gradients, p_b) - huAdams), 0, 1e-12 * mag(huAdams));
+}
+
+TEST(GasBand, LeavesOutWhatIsFarAndKeepsTheRestAtRest)
+{
+    CaseScene scene(layer("gas band;\n", "(0 0 0)", true));
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    advance(simulation, 0, 0.2);
+    const double* const y = simulation.positions().component[1];
+    const double *const phase = scene["phase"], width = 3 * 2.6 * 0.05;
+    std::size_t gas = 0;
+    double highest = 0;
+    for (std::size_t i = 0; i < simulation.size(); ++i)
+    {
+        if (phase[i] == 0) continue;
+        ++gas;
+        highest = std::max(highest, y[i]);
+    }
+    EXPECT_GT(highest, 0.5 + width - 0.05);
+    EXPECT_LT(highest, 0.5 + width + 2 * 0.05) << "the band and a spacing";
+    EXPECT_EQ(gas, std::size_t(20 * std::lround((highest - 0.475) / 0.05))) << "whole rows of 20";
+    EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
+}
+
+// Liquid that falls in gas at rest, as if there were none: the gas has a thousandth of its density.
+TEST(GasBand, FollowsALayerThatFalls)
+{
+    CaseScene scene(layer("gas band;\n", "(0 -1 0)", false));
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    const double end = 0.8;
+    advance(simulation, 0, end);
+    const double* const v = simulation.field("U").component[1];
+    const double *const phase = scene["phase"], *const m = scene["m"];
+    double momentum = 0, mass = 0;
+    for (std::size_t i = 0; i < simulation.size(); ++i)
+        if (phase[i] == 0)
+        {
+            momentum += m[i] * v[i];
+            mass += m[i];
+        }
+    EXPECT_NEAR(momentum / mass, -end, 0.08 * end)
+        << "fell by six spacings; all of the gas before it has to go, and 0.05 less was measured";
+    const auto report = simulation.report();
+    EXPECT_EQ(report.find(" 0 kg joined"), std::string::npos) << report;
+    const auto at = report.find("balance off by ");
+    ASSERT_NE(at, std::string::npos) << report;
+    EXPECT_LT(std::stod(report.substr(at + 15)), 1e-12);
+}
+
+TEST(GasBand, RefusesWhatItCannotGoWith)
+{
+    const auto errors = [](const std::string& schemes) { return CaseScene(layer(schemes, "(0 0 0)", true)).errors; };
+    const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+    EXPECT_PRED2(says, errors("gas band; gasBand 2;\n"), "gasBand");
+    EXPECT_PRED2(says, errors("gasBand 3;\n"), "is the width of `gas band;`");
+    EXPECT_PRED2(says, errors("gas band; backgroundPressure 0;\n"), "needs a backgroundPressure above 0");
+    EXPECT_PRED2(says, errors("gas band; pressureGradient densityWeighted;\n"), "pressureGradient huAdams");
+    auto open = layer("gas band;\n", "(0 0 0)", true);
+    open["constant/openings"] = "drain { type outlet; point (0 0.2 0); normal (0 1 0); }\n";
+    EXPECT_PRED2(says, CaseScene(open).errors, "band is for scenes without constant/openings");
+    auto alone = channelCase();
+    alone["system/sphSchemes"] += "gas band;\n";
+    EXPECT_PRED2(says, CaseScene(alone).errors, "the lightest of several phases");
+}
+
+}
