@@ -224,44 +224,53 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
     return kept.size();
 }
 
-template<int dim> std::vector<Vector<3>> GasBand<dim>::bareCells(const Chains& chains) const
+/// Those of the cells whose centres have no particle nearer than `gap` spacings, on any rank.
+template<int dim>
+std::vector<std::size_t> GasBand<dim>::clear(const std::vector<std::size_t>& cells, const Chains& chains, double gap) const
+{
+    std::vector<std::uint8_t> taken(cells.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t q = 0; q < cells.size(); ++q) taken[q] = chains.gap(map_.centre(cells[q]), spacing_) < gap * spacing_;
+    taken = ofAllRanks(taken, std::vector<std::uint8_t>(taken.size(), 0), AddEach{});
+    std::vector<std::size_t> all;
+    for (std::size_t q = 0; q < cells.size(); ++q)
+        if (!taken[q]) all.push_back(cells[q]);
+    return all;
+}
+
+template<int dim> std::vector<std::size_t> GasBand<dim>::bareCells(const Chains& chains) const
 {
     std::vector<std::size_t> candidates;
     for (std::size_t c = 0; c < map_.cells(); ++c)
         if (const int d = map_.squaredDistance(c);
             map_.isRoom(c) && d > sqr(widthOfMotion_) && (map_.isEnclosed(c) ? map_.isClosing(c) : d <= sqr(width_)))
             candidates.push_back(c);
-    std::vector<std::uint8_t> taken(candidates.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t q = 0; q < candidates.size(); ++q)
-        taken[q] = chains.gap(map_.centre(candidates[q]), spacing_) < leastGapOfStanding * spacing_;
-    taken = ofAllRanks(taken, std::vector<std::uint8_t>(taken.size(), 0), AddEach{});
-    std::vector<Vector<3>> bare;
-    for (std::size_t q = 0; q < candidates.size(); ++q)
-        if (!taken[q]) bare.push_back(map_.centre(candidates[q]));
-    return bare;
+    return clear(candidates, chains, leastGapOfStanding);
 }
 
-/// The widest gaps beside the particles of the largest volumes, of each block whose particles are too few for the volume that they fill.
+/// The widest gaps beside the particles of the largest volumes, of each block whose particles are too few for the volume that they fill; no two beside one another.
 template<int dim>
-std::vector<Vector<3>> GasBand<dim>::sparsePlaces(const FieldStore<dim>& store, const Chains& chains, std::size_t owned) const
+std::vector<std::size_t> GasBand<dim>::sparseCells(const FieldStore<dim>& store, const Chains& chains, std::size_t owned) const
 {
-    std::vector<Vector<3>> places;
+    std::vector<std::uint8_t> chosen(map_.cells(), 0);
+    const auto isBeside = [&](std::size_t cell)
+    {
+        bool beside = false;
+        map_.forEachAround(cell, [&](std::size_t other) { beside = beside || chosen[other]; });
+        return beside;
+    };
     const auto widestBeside = [&](std::size_t i)
     {
         double widest = leastGapOfMoving * spacing_;
-        std::optional<Vector<3>> best;
+        std::optional<std::size_t> best;
         map_.forEachAround(map_.cellOf(chains.at(i)),
                            [&](std::size_t cell)
                            {
-                               if (!map_.isRoom(cell) || map_.squaredDistance(cell) <= 1) return;
-                               const auto x = map_.centre(cell);
-                               if (std::ranges::any_of(places, [&](const auto& other) { return mag(map_.between(other, x)) < spacing_; }))
-                                   return;
-                               if (const double gap = chains.gap(x, spacing_); gap > widest)
+                               if (!map_.isRoom(cell) || map_.squaredDistance(cell) <= 1 || isBeside(cell)) return;
+                               if (const double gap = chains.gap(map_.centre(cell), spacing_); gap > widest)
                                {
                                    widest = gap;
-                                   best = x;
+                                   best = cell;
                                }
                            });
         return best;
@@ -272,13 +281,22 @@ std::vector<Vector<3>> GasBand<dim>::sparsePlaces(const FieldStore<dim>& store, 
         if (tooFew == 0) continue;
         std::ranges::sort(gas.byVolume, std::greater{});
         for (std::size_t k = 0; tooFew > 0 && k < gas.byVolume.size(); ++k)
-            if (const auto place = widestBeside(std::size_t(gas.byVolume[k].second)))
+            if (const auto cell = widestBeside(std::size_t(gas.byVolume[k].second)))
             {
-                places.push_back(*place);
+                chosen[*cell] = 1;
                 --tooFew;
             }
     }
-    return places;
+    const auto ofAll = ofAllRanks(chosen, std::vector<std::uint8_t>(chosen.size(), 0), AddEach{});
+    std::ranges::fill(chosen, 0);
+    std::vector<std::size_t> cells;
+    for (std::size_t c = 0; c < ofAll.size(); ++c)
+        if (ofAll[c] && !isBeside(c))
+        {
+            chosen[c] = 1;
+            cells.push_back(c);
+        }
+    return clear(cells, chains, leastGapOfMoving);
 }
 
 template<int dim>
@@ -299,23 +317,19 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
     return all;
 }
 
-/// What joins is at rest: where openings bring other fields in, it has the mean of the gas.
+/// What joins is at rest, and has the mean of the gas in all else that it carries. The first rank lets it in.
 template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std::size_t owned)
 {
     auto& store = particles.store();
     const auto& settings = particles.settings();
-    auto places = std::vector<Vector<3>>{};
-    std::size_t bare = 0;
+    std::vector<std::size_t> cells;
     {
         const Chains chains(map_, store, owned);
-        const auto ofAll = bareCells(chains);
-        bare = ofAll.size();
-        if (isFirstRank()) places = ofAll;
-        const auto own = sparsePlaces(store, chains, owned);
-        bare += ofAllRanks(own.size(), std::size_t(0), Add{});
-        places.insert(places.end(), own.begin(), own.end());
+        cells = bareCells(chains);
+        const auto sparse = sparseCells(store, chains, owned);
+        cells.insert(cells.end(), sparse.begin(), sparse.end());
     }
-    if (bare == 0) return owned;
+    if (cells.empty()) return owned;
 
     std::map<std::string, double> values;
     for (const auto& evolving : settings.state)
@@ -331,19 +345,20 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
             values[name] = all == 0 ? 0 : sum(owned, [&](std::size_t i) { return isGas(store, i) ? q[i] : 0.0; }) / double(all);
         }
     }
-    joined_ += double(bare) * values.at(Mass::info.name);
-    store.resize(owned + places.size()); // what is new is 0
+    joined_ += double(cells.size()) * values.at(Mass::info.name);
+    if (!isFirstRank()) return owned;
+    store.resize(owned + cells.size()); // what is new is 0
     const auto x = store.pointers(Position{});
-    for (std::size_t q = 0; q < places.size(); ++q)
+    for (std::size_t q = 0; q < cells.size(); ++q)
     {
         const std::size_t i = owned + q;
-        sph::store(in<dim>(places[q]), [&](int c, double value) { x[c][i] = value; });
+        sph::store(in<dim>(map_.centre(cells[q])), [&](int c, double value) { x[c][i] = value; });
         for (const auto& [name, value] : values) store.component(name, 0)[i] = value;
         for (const auto& evolving : settings.state)
             for (int c = 0; store.has(evolving.startName()) && c < evolving.value.in(dim); ++c)
                 store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
     }
-    return owned + places.size();
+    return owned + cells.size();
 }
 
 template<int dim> std::string GasBand<dim>::introduction() const

@@ -46,8 +46,10 @@ private:
     void exchange(Particles<dim>&);
     /// Removes gas from beyond the band and where it is crowded, and returns how many particles there are now.
     std::size_t remove(FieldStore<dim>&, std::size_t owned);
-    /// Places for gas that joins, the same on all ranks.
-    std::vector<Vector<3>> bareCells(const Chains&) const;
+    /// Cells for gas that joins, the same on all ranks.
+    std::vector<std::size_t> bareCells(const Chains&) const;
+    std::vector<std::size_t> sparseCells(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
+    std::vector<std::size_t> clear(const std::vector<std::size_t>& cells, const Chains&, double gap) const;
     /// Ambient gas that moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest.
     struct Block
     {
@@ -55,7 +57,6 @@ private:
         std::vector<std::pair<double, int>> byVolume = {};
     };
     std::map<std::size_t, Block> blocks(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
-    std::vector<Vector<3>> sparsePlaces(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
     std::size_t join(Particles<dim>&, std::size_t owned);
     void mark(Particles<dim>&, std::size_t owned) const;
     void hold(Particles<dim>&) const;
