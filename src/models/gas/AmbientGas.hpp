@@ -2,13 +2,13 @@
 ///
 ///   p_i = p_b + (1 - s_i) (p(rho_i) - p_b)                                  s: share of the ambient gas that a particle is, 0 beside the liquid and of all else
 ///   dv_i/dt = -1/m_i sum_j [ q_i V_i^2 + q_j V_j^2 + V_i V_j p_b (s_j - s_i) ] gradW_ij,    q = p - s p_b
-///   V_i = m_i/rho_0,  M_i = that of a cubic lattice,  v_i = 0               of gas that stands still; of all others V and M as ever
+///   V_i = m_i/rho_0,  N_i = that of a cubic lattice,  v_i = 0               of gas that stands still; of all others V and N (operators/KernelMoment.hpp) as ever
 ///
 /// With the background pressure p_b alone uniform gas is a lattice, by the force of Hu and Adams, whose stiffness against shear is of the order of p_b: between a liquid and what stands it is a
 /// spring. The force above has no p_b where s is 1; the gradient of s p_b is taken as differences have it, 0 where s is uniform however the particles lie. It is that of Hu and
 /// Adams where s is 0. What stands still ends the gas: its own sums, which lack neighbours, are not used.
 ///
-/// p [Pa], V [m^3], M [1/m^d], v [m/s]. Verified by test/unit/gas.
+/// p [Pa], V [m^3], v [m/s]. Verified by test/unit/gas.
 #pragma once
 #include "models/density/NumberDensity.hpp"
 #include "models/pressure/Tait.hpp"
@@ -55,14 +55,15 @@ struct NumberDensityOrRest : NumberDensity
     }
 };
 
-struct SecondMomentOrRest : SecondMoment
+/// N_i
+struct GradientNormalisationOrRest : GradientNormalisation
 {
-    static constexpr auto name = "secondMomentOrRest";
-    using ReadsOwn = Fields<Ambient>;
+    static constexpr auto name = "gradientNormalisationOrRest";
+    using ReadsOwn = Fields<KernelMoment, Volume, Ambient>;
     double atRest;
 
-    explicit SecondMomentOrRest(const Coefficients& c) : atRest(c.has<GasAtRest>() ? c.of<GasAtRest>().moment : 1) {}
-    auto finish(const auto& i, double sum) const { return i.ambient == Ambient::stands ? atRest : sum; }
+    explicit GradientNormalisationOrRest(const Coefficients& c) : atRest(c.has<GasAtRest>() ? c.of<GasAtRest>().moment : 1) {}
+    auto operator()(const auto& i) const { return i.ambient == Ambient::stands ? atRest * i.V : GradientNormalisation::operator()(i); }
 };
 
 struct AmbientPressure

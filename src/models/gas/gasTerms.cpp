@@ -6,7 +6,7 @@ namespace sph
 
 template<int dim> Catalogue<dim> gasTerms()
 {
-    return catalogue<dim, NumberDensityOrRest, SecondMomentOrRest, TaitOfPhaseOrAmbient, AmbientPressure>();
+    return catalogue<dim, NumberDensityOrRest, GradientNormalisationOrRest, TaitOfPhaseOrAmbient, AmbientPressure>();
 }
 
 template Catalogue<2> gasTerms<2>();

@@ -42,8 +42,9 @@ TEST(Plan, RefusesTwoProvidersOfOneField)
 
 TEST(Plan, AsksWhereSeveralCouldProvide)
 {
-    EXPECT_EQ(errorOf({"huAdamsPressure"}, {"m"}),
-              "term \"huAdamsPressure\" reads \"p\": select one of tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld, meanPressure");
+    EXPECT_EQ(
+        errorOf({"huAdamsPressure"}, {"m"}),
+        "term \"huAdamsPressure\" reads \"p\": select one of taitOfPhaseOrAmbient, tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld, meanPressure");
 }
 
 // The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom. Of the gradient of
