@@ -1,4 +1,5 @@
 #include "models/density/DensityScale.hpp"
+#include "kernels/overLattice.hpp"
 #include "parallel/reduce.hpp"
 #include <cmath>
 
@@ -19,13 +20,8 @@ DensityScale<dim>::DensityScale(Particles<dim>& particles, const Numbers& restor
 template<int dim> double DensityScale<dim>::ofLattice(const Particles<dim>& particles) const
 {
     const double dx = coefficients_.spacing;
-    const int n = int(coefficients_.support / dx) + 1;
-    double sum = 0;
-    for (int i = -n; i <= n; ++i)
-        for (int k = -n; k <= n; ++k)
-            for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l)
-                sum += particles.kernel().W(dx * std::sqrt(double(i * i + k * k + l * l)));
-    return 1 / (std::pow(dx, dim) * sum);
+    const auto& kernel = particles.kernel();
+    return 1 / (std::pow(dx, dim) * sumOverLattice(kernel, dx, [&](double r) { return kernel.W(r); }));
 }
 
 template<int dim> double DensityScale<dim>::ofPacking(const Particles<dim>& particles) const

@@ -1,5 +1,5 @@
 #include "models/gas/AmbientGas.hpp"
-#include "kernels/Kernel.hpp"
+#include "kernels/overLattice.hpp"
 
 namespace sph
 {
@@ -8,16 +8,7 @@ namespace
 {
 template<int dim> double momentOnLattice(const Kernel<dim>& kernel, double dx)
 {
-    const int n = int(kernel.support() / dx) + 1;
-    double sum = 0;
-    for (int i = -n; i <= n; ++i)
-        for (int k = -n; k <= n; ++k)
-            for (int l = dim == 3 ? -n : 0; l <= (dim == 3 ? n : 0); ++l)
-            {
-                const double square = sqr(dx) * (i * i + k * k + l * l);
-                sum -= kernel.dWdrOverR(std::sqrt(square)) * square / dim;
-            }
-    return sum;
+    return sumOverLattice(kernel, dx, [&](double r) { return -kernel.dWdrOverR(r) * sqr(r) / dim; });
 }
 }
 

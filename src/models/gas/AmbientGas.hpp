@@ -17,7 +17,7 @@
 namespace sph
 {
 
-/// 0 of all that a state equation alone gives a pressure, 1 + s of gas that moves, 3 of that which stands still. It follows from where particles lie.
+/// 0 of all that a state equation alone gives a pressure, 1 + s of gas that moves, 3 of that which stands still.
 struct Ambient
 {
     static constexpr FieldInfo info{"ambient", "1"};

@@ -14,9 +14,8 @@ constexpr double leastGapOfStanding = 0.9, leastGapOfMoving = 0.6; ///< of gas t
 constexpr double leastGapWithin = 0.45; ///< of gas that comes to stand, to what stands there: with 0.6 and 0.8 the gas before it is stirred
 constexpr double hysteresis = 1;        ///< by which gas goes and stands farther out than it joins and moves
 constexpr double mostFree = 3;          ///< of the gas beside the liquid that is not ambient
-template<int dim> constexpr int cellsOfBlock = 4; ///< along each side, of what is kept from being crowded or sparse
-constexpr double mostOff = 0.75;                  ///< particles of a block, too many or too few
-
+constexpr int cellsOfBlock = 4;         ///< along each side, of what is kept from being crowded or sparse
+constexpr double mostOff = 0.75;        ///< particles of a block, too many or too few
 }
 
 template<int dim>
@@ -142,9 +141,6 @@ template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
     now_ = count(owned, [&](std::size_t i) { return isGas(store, i); });
     mass_ = sum(owned, [&](std::size_t i) { return isGas(store, i) ? m[i] : 0.0; });
     if (!start_) start_ = mass_ - joined_ + gone_;
-    leftOut_ = 0;
-    for (std::size_t c = 0; c < map_.cells(); ++c)
-        leftOut_ += map_.isRoom(c) && !map_.isEnclosed(c) && map_.squaredDistance(c) > sqr(width_);
 }
 
 /// Particles of each cell, as chains.
@@ -310,7 +306,7 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
         if (!Ambient::isMoving(ambient[i])) continue;
         const auto cell = map_.cellOf(chains.at(i));
         if (map_.squaredDistance(cell) <= sqr(freeWidth_)) continue;
-        auto& block = all[map_.blockOf(cell, cellsOfBlock<dim>)];
+        auto& block = all[map_.blockOf(cell, cellsOfBlock)];
         block.excess += 1 - volumeOver(store, i);
         block.byVolume.emplace_back(volumeOver(store, i), int(i));
     }
@@ -363,8 +359,11 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
 
 template<int dim> std::string GasBand<dim>::introduction() const
 {
+    std::size_t leftOut = 0;
+    for (std::size_t c = 0; c < map_.cells(); ++c)
+        leftOut += map_.isRoom(c) && !map_.isEnclosed(c) && map_.squaredDistance(c) > sqr(width_);
     return fmt::format("Gas       : {} particles within {:.3g} spacings of the liquid, standing still beyond {:.3g}; about {} left out\n",
-                       now_, width_, widthOfMotion_, leftOut_);
+                       now_, width_, widthOfMotion_, leftOut);
 }
 
 template<int dim> std::string GasBand<dim>::report(const Particles<dim>&) const

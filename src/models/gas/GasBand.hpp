@@ -36,10 +36,10 @@ private:
     double width_, widthOfMotion_, freeWidth_; ///< of the band, of its part that moves, and of that which is not ambient [spacings]
     double restVolume_;                        ///< of a particle [m^d]
     bool solvesPressure_, knowsVolumes_ = false;
-    double joined_ = 0, gone_ = 0;      ///< mass since the first start [kg]
-    std::size_t now_ = 0, leftOut_ = 0; ///< particles of the gas, and places of the scene beyond the band, when last exchanged
-    std::optional<double> start_;       ///< mass of the gas after the first exchange, less what has joined and gone before it [kg]
-    double mass_ = 0;                   ///< of the gas after the last exchange [kg]
+    double joined_ = 0, gone_ = 0; ///< mass since the first start [kg]
+    std::size_t now_ = 0;          ///< particles of the gas, when last exchanged
+    std::optional<double> start_;  ///< mass of the gas after the first exchange, less what has joined and gone before it [kg]
+    double mass_ = 0;              ///< of the gas after the last exchange [kg]
 
     bool isGas(const FieldStore<dim>&, std::size_t i) const;
     double volumeOver(const FieldStore<dim>&, std::size_t i) const;

@@ -24,7 +24,7 @@ struct Join
 };
 }
 
-LiquidMap::LiquidMap(const Geometry& geometry, double spacing) : geometry_(geometry), spacing_(spacing), low_(geometry.low), n_{1, 1, 1}
+LiquidMap::LiquidMap(const Geometry& geometry, double spacing) : geometry_(geometry), low_(geometry.low), n_{1, 1, 1}
 {
     for (int k = 0; k < 3; ++k)
     {

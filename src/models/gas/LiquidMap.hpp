@@ -52,7 +52,6 @@ private:
         solid
     };
     const Geometry& geometry_;
-    double spacing_;
     Vector<3> low_, size_; ///< of the cells; size of one [m]
     std::array<int, 3> n_; ///< of cells along each direction
     std::vector<std::uint8_t> liquid_, enclosed_, wasOpen_, place_;

@@ -1,4 +1,4 @@
-/// Gas in a band around a drop: what joins and goes, what stands still, and what the drop feels of it.
+/// Gas in a band beside a layer of liquid: what joins and goes, what stands still, and what the liquid feels of it.
 #include "CaseScene.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include <gtest/gtest.h>
@@ -47,17 +47,14 @@ Files layer(const std::string& schemes, const std::string& g, bool between)
     return files;
 }
 
-/// Advances, and returns the number of steps.
-int advance(AnySimulation& simulation, double from, double to)
+void advance(AnySimulation& simulation, double from, double to)
 {
-    int steps = 0;
-    for (; from < to; ++steps)
+    while (from < to)
     {
         const double deltaT = std::min(simulation.stepLimit().deltaT, to - from);
         simulation.step(from, deltaT);
         from += deltaT;
     }
-    return steps;
 }
 
 }
