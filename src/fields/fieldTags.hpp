@@ -76,6 +76,7 @@ struct ViscousResponse     { static constexpr FieldInfo info{"dUdtOfChange", "m/
 struct StiffResponse       { static constexpr FieldInfo info{"d2Udt2OfChange", "m/s^3", Image::mirrored}; template<int dim> struct At { Vector<dim> response; }; };
 struct StiffRate           { static constexpr FieldInfo info{"stiffRate", "1/s^2"};                     template<int dim> struct At { double kappa; }; };
 struct VolumeStiffness     { static constexpr FieldInfo info{"volumeStiffness", "J m^6"};               template<int dim> struct At { double a; }; };
+struct PressureStrength    { static constexpr FieldInfo info{"pressureStrength", "Pa m^6"};              template<int dim> struct At { double P; }; };
 struct Displacement        { static constexpr FieldInfo info{"displacement", "m/s", Image::mirrored};   template<int dim> struct At { Vector<dim> u; }; };
 struct CompressionChange   { static constexpr FieldInfo info{"compressionOfChange", "N m^4"};         template<int dim> struct At { double q; }; };
 struct ViscousRate         { static constexpr FieldInfo info{"viscousRate", "1/s"};                     template<int dim> struct At { double lambda; }; };

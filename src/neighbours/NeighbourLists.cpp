@@ -158,12 +158,22 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
     }
 }
 
+template<int dim> void NeighbourLists<dim>::makeRoomForSlopes()
+{
+    for (auto& c : chunks_)
+        if (const auto size = c.withinBegin(chunkSize); c.slopes.size() < size)
+        {
+            c.slopes = Array();
+            c.slopes.resize(size);
+        }
+}
+
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
 {
     std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int) + seen_.capacity();
     for (const auto& c : chunks_)
         n += sizeof(Chunk) + c.codes.capacity() * sizeof(std::uint16_t) +
-             (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int);
+             (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int) + c.slopes.capacity() * sizeof(double);
     return n;
 }
 

@@ -58,20 +58,25 @@ public:
         return c.begin[i % chunkSize + 1] - c.begin[i % chunkSize];
     }
     /// Neighbours within the support that a pass found, kept for later passes: they need not look at the skin again. `makeRoomWithin` is called once before
-    /// a loop of `keepWithin`; j holds a multiple of the lanes.
+    /// a loop of `keepWithin`; n is a multiple of the lanes.
     void makeRoomWithin();
-    void keepWithin(std::size_t i, const long* j, int n)
+    void keepWithin(std::size_t i, const int* j, int n)
     {
         Chunk& c = chunks_[i / chunkSize];
-        int* const to = c.within.data() + c.withinBegin(i % chunkSize);
-#pragma GCC ivdep
-        for (int t = 0; t < n; ++t) to[t] = int(j[t]);
+        std::copy_n(j, n, c.within.data() + c.withinBegin(i % chunkSize));
         c.withinCount[i % chunkSize] = n;
     }
     std::span<const int> within(std::size_t i) const
     {
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
+    }
+    /// (dW/dr)/r of those pairs, one number for each entry of `within(i)`, likewise: room is made before a loop that writes them.
+    void makeRoomForSlopes();
+    double* slopes(std::size_t i)
+    {
+        Chunk& c = chunks_[i / chunkSize];
+        return c.slopes.data() + c.withinBegin(i % chunkSize);
     }
     /// Each build of stored lists from now on divides the owned particles into those whose neighbours are all owned, and the others, both ascending: the former
     /// are those that a rank can compute before it has heard of the others.
@@ -93,6 +98,7 @@ private:
         IndexPages pages;
         std::array<unsigned, chunkSize + 1> begin; ///< of each list
         std::vector<int> within, withinCount;      ///< none where no pass keeps
+        Array slopes;                              ///< likewise
         /// Lists within the support are padded.
         std::size_t withinBegin(std::size_t k) const { return begin[k] + k * lanes; }
     };

@@ -19,9 +19,17 @@ namespace sph
 template<int dim> struct Pair
 {
     Vector<dim> x;
-    double r, W, dWdrOverR;
-    long j;
+    double W, dWdrOverR;
+    double rr = dot(x, x); ///< r^2
     Vector<dim> gradW = dWdrOverR * x;
+};
+
+/// What is known of the neighbours of a particle before its stencil is filled.
+struct KnownNeighbours
+{
+    std::span<const int> list;         ///< padded
+    bool within = false;               ///< all of them lie within the support
+    const double* dWdrOverR = nullptr; ///< those of the pairs, factors applied; null where they are to be computed
 };
 
 template<int dim> struct Stencil
@@ -29,64 +37,79 @@ template<int dim> struct Stencil
     static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 32;
     using Column = double[capacity];
 
-    int i, n;                     ///< particle; entries, a multiple of the lanes
-    alignas(64) long j[capacity]; ///< as wide as a double: gathers of whole vectors
+    int i, n;     ///< particle; entries, a multiple of the lanes
+    const int* j; ///< of each entry
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
     int kept[capacity]; ///< of a list with a skin, those within the support
 
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
 
-    /// Packed arrays worth their memory for so many columns: the positions and the first columns, then full eights. What is left over is
-    /// gathered by index: a two-phase bed by curvature, whose one such pass has five left over, was not measurably slower, and 65 bytes smaller.
-    static constexpr int recordArrays(int columnCount) { return 1 + std::max(0, columnCount - packedColumns) / recordSize; }
+    /// Doubles a particle in the packed array of that number: the positions and the first columns, then eights, then what is left over in pairs. A
+    /// single last column is gathered by index. 0 where there is no such array.
+    static constexpr int recordWidth(int array, int columnCount)
+    {
+        if (array == 0) return recordSize;
+        const int left = columnCount - packedColumns - (array - 1) * recordSize;
+        return left < 2 ? 0 : std::min(recordSize, (left + 1) / 2 * 2);
+    }
+    /// Doubles a particle in all of them.
+    static constexpr int recordsWidth(int columnCount)
+    {
+        int sum = 0;
+        for (int array = 0; recordWidth(array, columnCount) > 0; ++array) sum += recordWidth(array, columnCount);
+        return sum;
+    }
 
     struct Factors
     {
-        int weight = -1; ///< volume factors of images; -1 where every wall is plane
-        int scale = -1;  ///< gradientScale N: gradW is divided by (N_i + N_j)/2; -1 where the pass has the raw gradient
+        int weight = -1; ///< volume factors of images; -1 where every wall is plane, and where no factor is wanted
+        int scale = -1;  ///< gradientScale N: gradW is divided by (N_i + N_j)/2; -1 where the pass has the raw gradient, or kept ones
     };
 
-    /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns, `recordArray`
-    /// doubles apart. `within`: the list is one that an earlier pass has left (NeighbourLists::within). W and gradW are those of the kernel
-    /// until `applyFactors`.
+    /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns of so many `particles`. W and gradW
+    /// are those of the kernel until `applyFactors`, unless gradW is known. r is computed for the kernel alone.
     template<class K>
-    [[gnu::flatten]] void fill(int particle, std::span<const int> list, bool within, const std::array<const double*, dim>& position,
-                               const double* records, std::size_t recordArray, std::span<const double* const> columns, const K kernel,
+    [[gnu::flatten]] void fill(int particle, const KnownNeighbours& known, const std::array<const double*, dim>& position,
+                               const double* records, std::size_t particles, std::span<const double* const> columns, const K kernel,
                                bool readsW, long nullParticle)
     {
         i = particle;
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return position[c][particle]; });
-        const int packed = std::min(int(columns.size()), packedColumns);
-        if (!within)
+        j = known.list.data();
+        n = int(known.list.size());
+        if (!known.within)
         {
-            int found = selectRecords<dim>(records, list.data(), int(list.size()), x_i, sqr(kernel.H), kept);
-            while (found % lanes) kept[found++] = int(nullParticle);
-            list = {kept, std::size_t(found)};
+            n = selectRecords<dim>(records, j, n, x_i, sqr(kernel.H), kept);
+            while (n % lanes) kept[n++] = int(nullParticle);
+            j = kept;
         }
-        n = int(list.size());
-        fromRecords(records, list.data(), x_i, sqr(kernel.H), packed);
+        const int count = int(columns.size()), packed = std::min(count, packedColumns);
+        fromRecords(records, x_i, sqr(kernel.H), packed, readsW || !known.dWdrOverR);
 
+        if (known.dWdrOverR) std::copy_n(known.dWdrOverR, n, dWdrOverR);
+        else
 #pragma GCC ivdep
-        for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
+            for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
         if (readsW)
 #pragma GCC ivdep
             for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
 
-        std::size_t c = packed;
-        for (int array = 1; array < recordArrays(int(columns.size())); ++array, c += recordSize)
-            gatherColumns(records + array * recordArray, j, n, field + c);
-        for (; c < columns.size(); ++c)
+        int c = packed;
+        const double* array = records;
+        for (int a = 1; recordWidth(a, count) > 0; c += recordWidth(a, count), ++a)
         {
-            const double* const source = columns[c];
-#pragma GCC ivdep
-            for (int t = 0; t < n; ++t) field[c][t] = source[j[t]];
+            array += recordWidth(a - 1, count) * particles;
+            gatherColumns(array, recordWidth(a, count), j, n, field + c);
         }
+        if (c < count)
+#pragma GCC ivdep
+            for (int t = 0; t < n; ++t) field[c][t] = columns[c][j[t]];
     }
 
-    /// `factors` names the columns of the factors that gradW carries.
-    void applyFactors(const Factors factors, std::span<const double* const> columns, bool readsW)
+    /// `factors` names the columns of the factors that W and gradW carry; gradW that was known has its own.
+    void applyFactors(const Factors factors, std::span<const double* const> columns, bool readsW, bool knownGradW)
     {
         const double* const weight = factors.weight >= 0 ? field[factors.weight] : nullptr;
         if (factors.scale >= 0)
@@ -100,7 +123,7 @@ template<int dim> struct Stencil
 #pragma GCC ivdep
                 for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 / (N_i + N[t]);
         }
-        else if (weight)
+        else if (weight && !knownGradW)
 #pragma GCC ivdep
             for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
         if (weight && readsW)
@@ -108,10 +131,21 @@ template<int dim> struct Stencil
             for (int t = 0; t < n; ++t) W[t] *= weight[t];
     }
 
-    void fromRecords(const double* records, const int* list, Vector<dim> x_i, double radiusSqr, int packed)
+    Pair<dim> pair(int t) const
+    {
+        Vector<dim> x_ij;
+        fetch(x_ij, [&](int c) { return x[c][t]; });
+        return {x_ij, W[t], dWdrOverR[t]};
+    }
+
+private:
+    void fromRecords(const double* records, Vector<dim> x_i, double radiusSqr, int packed, bool distances)
     {
         const auto gather = [&]<int count>(std::integral_constant<int, count>)
-        { gatherRecords<dim, count>(records, list, n, x_i, radiusSqr, *this); };
+        {
+            if (distances) gatherRecords<dim, count, true>(records, j, n, x_i, radiusSqr, *this);
+            else gatherRecords<dim, count, false>(records, j, n, x_i, radiusSqr, *this);
+        };
         switch (packed)
         {
         case 0:
@@ -127,13 +161,6 @@ template<int dim> struct Stencil
         default:
             return gather(std::integral_constant<int, packedColumns>{});
         }
-    }
-
-    Pair<dim> pair(int t) const
-    {
-        Vector<dim> x_ij;
-        fetch(x_ij, [&](int c) { return x[c][t]; });
-        return {x_ij, r[t], W[t], dWdrOverR[t], j[t]};
     }
 };
 

@@ -57,9 +57,9 @@ inline int selectRecords(const double* records, const int* list, int n, Vector<d
     return int(found);
 }
 
-/// Indices, x_i - x_j, distances and the first nFields columns of the listed particles (a multiple of 8 indices), all within the
+/// x_i - x_j, where asked for the distances, and the first nFields columns of the listed particles (a multiple of 8 indices), all within the
 /// radius but for null particles at the end, which stay with x_i - x_j = 0 at twice the radius.
-template<int dim, int nFields, class L = WidestLanes, class Block>
+template<int dim, int nFields, bool distances, class L = WidestLanes, class Block>
 inline void gatherRecords(const double* records, const int* list, int n, Vector<dim> x, double radiusSqr, Block& to)
 {
     using Doubles = typename L::Doubles;
@@ -74,36 +74,36 @@ inline void gatherRecords(const double* records, const int* list, int n, Vector<
         const detail::Differences<dim, L> ij(x, {column[0], column[1]});
         const auto near = L::less(ij.sqr, limit);
         for (int c = 0; c < dim; ++c) L::store(&to.x[c][t], L::choose(near, ij.x[c], Doubles{}));
-        L::store(&to.r[t], L::sqrt(L::choose(near, ij.sqr, beyond)));
-        L::store(&to.j[t], L::widened(L::template load<typename L::Ints>(list + t)));
+        if constexpr (distances) L::store(&to.r[t], L::sqrt(L::choose(near, ij.sqr, beyond)));
         for (int f = 0; f < nFields; ++f)
             L::store(&to.field[f][t], (dim + f) % 2 ? column[(dim + f) / 2].second : column[(dim + f) / 2].first);
     }
 }
 
-/// Eight further columns of n particles (a multiple of 8 indices) from another packed array.
-template<class L = WidestLanes, class Column> inline void gatherColumns(const double* records, const long* j, int n, Column* field)
+/// The columns of n listed particles (a multiple of 8 indices) from another packed array, of `width` doubles a particle.
+template<class L = WidestLanes, class Column>
+inline void gatherColumns(const double* records, int width, const int* list, int n, Column* field)
 {
     for (int t = 0; t < n; t += L::count)
-        for (int c = 0; c < recordSize; c += 2)
+        for (int c = 0; c < width; c += 2)
         {
-            const auto column = loadColumns<L>([&](int k) { return records + j[t + k] * recordSize + c; });
+            const auto column = loadColumns<L>([&](int k) { return records + long(list[t + k]) * width + c; });
             L::store(field[c] + t, column.first);
             L::store(field[c + 1] + t, column.second);
         }
 }
 
-/// Packs `count` records, `to[i]` from element i of each of the 8 arrays.
-template<class L = WidestLanes> inline void packRecords(const double* const (&from)[recordSize], std::size_t count, double* to)
+/// Packs `count` records, `to[i]` from element i of each of `width` arrays, an even number up to 8.
+template<class L = WidestLanes> inline void packRecords(const double* const (&from)[recordSize], int width, std::size_t count, double* to)
 {
     using Doubles = typename L::Doubles;
     std::size_t i = 0;
     for (; i + L::count <= count; i += L::count)
-        for (int c = 0; c < recordSize; c += 2)
-            storeColumns<L>([&](int k) { return to + (i + k) * recordSize + c; },
+        for (int c = 0; c < width; c += 2)
+            storeColumns<L>([&](int k) { return to + (i + k) * width + c; },
                             {L::template load<Doubles>(from[c] + i), L::template load<Doubles>(from[c + 1] + i)});
     for (; i < count; ++i)
-        for (int c = 0; c < recordSize; ++c) to[i * recordSize + c] = from[c][i];
+        for (int c = 0; c < width; ++c) to[i * width + c] = from[c][i];
 }
 
 }

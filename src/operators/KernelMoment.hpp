@@ -23,7 +23,7 @@ struct SecondMoment
     using Provides = KernelMoment;
     static constexpr bool ofRawGradient = true;
 
-    auto operator()(const auto& ij, const auto&, const auto&) const { return -1.0 / dimensions(ij.x) * ij.dWdrOverR * sqr(ij.r); }
+    auto operator()(const auto& ij, const auto&, const auto&) const { return -1.0 / dimensions(ij.x) * ij.dWdrOverR * ij.rr; }
 };
 
 struct GradientNormalisation

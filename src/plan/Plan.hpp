@@ -102,6 +102,8 @@ private:
         std::vector<std::unique_ptr<Operation<dim>>> operations;
         typename Stencil<dim>::Factors factors;       ///< columns of the factors, behind those of the terms
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
+        bool within = false, keepsWithin = false;     ///< reads the neighbours within the support that a pass before has kept; keeps them
+        bool slopes = false, keepsSlopes = false;     ///< likewise (dW/dr)/r of their pairs, with all factors
         bool pair() const { return entries[0]->over == Over::pairs; }
     };
     struct Passes
@@ -111,7 +113,6 @@ private:
         std::map<const Entry*, std::string> reason;
         std::vector<Pass> passes;
         std::optional<Kernel<dim>> kernel; ///< its own, which finds its neighbours in the lists at each pass
-        bool keepsPairs = false;           ///< pairs are kept for passes behind its first pair pass, or for later groups
         std::string resultName(const FieldUse<dim>& f) const { return nameIn(group.names, f.name.c_str()); }
     };
     const Catalogue<dim>& catalogue_;
@@ -128,8 +129,10 @@ private:
     void select(Passes&);
     void close(Passes&, const std::set<std::string>& given);
     void order(Passes&, const std::set<std::string>& given, std::set<std::string>& fresh);
+    /// Decides what each pass keeps of its pairs for those behind it.
+    void keepPairs();
     /// `only`: the particles that the pass is for; all where there is none.
-    void evaluatePairs(const Pass&, bool within, bool keeps, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
+    void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only = {});
     /// Positions and columns of the particles [begin, end), eight doubles to a cache line.
     const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);

@@ -97,8 +97,9 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
                 return needed ? int(pass.sources.size()) - 1 : -1;
             };
             const bool given = !g.group.sharesBy.empty();
-            pass.factors = {factor(pass.pair() && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
-                            factor(pass.normalised, GradientScale::info)};
+            const bool weighs = pass.pair() && (!pass.slopes || pass.readsKernel);
+            pass.factors = {factor(weighs && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
+                            factor(pass.normalised && !pass.slopes, GradientScale::info)};
             for (const auto* e : pass.entries)
             {
                 auto names = e->names;
@@ -113,41 +114,48 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
 template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, std::size_t begin, std::size_t end)
 {
     const std::size_t n = store.size();
-    const int arrays = Stencil<dim>::recordArrays(int(pass.sources.size()));
-    if (records_.size() < arrays * n * recordSize)
+    const int columns = int(pass.sources.size());
+    if (const auto width = std::size_t(Stencil<dim>::recordsWidth(columns)); records_.size() < width * n)
     {
         records_ = Array();
-        records_.resize(arrays * (n + n / 50) * recordSize);
+        records_.resize(width * (n + n / 50));
     }
     std::vector<const double*> from;
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
-    from.resize(std::max<std::size_t>(from.size(), arrays * recordSize), from[0]);
+    from.resize(from.size() + recordSize, from[0]);
     const std::size_t block = 512, images = std::clamp(store.owned(), begin, end);
     // Each thread packs its share of particles and of images: those that it has computed, and gathers.
 #pragma omp parallel
-    for (int a = 0; a < arrays; ++a)
     {
-        double* const to = records_.data() + a * n * recordSize;
-        const auto packBlock = [&](std::size_t b, std::size_t last)
+        double* to = records_.data();
+        const double* const* of = from.data();
+        for (int a = 0; Stencil<dim>::recordWidth(a, columns) > 0; ++a)
         {
-            const double* part[recordSize];
-            for (int c = 0; c < recordSize; ++c) part[c] = from[a * recordSize + c] + b;
-            packRecords(part, std::min(block, last - b), to + b * recordSize);
-        };
+            const int width = Stencil<dim>::recordWidth(a, columns);
+            const auto packBlock = [&](std::size_t b, std::size_t last)
+            {
+                const double* part[recordSize];
+                for (int c = 0; c < width; ++c) part[c] = of[c] + b;
+                packRecords(part, width, std::min(block, last - b), to + b * width);
+            };
 #pragma omp for schedule(static) nowait
-        for (std::size_t b = begin; b < images; b += block) packBlock(b, images);
+            for (std::size_t b = begin; b < images; b += block) packBlock(b, images);
 #pragma omp for schedule(static) nowait
-        for (std::size_t b = images; b < end; b += block) packBlock(b, end);
+            for (std::size_t b = images; b < end; b += block) packBlock(b, end);
+            to += width * n;
+            of += width;
+        }
     }
     return records_.data();
 }
 
 template<int dim>
-void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldStore<dim>& store, const Images<dim>& images,
-                              NeighbourLists<dim>& lists, const Kernel<dim>& kernel, std::optional<std::span<const int>> only)
+void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists,
+                              const Kernel<dim>& kernel, std::optional<std::span<const int>> only)
 {
-    if (keeps) lists.makeRoomWithin();
+    if (pass.keepsWithin) lists.makeRoomWithin();
+    if (pass.keepsSlopes) lists.makeRoomForSlopes();
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
@@ -168,11 +176,13 @@ void Plan<dim>::evaluatePairs(const Pass& pass, bool within, bool keeps, FieldSt
             for (std::size_t place = begin; place < end; ++place)
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
-                stencil.fill(int(i), within ? lists.within(i) : lists.of(i, room), within, x, records, store.size() * recordSize,
-                             pass.sources, k, pass.readsKernel, null);
+                const KnownNeighbours known{pass.within ? lists.within(i) : lists.of(i, room), pass.within,
+                                            pass.slopes ? lists.slopes(i) : nullptr};
+                stencil.fill(int(i), known, x, records, store.size(), pass.sources, k, pass.readsKernel, null);
                 if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
-                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel);
-                if (keeps) lists.keepWithin(i, stencil.j, stencil.n);
+                stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel, pass.slopes);
+                if (pass.keepsWithin) lists.keepWithin(i, stencil.j, stencil.n);
+                if (pass.keepsSlopes) std::copy_n(stencil.dWdrOverR, stencil.n, lists.slopes(i));
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
             if (halo && omp_get_thread_num() == 0) halo->progress();
@@ -214,15 +224,13 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
 {
     const auto& g = groups_[group];
     const std::size_t n = images.owned(), block = 512;
-    bool within = group > 0 && !g.kernel; // the pairs that an evaluation before has kept
     for (const auto& pass : g.passes)
     {
         countRuns(counts_, g.group.name, pass.entries);
         if (pass.pair())
         {
-            evaluatePairs(pass, within, !within && g.keepsPairs, store, images, lists, g.kernel ? *g.kernel : kernel);
+            evaluatePairs(pass, store, images, lists, g.kernel ? *g.kernel : kernel);
             ++pairPassesRun_;
-            within = g.keepsPairs;
             continue;
         }
         const bool walls = pass.entries[0]->over == Over::walls;
@@ -243,7 +251,7 @@ void Plan<dim>::evaluateAt(std::span<const int> particles, FieldStore<dim>& stor
     for (const auto& pass : groups_[group].passes)
     {
         countRuns(counts_, groups_[group].group.name, pass.entries);
-        evaluatePairs(pass, false, false, store, images, lists, kernel, particles);
+        evaluatePairs(pass, store, images, lists, kernel, particles);
         ++pairPassesRun_;
     }
 }
@@ -270,9 +278,12 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
         {
             out << "          gathers    positions";
             for (const auto& f : pass.columns) out << ' ' << f.name;
-            if (pass.normalised) out << ' ' << GradientScale::info.name;
+            if (pass.normalised && !pass.slopes) out << ' ' << GradientScale::info.name;
             out << "\n          images     positions";
             for (const auto& f : pass.refresh) out << ' ' << f.name;
+            if (pass.keepsWithin || pass.keepsSlopes) out << "\n          keeps     ";
+            if (pass.keepsWithin) out << " neighbours";
+            if (pass.keepsSlopes) out << " (dW/dr)/r";
             out << '\n';
         }
     }

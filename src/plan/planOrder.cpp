@@ -45,15 +45,31 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
             if (!state_.contains(field)) given.erase(field);
         }
     }
-    bool pairsBehind = false;
-    for (auto g = groups_.rbegin(); g != groups_.rend(); ++g)
-    {
-        if (g->kernel || !g->group.sharesBy.empty())
-            continue; // what the scene's kernel reaches is not what theirs does, or few particles ask
-        const auto pairs = std::count_if(g->passes.begin(), g->passes.end(), [](const Pass& p) { return p.pair(); });
-        g->keepsPairs = pairs > 1 || (pairs > 0 && pairsBehind);
-        pairsBehind = pairsBehind || pairs > 0;
-    }
+    keepPairs();
+}
+
+/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one of a later group, which may
+/// be repeated. Raw and normalised gradients differ: those are kept that more passes read.
+template<int dim> void Plan<dim>::keepPairs()
+{
+    std::vector<Pass*> passes;               // of the scene's kernel, over all particles
+    std::map<bool, std::vector<Pass*>> kind; // raw and normalised, from one of the evaluation on, which runs before all others
+    std::map<bool, int> readers;
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        for (auto& pass : groups_[g].passes)
+        {
+            if (!pass.pair() || groups_[g].kernel || !groups_[g].group.sharesBy.empty()) continue;
+            passes.push_back(&pass);
+            auto& alike = kind[pass.normalised];
+            if (alike.empty() && g > 0) continue;
+            if (!alike.empty()) readers[pass.normalised] += g > 0 ? 2 : 1;
+            alike.push_back(&pass);
+        }
+    for (auto* pass : passes) (pass == passes[0] ? pass->keepsWithin : pass->within) = passes.size() > 1;
+    const bool normalised = readers[true] >= readers[false];
+    if (readers[normalised] < 2) return;
+    auto& alike = kind[normalised];
+    for (auto* pass : alike) (pass == alike[0] ? pass->keepsSlopes : pass->slopes) = true;
 }
 
 /// The changed fields, and all that the groups so far have made of them.

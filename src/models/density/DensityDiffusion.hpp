@@ -26,7 +26,7 @@ struct DensityDiffusion
     {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return coefficient * (i.rho - j.rho) * dot(ij.x, ij.gradW) / (sqr(ij.r) + small) * j.V;
+        return coefficient * (i.rho - j.rho) * dot(ij.x, ij.gradW) / (ij.rr + small) * j.V;
     }
 };
 

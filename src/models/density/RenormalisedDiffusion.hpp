@@ -53,7 +53,7 @@ struct RenormalisedDiffusion : DensityDiffusion
     {
         const double w = j.wall > 0 ? 0.0 : j.V;
         const double difference = i.rho - j.rho - 0.5 * dot(i.gradRho + j.gradRho, ij.x);
-        return coefficient * difference * dot(ij.x, ij.gradW) / (sqr(ij.r) + small) * w;
+        return coefficient * difference * dot(ij.x, ij.gradW) / (ij.rr + small) * w;
     }
 };
 

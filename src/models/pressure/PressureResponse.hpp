@@ -43,6 +43,15 @@ struct UniformStiffness
     auto operator()(const auto& i) const { return sqr(i.V) * i.m * equation.slope(i.rho); }
 };
 
+/// P = p V^2, of which the force of a pair is made.
+struct StrengthOfPressure
+{
+    static constexpr auto name = "pressureStrength";
+    using Provides = PressureStrength;
+    using ReadsOwn = Fields<Pressure, Volume>;
+    auto operator()(const auto& i) const { return i.p * sqr(i.V); }
+};
+
 struct ChangeAsDisplacement
 {
     static constexpr auto name = "changeAsDisplacement";
@@ -63,14 +72,14 @@ struct CompressionOfChange
 };
 
 /// Repulsion of a pair: its force over its distance, per dW/dr/r, and 0 where it attracts.
-inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.p * sqr(i.V) + j.p * sqr(j.V)); }
+inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.P + j.P); }
 
 /// dF_i/(m_i dt)
 struct PressureResponse
 {
     static constexpr auto name = "pressureResponse";
     using Provides = StiffResponse;
-    using Reads = Fields<Displacement, CompressionChange, Pressure, Volume>;
+    using Reads = Fields<Displacement, CompressionChange, PressureStrength>;
     using ReadsOwn = Fields<Mass>;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
@@ -89,12 +98,12 @@ struct PressureRate
 {
     static constexpr auto name = "pressureRate";
     using Provides = StiffRate;
-    using Reads = Fields<VolumeStiffness, Pressure, Volume>;
+    using Reads = Fields<VolumeStiffness, PressureStrength>;
     using ReadsOwn = Fields<Mass>;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        return DiagonalSums<dim>{ij.gradW, j.a * dot(ij.gradW, ij.gradW) - dim * repulsion(i, j) * ij.dWdrOverR * (ij.r > 0)};
+        return DiagonalSums<dim>{ij.gradW, j.a * dot(ij.gradW, ij.gradW) - dim * repulsion(i, j) * ij.dWdrOverR * (ij.rr > 0)};
     }
     auto finish(const auto& i, const auto& sum) const
     {

@@ -28,7 +28,7 @@ struct SoilViscosity
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double vx = dot(i.v - j.v, ij.x), q = std::fmin(0.0, vx) + onRecession * std::fmax(0.0, vx);
-        return coefficient / i.m * i.V * j.V * 0.25 * (i.c + j.c) * (i.rho + j.rho) * q / (sqr(ij.r) + small) * ij.gradW;
+        return coefficient / i.m * i.V * j.V * 0.25 * (i.c + j.c) * (i.rho + j.rho) * q / (ij.rr + small) * ij.gradW;
     }
 };
 

@@ -61,7 +61,7 @@ struct ViscosityFluxRate : ViscosityFluxSum
     using Provides = PowderRelaxation;
     using Reads = Fields<Volume, ViscosityDiffusivity, GhostWall>;
     using ViscosityFluxSum::ViscosityFluxSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -rate(ij, i, j) * (ij.r > 0); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -rate(ij, i, j) * (ij.rr > 0); }
     double finish(const auto& i, double sum) const { return rho_0 / i.m * sum; }
 };
 

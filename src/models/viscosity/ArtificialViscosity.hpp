@@ -26,7 +26,7 @@ struct ArtificialViscosity
     explicit ArtificialViscosity(const Coefficients& c) : coefficient(c.of<ArtificialNumber>().mu), small(0.01 * sqr(0.5 * c.support)) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return coefficient / i.m * i.V * j.V * dot(i.v - j.v, ij.x) / (sqr(ij.r) + small) * ij.gradW;
+        return coefficient / i.m * i.V * j.V * dot(i.v - j.v, ij.x) / (ij.rr + small) * ij.gradW;
     }
 };
 

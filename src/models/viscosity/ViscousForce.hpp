@@ -101,7 +101,7 @@ template<class MeanViscosity> struct CentralSum : MorrisSum<MeanViscosity>
     auto along(const auto& ij, const auto& i, const auto& j, auto v_ij) const
     {
         constexpr double small = 1e-300; // keeps 0/0 of a particle with itself away
-        return (dimensions(ij.x) + 2) * this->rate(ij, i, j) * dot(v_ij, ij.x) / (sqr(ij.r) + small) * ij.x;
+        return (dimensions(ij.x) + 2) * this->rate(ij, i, j) * dot(v_ij, ij.x) / (ij.rr + small) * ij.x;
     }
 };
 
@@ -151,7 +151,7 @@ template<class MeanViscosity, template<class> class Sum = MorrisSum> struct Morr
     using Reads = typename MeanViscosity::template Reads<>;
     using Provides = ViscousRate;
     using Sum<MeanViscosity>::Sum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j) * (ij.r > 0); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j) * (ij.rr > 0); }
 };
 using SinglePhaseRate = Named<"singlePhaseViscousRate", MorrisRate<UniformViscosity>>;
 using HarmonicRate = Named<"harmonicViscousRate", MorrisRate<HarmonicMean>>;

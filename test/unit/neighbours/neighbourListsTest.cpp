@@ -139,11 +139,11 @@ TEST(NeighbourLists, KeepWhatAPassFound)
     {
         NeighbourLists<2>::Room room;
         const auto list = lists.of(i, room), all = list.first(list.size() - 8 * (i % 2));
-        return std::vector<long>(all.begin(), all.end());
+        return std::vector<int>(all.begin(), all.end());
     };
     for (std::size_t i = 0; i < points.size(); ++i) lists.keepWithin(i, kept(i).data(), int(kept(i).size()));
     for (std::size_t i = 0; i < points.size(); ++i)
-        ASSERT_EQ(std::vector<long>(lists.within(i).begin(), lists.within(i).end()), kept(i)) << "particle " << i;
+        ASSERT_EQ(std::vector<int>(lists.within(i).begin(), lists.within(i).end()), kept(i)) << "particle " << i;
 }
 
 // A lattice, whose distances equal the radius up to round-off: "less than" must mean the same in cells, lanes and the plain loop.

@@ -134,7 +134,6 @@ TEST(IndexPacker, RefusesTooManyPages)
 /// Columns that a stencil gathers into.
 template<int dim> struct Block
 {
-    alignas(64) long j[256];
     alignas(64) double x[dim][256], r[256], field[recordSize][256];
 };
 
@@ -157,7 +156,7 @@ template<int dim, class L> void gatheringEqualsAPlainLoop()
         columns[c][300] = 1e3;
         from[c] = columns[c].data();
     }
-    packRecords<L>(from, 301, records.data());
+    packRecords<L>(from, recordSize, 301, records.data());
     for (int i = 0; i < 301; ++i)
         for (int c = 0; c < recordSize; ++c) ASSERT_EQ(records[i * recordSize + c], columns[c][i]) << i << ' ' << c;
 
@@ -171,10 +170,9 @@ template<int dim, class L> void gatheringEqualsAPlainLoop()
     while (within.size() % 8) within.push_back(300);
     ASSERT_GT(within.size(), expected.size()) << "no padding to look at";
     static Block<dim> block;
-    gatherRecords<dim, nFields, L>(records.data(), within.data(), int(within.size()), x, radiusSqr, block);
+    gatherRecords<dim, nFields, true, L>(records.data(), within.data(), int(within.size()), x, radiusSqr, block);
     for (int k = 0; k < int(within.size()); ++k)
     {
-        EXPECT_EQ(block.j[k], within[k]);
         for (int f = 0; f < nFields; ++f) EXPECT_EQ(block.field[f][k], columns[dim + f][within[k]]);
         const auto d = k < n ? x - scene.points[within[k]] : Vector<dim>{};
         store(d, [&](int c, double q) { EXPECT_EQ(block.x[c][k], q); });
@@ -182,10 +180,14 @@ template<int dim, class L> void gatheringEqualsAPlainLoop()
         EXPECT_DOUBLE_EQ(block.r[k], k < n ? std::sqrt(dot(d, d)) : 2 * std::sqrt(radiusSqr));
     }
 
-    static double further[recordSize][256];
-    gatherColumns<L>(records.data(), block.j, int(within.size()), further);
-    for (int k = 0; k < int(within.size()); ++k)
-        for (int c = 0; c < recordSize; ++c) EXPECT_EQ(further[c][k], columns[c][within[k]]);
+    for (int width = 2; width <= recordSize; width += 2)
+    {
+        static double further[recordSize][256];
+        packRecords<L>(from, width, 301, records.data());
+        gatherColumns<L>(records.data(), width, within.data(), int(within.size()), further);
+        for (int k = 0; k < int(within.size()); ++k)
+            for (int c = 0; c < width; ++c) EXPECT_EQ(further[c][k], columns[c][within[k]]) << width;
+    }
 }
 TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2, TypeParam>(); }
 TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3, TypeParam>(); }

@@ -137,13 +137,18 @@ struct Toy
     double sum(std::size_t i, const auto& f) { return sum(i, f, kernel); }
     double sum(std::size_t i, const auto& f, const Kernel<dim>& W)
     {
+        return over(i, W, [&](std::size_t j, double r) { return f(j) * W.W(r); });
+    }
+    /// sum_j f(j, r_ij) over those within the kernel's support.
+    double over(std::size_t i, const Kernel<dim>& W, const auto& f)
+    {
         double total = 0;
         for (std::size_t j = 0; j < n; ++j)
         {
             auto x = positionOf(store, i) - positionOf(store, j);
             for (auto [k, length] : {std::pair(&x.x, geometry.length(0)), {&x.y, geometry.length(1)}})
                 *k -= std::round(*k / length) * length;
-            if (mag(x) < W.support()) total += f(j) * W.W(mag(x));
+            if (mag(x) < W.support()) total += f(j, mag(x));
         }
         return total;
     }

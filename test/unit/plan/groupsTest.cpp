@@ -90,6 +90,87 @@ TEST(Groups, RefreshStaleImagesAlone)
     EXPECT_NE(log.str().find("images     positions b\n"), std::string::npos) << log.str();
 }
 
+/// c_i = sum_j a_j (dW_ij/dr)/r
+struct SlopeOfA
+{
+    static constexpr auto name = "slopeOfA";
+    using Provides = C;
+    using Reads = Fields<A>;
+    double operator()(const auto& ij, const auto&, const auto& j) const { return j.a * ij.dWdrOverR; }
+};
+/// d_i = sum_j c_j (dW_ij/dr) r
+struct SlopeOfC
+{
+    static constexpr auto name = "slopeOfC";
+    using Provides = D;
+    using Reads = Fields<C>;
+    double operator()(const auto& ij, const auto&, const auto& j) const { return j.c * ij.dWdrOverR * ij.rr; }
+};
+/// e_i = sum_j d_j (W_ij + (dW_ij/dr)/r)
+struct SlopeOfD
+{
+    static constexpr auto name = "slopeOfD";
+    using Provides = E;
+    using Reads = Fields<D>;
+    static constexpr bool readsKernel = true;
+    double operator()(const auto& ij, const auto&, const auto& j) const { return j.d * (ij.W + ij.dWdrOverR); }
+};
+
+/// b_i = sum_j z_j W_ij
+struct SumOfZ
+{
+    static constexpr auto name = "sumOfZ";
+    using Provides = B;
+    using Reads = Fields<Z>;
+    static constexpr bool readsKernel = true;
+    double operator()(const auto& ij, const auto&, const auto& j) const { return j.z * ij.W; }
+};
+
+// Where at least two passes behind the first read gradW, the first keeps it, and says so; they find what they would have computed, a group that runs again behind
+// one of another kernel too.
+TEST(Groups, ReadTheSlopesThatTheFirstPassHasKept)
+{
+    Toy toy(torus(), catalogue<2, SumOfZ, SlopeOfA, SlopeOfC, SlopeOfD>(),
+            {{"first", {"slopeOfD"}},
+             {.name = "wide", .terms = {"sumOfZ"}, .kernel = OwnKernel{"quinticSpline", 0.275}},
+             {"again", {"slopeOfD"}, {"a"}}},
+            Fields<A, Z>{});
+    for (int run = 0; run < 2; ++run)
+    {
+        for (const char* group : {"first", "wide"}) toy.evaluate(group);
+        for (std::size_t i = 0; i < toy.n; ++i) toy.of("a")[i] += 1;
+        for (int repeated = 0; repeated < 2; ++repeated) toy.evaluate("again");
+        const auto slope = [&](double r) { return toy.kernel.dWdrOverR(r); };
+        for (std::size_t i = 0; i < toy.n; ++i)
+        {
+            const auto expect = [&](const char* field, double value)
+            { EXPECT_NEAR(toy.of(field)[i], value, 1e-12 * std::fabs(value)) << field << " of " << i; };
+            expect("c", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("a")[j] * slope(r); }));
+            expect("d", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("c")[j] * slope(r) * sqr(r); }));
+            expect("e", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("d")[j] * (toy.kernel.W(r) + slope(r)); }));
+        }
+    }
+    std::ostringstream log;
+    int pass = 0, operation = 0;
+    toy.plan.printGroup(log, 0, pass, operation);
+    const auto text = log.str(), keeps = std::string("keeps      neighbours (dW/dr)/r\n");
+    EXPECT_LT(text.find(keeps), text.find("pass 2")) << text;
+    EXPECT_EQ(text.find(keeps, text.find("pass 2")), std::string::npos) << text;
+}
+
+// One pass behind it is not worth eight bytes a pair.
+TEST(Groups, KeepNeighboursAloneForOnePassMore)
+{
+    Toy toy(torus(), catalogue<2, SlopeOfA, SlopeOfC>(), {{"first", {"slopeOfC"}}}, Fields<A, Z>{});
+    std::ostringstream log;
+    toy.plan.print(log, toy.store);
+    EXPECT_NE(log.str().find("keeps      neighbours\n"), std::string::npos) << log.str();
+    toy.evaluate("first");
+    const double value =
+        toy.over(3, toy.kernel, [&](std::size_t j, double r) { return toy.of("c")[j] * toy.kernel.dWdrOverR(r) * sqr(r); });
+    EXPECT_NEAR(toy.of("d")[3], value, 1e-12 * std::fabs(value));
+}
+
 // A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of
 // the scene's kernel as they were.
 TEST(Groups, SeeNeighboursByAKernelOfTheirOwn)
