@@ -1,10 +1,9 @@
-#include "case/TimeFolder.hpp"
+#include "case/replaceCloud.hpp"
 #include "geometry/components.hpp"
 #include "packing/Packing.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <system_error>
 
 namespace sph
 {
@@ -88,24 +87,6 @@ std::string report(const PackingPlan& plan, const Packing& packing)
     return s;
 }
 
-namespace
-{
-/// Copies all of a time folder but its particles and what a run has stored of them: fields of an earlier packing would have another length.
-void copyOthers(const std::filesystem::path& from, const std::filesystem::path& to)
-{
-    namespace fs = std::filesystem;
-    const std::vector<fs::path> own{"lagrangian/sph", "uniform/lagrangian/sph", "uniform/time", "uniform/sphState",
-                                    "uniform/functionObjects"};
-    std::error_code reason, none;
-    for (auto at = fs::recursive_directory_iterator(from, none); at != fs::recursive_directory_iterator() && !reason; ++at)
-        if (const auto name = at->path().lexically_relative(from); std::ranges::find(own, name) != own.end())
-            at.disable_recursion_pending();
-        else if (at->is_directory()) fs::create_directories(to / name, reason);
-        else fs::copy(at->path(), to / name, fs::copy_options::copy_symlinks, reason);
-    if (reason) throw CaseError({from.string(), 0}, "cannot be copied: " + reason.message());
-}
-}
-
 void writePacking(const Case& c, const std::string& time, const PackingPlan& plan, const Packing& packing, const WriteOptions& options)
 {
     const bool isFlat = plan.geometry.dimension == 2;
@@ -121,12 +102,7 @@ void writePacking(const Case& c, const std::string& time, const PackingPlan& pla
     const std::vector<double> V(packing.p.empty() ? 0 : x.size(), packing.particleVolume);
     if (packing.p.empty()) fields.push_back({"rho", FieldClass::scalar, {packing.rho.data()}});
     else fields.push_back({"V", FieldClass::scalar, {V.data()}});
-    writeFolder(c.folder(), time,
-                [&](const std::filesystem::path& folder)
-                {
-                    copyOthers(c.folder() / time, folder);
-                    writeCloud(folder, "sph", x.size(), positions, fields, options);
-                });
+    replaceCloud(c.folder(), time, "sph", x.size(), positions, fields, options);
 
     const auto &low = plan.geometry.low, &high = plan.geometry.high;
     const double half = 0.5 * plan.lattice.spacing;

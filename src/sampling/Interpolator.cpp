@@ -153,7 +153,7 @@ Vector<3> Interpolator::wrapped(Vector<3> x) const
     return x;
 }
 
-PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form) const
+PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form, const Admits& admits) const
 {
     PointWeights result;
     std::vector<Vector<3>> offset;
@@ -169,7 +169,7 @@ PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form) c
             {
                 const auto d = x_[i] - centre;
                 const double r2 = dot(d, d);
-                if (r2 >= H_ * H_) continue;
+                if (r2 >= H_ * H_ || (admits && !admits(source_[i], d))) continue;
                 const double W = std::visit([&](const auto& kernel) { return kernel.W(std::sqrt(r2)); }, kernel_);
                 result.particle.push_back(source_[i]);
                 result.weight.push_back(volume_[source_[i]] * W);

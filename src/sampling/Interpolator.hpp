@@ -3,6 +3,7 @@
 #include "kernels/Kernel.hpp"
 #include "sampling/ParticleView.hpp"
 #include <array>
+#include <functional>
 #include <variant>
 
 namespace sph
@@ -50,7 +51,11 @@ public:
     /// Keeps a pointer to the view's volumes; positions are copied, sorted by cell. Particles at NaN are left out.
     explicit Interpolator(const ParticleView&);
 
-    PointWeights weights(const Vector<3>& point, Interpolation = Interpolation::linear) const;
+    /// Whether a particle counts: its number, and the way to it, or to its periodic copy, from the point [m].
+    using Admits = std::function<bool(std::size_t particle, const Vector<3>& offset)>;
+
+    /// Of the particles that `admits` lets count; all where it is empty.
+    PointWeights weights(const Vector<3>& point, Interpolation = Interpolation::linear, const Admits& admits = {}) const;
 };
 
 }

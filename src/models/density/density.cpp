@@ -116,6 +116,7 @@ void prepare(const Reading& reading)
         return;
     }
     Evolving rho{stateField(Density{}), stateField(DensityRate{})};
+    rho.ofMaterial = true;
     rho.missing = densityAtStart;
     rho.check = [](const Loading& loading)
     {

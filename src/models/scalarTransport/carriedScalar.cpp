@@ -35,6 +35,7 @@ std::vector<std::string> readInitial(const Dictionary& d, const std::vector<std:
 Evolving carriedScalar(const StateField& value, const StateField& rate, const std::vector<std::string>& initial, const std::string& file)
 {
     Evolving c{value, rate};
+    c.ofMaterial = true;
     const std::string name = value.name;
     c.missing = [=](const Loading& loading)
     {

@@ -165,7 +165,7 @@ template<int dim> void checkStress(const Loading& loading, const Soil& soil)
 Evolving stressOf(const Soil& soil, const InitialStress& initial, int dimension)
 {
     Evolving sigma{stateField(SoilStress{})};
-    sigma.advancedByModel = true;
+    sigma.advancedByModel = sigma.ofMaterial = true;
     sigma.missing = [=](const Loading& loading)
     {
         if (loading.restarted)
@@ -263,12 +263,12 @@ void prepare(const Reading& reading)
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
     for (const auto& field : entry::shown(entry::soil(reading.schemes)))
         if (field == StrainRate::info.name) settings.shown.emplace_back(field, field);
-        else settings.state.push_back({.value = integralOf(field), .advancedByModel = true});
+        else settings.state.push_back({.value = integralOf(field), .advancedByModel = true, .ofMaterial = true});
     refusePlasticStrain(reading, soil);
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     if (reading.geometry.withFriction())
     {
-        settings.state.push_back({.value = stateField(WallShear{}), .advancedByModel = true});
+        settings.state.push_back({.value = stateField(WallShear{}), .advancedByModel = true, .ofMaterial = true});
         settings.ruleReads[ActingStress::info.name].push_back(stateField(WallShear{}));
     }
     c.set(soil);

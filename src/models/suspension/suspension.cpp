@@ -122,7 +122,7 @@ bool readPowder(const Reading& reading)
 Evolving powderFraction(const Suspension& s)
 {
     Evolving powder{stateField(PowderFraction{}), stateField(PowderRate{})};
-    powder.advancedByModel = true;
+    powder.advancedByModel = powder.ofMaterial = true;
     powder.amount = "Powder";
     powder.missing = [s](const Loading& loading)
     {

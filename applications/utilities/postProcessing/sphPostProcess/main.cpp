@@ -1,8 +1,8 @@
 /// Runs the function objects of a case on its stored times.
-#include "StoredCase.hpp"
 #include "base/CommandLine.hpp"
 #include "case/timeSelection.hpp"
 #include "sampling/FunctionObject.hpp"
+#include "storedCase/StoredCase.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

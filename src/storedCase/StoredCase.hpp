@@ -28,6 +28,7 @@ public:
     explicit StoredCase(const Case&);
 
     const Geometry& geometry() const { return geometry_; }
+    const Settings& settings() const { return settings_; }
     const std::vector<std::string>& phases() const { return settings_.coefficients.phases; }
 
     /// Names of the time folders that hold particles; throws CaseError if there is none.
@@ -36,6 +37,8 @@ public:
     /// The particles of a time folder, valid until the next call. Needs the fields rho, m and, where there are several phases,
     /// phase. V_i = m_i/rho_i where the folder does not say otherwise. What it cost to compute is not on disk: executionTime is NaN.
     ParticleView load(const std::string& time);
+    /// The particles of the last call, as they are on disk.
+    const Cloud& cloud() const { return cloud_; }
 };
 
 }

@@ -1,4 +1,4 @@
-#include "StoredCase.hpp"
+#include "storedCase/StoredCase.hpp"
 #include "geometry/Walls.hpp"
 #include "models/forces/Shaking.hpp"
 #include "sampling/viewOfScene.hpp"
