@@ -145,7 +145,7 @@ std::string report(const MappedState& state, const ParticleView& target, const F
     if (!fields.missing.empty()) s += fmt::format("Left to the dictionaries, for the source has none: {}\n", fmt::join(fields.missing, " "));
     if (state.emptied > 0) s += fmt::format("{} places left empty\n", state.emptied);
     if (state.byNearest > 0)
-        s += fmt::format("{} particles beyond the support of any of the source's, between walls: they have what the nearest has\n",
+        s += fmt::format("{} particles farther than 1.5 spacings from any of the source, between walls: they have what the nearest has\n",
                          state.byNearest);
     if (state.uncovered > 0)
         s += fmt::format("{} particles that the source does not cover: the lightest phase, at rest\n", state.uncovered);

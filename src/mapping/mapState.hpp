@@ -23,9 +23,9 @@ struct PhaseState
 
 struct MapSettings
 {
-    std::vector<std::string> fields; ///< of the source, beside U
-    bool gasIsInPart = false;        ///< the lightest phase is there around the others alone, as with `gas band;`
-    std::string sourceName, targetName; ///< for messages
+    std::vector<std::string> fields = {}; ///< of the source, beside U
+    bool gasIsInPart = false;             ///< the lightest phase is there around the others alone, as with `gas band;`
+    std::string sourceName = "the source", targetName = "the target"; ///< for messages
 };
 
 struct MappedState
@@ -51,17 +51,17 @@ using Say = std::function<void(const std::string&)>;
 ///   f_i = sum_(j in k) w_j f_j,  sum_j w_j = 1,  sum_j w_j (x_j - x_i) = 0
 ///   U_i -> U_i + (P_k - sum_(i in k) m_i U_i)/sum_(i in k) m_i
 ///
-/// V volume [m^3], W kernel of the source [1/m^3], M_k [kg] and P_k [kg m/s] mass and momentum of a phase of the source, rho_k its density at rest [kg/m^3].
+/// V volume [m^3], W the source's kernel [1/m^3], for shares of 1.5 spacings alone, M_k [kg] and P_k [kg m/s] mass and momentum of a phase of the source, rho_k its density at rest [kg/m^3].
 /// Weights w_j are those of moving least squares, of the particles of the same phase that are in sight (Surroundings): linear fields are exact, smooth ones of
 /// second order in the spacing. All but U stay between the least and the largest value of those particles, so that fractions remain fractions.
 /// Conserves the momentum of each phase to round-off and its mass to half a particle; the lightest phase has the places that are left.
 ///
 /// Where the source has less than 99 % of the target's volume it has a free surface: shares are of what the space holds,
 ///
-///   s_k(x) = sum_(j in k) V_j W(x - x_j)/sum_i V_i W(x - x_i),  i of the target,
+///   s_k(x) = sum_(j in k) V_j W(x - x_j)/sum_i V_i W(x - x_i),  i of the target, W of the whole support,
 ///
 /// every phase keeps its mass, and the places that are left stay empty. `gasIsInPart` gives them to the lightest phase, at rest where no
-/// particle of the source is within four supports.
+/// particle of the source is within six spacings.
 ///
 /// Views carry `phases`, `restDensity`, volumes and masses; the target's velocities and fields are not looked at. Throws CaseError where the source has more volume
 /// than the target, where a phase finds no place, or where its particles do not cover those of the target.
