@@ -18,6 +18,12 @@ constexpr double sameCorner = 1e-9;
 
 std::string text(const Vector<3>& x) { return fmt::format("({:.10g} {:.10g} {:.10g})", x.x, x.y, x.z); }
 
+std::string extentText(const Geometry& g)
+{
+    const auto corner = [&](const Vector<3>& x) { return text({x.x, x.y, g.dimension == 3 ? x.z : 0}); };
+    return fmt::format("from {} to {}", corner(g.low), corner(g.high));
+}
+
 std::string periodicText(const Geometry& g)
 {
     std::string directions;
@@ -47,8 +53,7 @@ void checkGeometry(const Dictionary& d, const Geometry& of, const Geometry& sour
     if (of.dimension != source.dimension)
         return d.error("dimension", fmt::format("the case has {} dimensions, and {} has {}", of.dimension, sourceName, source.dimension));
     if (differ(of, source))
-        d.error("domain", fmt::format("the domain from {} to {} is not that of {}, from {} to {}", text(of.low), text(of.high), sourceName,
-                                      text(source.low), text(source.high)));
+        d.error("domain", fmt::format("the domain {} is not that of {}, {}", extentText(of), sourceName, extentText(source)));
     if (of.periodic != source.periodic)
         d.error("domain", fmt::format("the domain is periodic in {}, and that of {} in {}", periodicText(of), sourceName, periodicText(source)));
     if (const auto names = wallNames(of), others = wallNames(source); names != others)

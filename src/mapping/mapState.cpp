@@ -37,6 +37,15 @@ constexpr double reportInterval = 5;
 
 std::string text(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 
+/// Means in place of extrapolations.
+PointWeights withoutNegative(PointWeights weights)
+{
+    double sum = 0;
+    for (auto& w : weights.weight) sum += w = std::max(w, 0.0);
+    for (auto& w : weights.weight) w /= sum;
+    return weights;
+}
+
 /// f(i) of n particles by all threads, with lines of progress.
 template<class F> void forParticles(std::size_t n, const std::string& what, const Say& say, const F& f)
 {
@@ -254,13 +263,13 @@ void Mapper::interpolate()
     }
     // Means of each phase, for places that see none of it.
     const auto counts = groupSums(source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); }, [](std::size_t) { return 1.0; });
-    std::vector<std::vector<std::vector<double>>> means(fields.size());
+    std::vector<std::vector<std::vector<double>>> ofPhase(fields.size());
     for (std::size_t f = 1; f < fields.size(); ++f)
         for (int c = 0; c < fields[f].components(); ++c)
         {
-            means[f].push_back(groupSums(source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); },
+            ofPhase[f].push_back(groupSums(source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); },
                                          [&](std::size_t j) { return fields[f](c, j); }));
-            for (std::size_t k = 0; k < phases_; ++k) means[f].back()[k] /= std::max(counts[k], 1.0);
+            for (std::size_t k = 0; k < phases_; ++k) ofPhase[f].back()[k] /= std::max(counts[k], 1.0);
         }
 
     forParticles(
@@ -277,23 +286,16 @@ void Mapper::interpolate()
             // What has come to a place where its phase is not moves with what is there.
             const auto ofOthers =
                 seesNone && covered_[i] ? surroundings_.around(places_[i], Interpolation::shepard) : Surrounded{};
+            const auto means = withoutNegative(around.weights);
             for (std::size_t f = 0; f < fields.size(); ++f)
                 for (int c = 0; c < fields[f].components(); ++c)
                 {
                     double& value = results[f]->component[std::size_t(c)][i];
                     const double* const values = fields[f].array(c);
                     if (!values) continue;
-                    if (f > 0 && seesNone) value = means[f][std::size_t(c)][std::size_t(phase)];
+                    if (f > 0 && seesNone) value = ofPhase[f][std::size_t(c)][std::size_t(phase)];
                     else if (seesNone) value = ofOthers.weights.empty() ? 0 : ofOthers.weights(values);
-                    else value = around.weights(values);
-                    if (f == 0 || seesNone) continue;
-                    double least = Box::infinity, largest = -Box::infinity;
-                    for (const auto j : around.weights.particle)
-                    {
-                        least = std::min(least, values[j]);
-                        largest = std::max(largest, values[j]);
-                    }
-                    value = std::clamp(value, least, largest);
+                    else value = (f > 0 ? means : around.weights)(values);
                 }
         });
 }

@@ -53,7 +53,8 @@ using Say = std::function<void(const std::string&)>;
 ///
 /// V volume [m^3], W the source's kernel [1/m^3], for shares of 1.5 spacings alone, M_k [kg] and P_k [kg m/s] mass and momentum of a phase of the source, rho_k its density at rest [kg/m^3].
 /// Weights w_j are those of moving least squares, of the particles of the same phase that are in sight (Surroundings): linear fields are exact, smooth ones of
-/// second order in the spacing. All but U stay between the least and the largest value of those particles, so that fractions remain fractions.
+/// second order in the spacing. All but U are means: where a weight is negative (at walls and surfaces) it becomes 0, and the others sum to 1. So fractions remain
+/// fractions, and stresses within the convex bounds of their law.
 /// Conserves the momentum of each phase to round-off and its mass to half a particle; the lightest phase has the places that are left.
 ///
 /// Where the source has less than 99 % of the target's volume it has a free surface: shares are of what the space holds,
