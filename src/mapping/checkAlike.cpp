@@ -55,9 +55,11 @@ void checkGeometry(const Dictionary& d, const Geometry& of, const Geometry& sour
     if (differ(of, source))
         d.error("domain", fmt::format("the domain {} is not that of {}, {}", extentText(of), sourceName, extentText(source)));
     if (of.periodic != source.periodic)
-        d.error("domain", fmt::format("the domain is periodic in {}, and that of {} in {}", periodicText(of), sourceName, periodicText(source)));
+        d.error("domain",
+                fmt::format("the domain is periodic in {}, and that of {} in {}", periodicText(of), sourceName, periodicText(source)));
     if (const auto names = wallNames(of), others = wallNames(source); names != others)
-        d.error("walls", fmt::format("the walls ({}) are not those of {}, ({})", fmt::join(names, " "), sourceName, fmt::join(others, " ")));
+        d.error("walls",
+                fmt::format("the walls ({}) are not those of {}, ({})", fmt::join(names, " "), sourceName, fmt::join(others, " ")));
 }
 
 void checkPhases(const Dictionary& d, const Coefficients& of, const Coefficients& source, const std::string& sourceName)
@@ -94,10 +96,11 @@ void checkOutOfSolid(const ParticleView& source, const Geometry& target, const s
     const auto deepest = std::ranges::min_element(toWall);
     if (deepest == toWall.end() || *deepest > -0.5 * source.spacing) return;
     const auto count = std::ranges::count_if(toWall, [&](double d) { return d <= -0.5 * source.spacing; });
-    throw CaseError({"constant/geometry", 0},
-                    fmt::format("{} particles of {} lie in the solid of this case, the deepest at {}, by {:.4g} m: walls of the same names are not "
-                                "the same",
-                                count, sourceName, text(position(source, std::size_t(deepest - toWall.begin()))), -*deepest));
+    throw CaseError(
+        {"constant/geometry", 0},
+        fmt::format("{} particles of {} lie in the solid of this case, the deepest at {}, by {:.4g} m: walls of the same names are not "
+                    "the same",
+                    count, sourceName, text(position(source, std::size_t(deepest - toWall.begin()))), -*deepest));
 }
 
 }

@@ -57,8 +57,8 @@ public:
         if (wanted == "latestTime") return times.back();
         const auto value = timeValue(wanted);
         if (!value) throw CaseError(fmt::format("-sourceTime: \"{}\" is neither a time nor latestTime", wanted));
-        const auto found = std::ranges::find_if(
-            times, [&](const auto& time) { return std::fabs(*timeValue(time) - *value) <= 1e-12 * std::fabs(*value); });
+        const auto found = std::ranges::find_if(times, [&](const auto& time)
+                                                { return std::fabs(*timeValue(time) - *value) <= 1e-12 * std::fabs(*value); });
         if (found == times.end())
             throw CaseError(fmt::format("-sourceTime: {} has no particles at time {}. There are: {}", name_, wanted, list(times)));
         return *found;
@@ -142,7 +142,8 @@ std::string report(const MappedState& state, const ParticleView& target, const F
         if (state.leastShare[k] < 1) s += fmt::format("    where its share is {:.3f} or more\n", state.leastShare[k]);
     }
     if (!fields.mapped.empty()) s += fmt::format("Interpolated beside U: {}\n", fmt::join(fields.mapped, " "));
-    if (!fields.missing.empty()) s += fmt::format("Left to the dictionaries, for the source has none: {}\n", fmt::join(fields.missing, " "));
+    if (!fields.missing.empty())
+        s += fmt::format("Left to the dictionaries, for the source has none: {}\n", fmt::join(fields.missing, " "));
     if (state.emptied > 0) s += fmt::format("{} places left empty\n", state.emptied);
     if (state.byNearest > 0)
         s += fmt::format("{} particles farther than 1.5 spacings from any of the source, between walls: they have what the nearest has\n",
@@ -176,15 +177,14 @@ MapReport mapCase(const Case& target, const std::filesystem::path& sourceFolder,
     const auto time = source.time(sourceTime);
     const auto from = source.load(time);
     const auto to = of.load(folder);
-    say(fmt::format("Source {}, time {}: {} particles, spacing {:g} m\nTarget {}: {} particles, spacing {:g} m", source.name(), time, from.n,
-                    from.spacing, folder, to.n, to.spacing));
+    say(fmt::format("Source {}, time {}: {} particles, spacing {:g} m\nTarget {}: {} particles, spacing {:g} m", source.name(), time,
+                    from.n, from.spacing, folder, to.n, to.spacing));
     checkOutOfSolid(from, of.geometry(), source.name());
 
     const bool startsByPressure = of.cloud().fields.contains("V") && !of.cloud().fields.contains("rho");
     const auto fields = fieldsToMap(of.settings(), source.stored().cloud(), startsByPressure);
     const bool gasIsInPart = source.stored().settings().facts.get<PhaseInPart>().phase >= 0;
-    const auto state =
-        mapState(from, to, {fields.mapped, gasIsInPart, fmt::format("{} at {}", source.name(), time), "the case"}, say);
+    const auto state = mapState(from, to, {fields.mapped, gasIsInPart, fmt::format("{} at {}", source.name(), time), "the case"}, say);
     write(target, folder, mappedCloud(of.cloud(), state, to.restDensity, startsByPressure), runTime.writeOptions());
     return {time, folder, report(state, to, fields)};
 }

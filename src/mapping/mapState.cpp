@@ -108,10 +108,19 @@ std::vector<int> sourcePhases(const ParticleView& source, const ParticleView& ta
 }
 
 Mapper::Mapper(const ParticleView& source, const ParticleView& target, const MapSettings& settings, const Say& say)
-    : source_(source), target_(target), settings_(settings), say_(say), n_(target.n), phases_(target.phases.size()),
+    : source_(source),
+      target_(target),
+      settings_(settings),
+      say_(say),
+      n_(target.n),
+      phases_(target.phases.size()),
       lightest_(int(std::ranges::min_element(target.restDensity.begin(), target.restDensity.begin() + long(phases_)) -
                     target.restDensity.begin())),
-      phaseOfSource_(sourcePhases(source, target)), volume_(n_), places_(n_), surroundings_(source, *target.geometry), covered_(n_, 1)
+      phaseOfSource_(sourcePhases(source, target)),
+      volume_(n_),
+      places_(n_),
+      surroundings_(source, *target.geometry),
+      covered_(n_, 1)
 {
     for (std::size_t i = 0; i < n_; ++i) volume_[i] = target_.mass[i] / target_.restDensity[phaseOf(target_, i)];
 #pragma omp parallel for schedule(dynamic, 256)
@@ -163,7 +172,8 @@ std::vector<std::vector<double>> Mapper::findShares()
     forParticles(n_, "shares of the phases", say_,
                  [&](std::size_t i)
                  {
-                     const auto around = (space ? surroundings_ : near).around(places_[i], Interpolation::shepard, {}, hasFreeSurface_ ? 1 : 4);
+                     const auto around =
+                         (space ? surroundings_ : near).around(places_[i], Interpolation::shepard, {}, hasFreeSurface_ ? 1 : 4);
                      // Between walls that nearly touch, coarse particles end before fine ones do.
                      const bool isInGap = places_[i].toWall < source_.spacing;
                      covered_[i] = !around.weights.empty() && (around.bySupport || isInGap || settings_.gasIsInPart);
@@ -171,9 +181,7 @@ std::vector<std::vector<double>> Mapper::findShares()
                      if (!covered_[i]) return;
                      byNearest += !around.bySupport;
                      double scale = 1;
-                     if (space)
-                         scale = around.weights.coverage /
-                                 space->around(places_[i], Interpolation::shepard, {}, 1).weights.coverage;
+                     if (space) scale = around.weights.coverage / space->around(places_[i], Interpolation::shepard, {}, 1).weights.coverage;
                      for (std::size_t t = 0; t < around.weights.particle.size(); ++t)
                          shares[sourcePhase(around.weights.particle[t])][i] += scale * around.weights.weight[t];
                  });
@@ -209,7 +217,8 @@ void Mapper::refuseUncovered(const std::vector<char>& isFarOff) const
         "{} does not cover {} of the {} particles of {}: at {} none of its particles is in sight within {:.4g} m, the nearest of all "
         "{:.4g} m away. Its fluid lies elsewhere, or its geometry is another; where it has a free surface, all of the fluid's space is to be "
         "packed, fill ( {{ region all; phase {}; }} );, and mapParticles leaves places empty",
-        settings_.sourceName, count, n_, settings_.targetName, text(places_[at].x), shareSupport * source_.spacing, farthest, target_.phases.front()));
+        settings_.sourceName, count, n_, settings_.targetName, text(places_[at].x), shareSupport * source_.spacing, farthest,
+        target_.phases.front()));
 }
 
 void Mapper::choose(const std::vector<std::vector<double>>& shares)
@@ -262,42 +271,41 @@ void Mapper::interpolate()
         results.push_back(&result);
     }
     // Means of each phase, for places that see none of it.
-    const auto counts = groupSums(source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); }, [](std::size_t) { return 1.0; });
+    const auto counts = groupSums(
+        source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); }, [](std::size_t) { return 1.0; });
     std::vector<std::vector<std::vector<double>>> ofPhase(fields.size());
     for (std::size_t f = 1; f < fields.size(); ++f)
         for (int c = 0; c < fields[f].components(); ++c)
         {
-            ofPhase[f].push_back(groupSums(source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); },
-                                         [&](std::size_t j) { return fields[f](c, j); }));
+            ofPhase[f].push_back(groupSums(
+                source_.n, phases_, [&](std::size_t j) { return sourcePhase(j); }, [&](std::size_t j) { return fields[f](c, j); }));
             for (std::size_t k = 0; k < phases_; ++k) ofPhase[f].back()[k] /= std::max(counts[k], 1.0);
         }
 
-    forParticles(
-        n_, "velocities and fields", say_,
-        [&](std::size_t i)
-        {
-            const int phase = mapped_.phase[i];
-            if (phase == leftEmpty) return;
-            const auto around =
-                covered_[i] ? surroundings_.around(places_[i], Interpolation::linear,
-                                                   [&](std::size_t j) { return phaseOfSource_[j] == phase; })
-                            : Surrounded{};
-            const bool seesNone = around.weights.empty();
-            // What has come to a place where its phase is not moves with what is there.
-            const auto ofOthers =
-                seesNone && covered_[i] ? surroundings_.around(places_[i], Interpolation::shepard) : Surrounded{};
-            const auto means = withoutNegative(around.weights);
-            for (std::size_t f = 0; f < fields.size(); ++f)
-                for (int c = 0; c < fields[f].components(); ++c)
-                {
-                    double& value = results[f]->component[std::size_t(c)][i];
-                    const double* const values = fields[f].array(c);
-                    if (!values) continue;
-                    if (f > 0 && seesNone) value = ofPhase[f][std::size_t(c)][std::size_t(phase)];
-                    else if (seesNone) value = ofOthers.weights.empty() ? 0 : ofOthers.weights(values);
-                    else value = (f > 0 ? means : around.weights)(values);
-                }
-        });
+    forParticles(n_, "velocities and fields", say_,
+                 [&](std::size_t i)
+                 {
+                     const int phase = mapped_.phase[i];
+                     if (phase == leftEmpty) return;
+                     const auto around = covered_[i] ? surroundings_.around(places_[i], Interpolation::linear,
+                                                                            [&](std::size_t j) { return phaseOfSource_[j] == phase; })
+                                                     : Surrounded{};
+                     const bool seesNone = around.weights.empty();
+                     // What has come to a place where its phase is not moves with what is there.
+                     const auto ofOthers =
+                         seesNone && covered_[i] ? surroundings_.around(places_[i], Interpolation::shepard) : Surrounded{};
+                     const auto means = withoutNegative(around.weights);
+                     for (std::size_t f = 0; f < fields.size(); ++f)
+                         for (int c = 0; c < fields[f].components(); ++c)
+                         {
+                             double& value = results[f]->component[std::size_t(c)][i];
+                             const double* const values = fields[f].array(c);
+                             if (!values) continue;
+                             if (f > 0 && seesNone) value = ofPhase[f][std::size_t(c)][std::size_t(phase)];
+                             else if (seesNone) value = ofOthers.weights.empty() ? 0 : ofOthers.weights(values);
+                             else value = (f > 0 ? means : around.weights)(values);
+                         }
+                 });
 }
 
 std::vector<PhaseState> Mapper::sums() const

@@ -30,14 +30,14 @@ struct MapSettings
 
 struct MappedState
 {
-    std::vector<int> phase;   ///< of each particle of the target, in its own order of phases; leftEmpty where it goes
-    std::vector<double> mass; ///< [kg]
+    std::vector<int> phase;                   ///< of each particle of the target, in its own order of phases; leftEmpty where it goes
+    std::vector<double> mass;                 ///< [kg]
     std::map<std::string, CloudField> fields; ///< U, and those of the settings
 
     std::vector<PhaseState> source, interpolated, corrected; ///< by phase of the target
     std::vector<double> leastShare;                          ///< of each phase (choosePhases); 1 where it did not choose
-    std::size_t emptied = 0;   ///< places that the source leaves empty
-    std::size_t uncovered = 0; ///< places of gas at rest, which the source does not cover
+    std::size_t emptied = 0;                                 ///< places that the source leaves empty
+    std::size_t uncovered = 0;                               ///< places of gas at rest, which the source does not cover
     std::size_t byNearest = 0; ///< places beyond the support of any source particle, between walls that nearly touch: what the nearest has
 };
 

@@ -50,8 +50,8 @@ struct Evolving
     std::optional<StateField> rate = {}; ///< value += dt rate; without one the value is moved by a stage of its model, or stays
     bool advancedByModel = false;        ///< at steps of its own: prediction and kick leave it alone
     bool written = true;                 ///< into time folders; what is not follows from the rest
-    bool ofMaterial = false;             ///< a property of the fluid or soil at a place, which other particles there take over (src/mapping)
-    std::string onDisk = {};             ///< where the file has another name
+    bool ofMaterial = false; ///< a property of the fluid or soil at a place, which other particles there take over (src/mapping)
+    std::string onDisk = {}; ///< where the file has another name
     std::function<void(const Loading&)> missing = {}; ///< where the time folder has no such field; default 0
     std::function<void(const Loading&)> loaded = {};  ///< what other fields of the time folder make of it
     std::function<void(const Loading&)> check = {};   ///< throws CaseError where a value cannot be

@@ -156,7 +156,9 @@ TEST(MapParticles, saysWhatDiffers)
     unpacked.write("0/note", "");
     const auto outcome = unpacked.run("mapParticles", "'" + drop().folder().string() + "'");
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.err.find("has no particles: the time folder that a run starts from is packed first, by packParticles"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("has no particles: the time folder that a run starts from is packed first, by packParticles"),
+              std::string::npos)
+        << outcome.err;
     same.refuses(unpacked, "", {"source case " + unpacked.folder().string(), "No time folder"});
 
     auto phases = changed("constant/phaseProperties", "gas", "vapour");
@@ -166,9 +168,11 @@ TEST(MapParticles, saysWhatDiffers)
         .refuses(drop(), "", {"constant/phaseProperties:3: gas has 0.4 kg/m^3 at rest, and 0.5 in"});
     Target(changed("constant/geometry", "max (1 1 0)", "max (1.4 1 0)"))
         .refuses(drop(), "", {"constant/geometry:1: the domain from (0 0 0) to (1.4 1 0) is not that of", "to (1 1 0)"});
-    Target(changed("constant/geometry", "top", "lid")).refuses(drop(), "", {"constant/geometry:2: the walls (bottom lid) are not those of", "(bottom top)"});
+    Target(changed("constant/geometry", "top", "lid"))
+        .refuses(drop(), "", {"constant/geometry:2: the walls (bottom lid) are not those of", "(bottom top)"});
     Target(changed("constant/geometry", "point (0 1 0)", "point (0 0.8 0)"))
-        .refuses(drop(), "", {"constant/geometry: ", "lie in the solid of this case, the deepest at", "walls of the same names are not the same"});
+        .refuses(drop(), "",
+                 {"constant/geometry: ", "lie in the solid of this case, the deepest at", "walls of the same names are not the same"});
 }
 
 }

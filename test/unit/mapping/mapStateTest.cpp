@@ -69,7 +69,8 @@ template<class IsLiquid> Vector<3> centre(const Particles& particles, const IsLi
     {
         if (!isLiquid(i)) continue;
         const auto x = particles.position(i);
-        sum += Vector<3>{distanceAcross(x.x, near.x), distanceAcross(x.y, near.y), particles.geometry.dimension == 3 ? distanceAcross(x.z, near.z) : 0};
+        sum += Vector<3>{distanceAcross(x.x, near.x), distanceAcross(x.y, near.y),
+                         particles.geometry.dimension == 3 ? distanceAcross(x.z, near.z) : 0};
         ++count;
     }
     return near + sum / count;
@@ -84,7 +85,9 @@ TEST(MapState, linearVelocitiesAreExact)
     for (const int dimension : {2, 3})
     {
         auto source = scene(dimension, 12, 0.2);
-        const auto field = [&](Vector<3> x) { return Vector<3>{3 + 2 * x.x - 5 * x.y, x.x + (dimension == 3 ? 7 * x.z : 0), dimension == 3 ? x.y - x.z : 0}; };
+        const auto field = [&](Vector<3> x) {
+            return Vector<3>{3 + 2 * x.x - 5 * x.y, x.x + (dimension == 3 ? 7 * x.z : 0), dimension == 3 ? x.y - x.z : 0};
+        };
         source.setU(field);
         const auto target = scene(dimension, 17, 0.1);
         const auto state = map(source, target);
@@ -98,7 +101,9 @@ TEST(MapState, linearVelocitiesAreExact)
 // A wave in a periodic square: halving the source's spacing divides the L2 error by 4.
 TEST(MapState, smoothVelocitiesAreOfSecondOrder)
 {
-    const auto wave = [](Vector<3> x) { return Vector<3>{std::sin(2 * M_PI * x.x) * std::cos(2 * M_PI * x.y), std::cos(2 * M_PI * x.x), 0}; };
+    const auto wave = [](Vector<3> x) {
+        return Vector<3>{std::sin(2 * M_PI * x.x) * std::cos(2 * M_PI * x.y), std::cos(2 * M_PI * x.x), 0};
+    };
     const auto target = scene(2, 57, 0.2, true);
     const auto error = [&](int across)
     {
@@ -123,20 +128,27 @@ TEST(MapState, aDropKeepsMassMomentumAndPlace)
         for (const Vector<3> middle : {Vector<3>{0.513, 0.492, 0.507}, {0.02, 0.97, 0.01}}) // within, and across the faces of the period
         {
             auto source = scene(dimension, coarse, 0.15, true), target = scene(dimension, fine, 0.15, true);
-            const auto inDrop = [&, d = dimension](Vector<3> x)
-            {
-                return std::hypot(distanceAcross(x.x, middle.x), distanceAcross(x.y, middle.y), d == 3 ? distanceAcross(x.z, middle.z) : 0) < 0.3;
+            const auto inDrop = [&, d = dimension](Vector<3> x) {
+                return std::hypot(distanceAcross(x.x, middle.x), distanceAcross(x.y, middle.y),
+                                  d == 3 ? distanceAcross(x.z, middle.z) : 0) < 0.3;
             };
             fill(source, inDrop);
             fill(target, [](Vector<3>) { return false; });
-            source.setU([&, d = dimension](Vector<3> x) { return inDrop(x) ? Vector<3>{1 + 0.1 * std::sin(6 * x.y), -2, d == 3 ? 0.5 : 0} : Vector<3>{0, x.x, 0}; });
+            source.setU(
+                [&, d = dimension](Vector<3> x) {
+                    return inDrop(x) ? Vector<3>{1 + 0.1 * std::sin(6 * x.y), -2, d == 3 ? 0.5 : 0} : Vector<3>{0, x.x, 0};
+                });
             const auto state = map(source, target);
             const double particle = 1000 * target.volume[0];
             EXPECT_LE(std::fabs(state.corrected[0].mass - state.source[0].mass), 0.5 * particle * (1 + 1e-9));
             for (const auto k : {0, 1})
-                EXPECT_LT(mag(state.corrected[std::size_t(k)].momentum - state.source[std::size_t(k)].momentum), 1e-12 * mag(state.source[0].momentum)) << k;
-            const auto was = centre(source, [&](std::size_t i) { return source.phase[i] == 0; }, middle);
-            const auto is = centre(target, [&](std::size_t i) { return state.phase[i] == 0; }, middle);
+                EXPECT_LT(mag(state.corrected[std::size_t(k)].momentum - state.source[std::size_t(k)].momentum),
+                          1e-12 * mag(state.source[0].momentum))
+                    << k;
+            const auto was = centre(
+                source, [&](std::size_t i) { return source.phase[i] == 0; }, middle);
+            const auto is = centre(
+                target, [&](std::size_t i) { return state.phase[i] == 0; }, middle);
             EXPECT_LT(mag(is - was), 0.1 * std::max(source.spacing, target.spacing)) << dimension << " " << coarse;
             EXPECT_NEAR(state.leastShare[0], 0.5, 0.1);
         }
@@ -191,8 +203,9 @@ TEST(MapState, nothingIsSeenThroughAWall)
 {
     const auto diagnostics = std::make_shared<Diagnostics>();
     const auto geometry = readGeometry(
-        Dictionary::parse("dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { plate { type box; min (0.46 -1 0); max (0.54 2 0); fluid outside; } }",
-                          "constant/geometry", diagnostics),
+        Dictionary::parse(
+            "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { plate { type box; min (0.46 -1 0); max (0.54 2 0); fluid outside; } }",
+            "constant/geometry", diagnostics),
         0.3);
     diagnostics->throwIfAny();
     const Sight sight(geometry, 0.05);
@@ -205,7 +218,8 @@ TEST(MapState, nothingIsSeenThroughAWall)
     const auto without = [&](Particles all)
     {
         Particles kept = all;
-        for (auto* values : {&kept.x, &kept.y, &kept.z, &kept.mass, &kept.volume, &kept.phase, &kept.ux, &kept.uy, &kept.uz, &kept.p}) values->clear();
+        for (auto* values : {&kept.x, &kept.y, &kept.z, &kept.mass, &kept.volume, &kept.phase, &kept.ux, &kept.uy, &kept.uz, &kept.p})
+            values->clear();
         kept.geometry = geometry;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all.x[i] < 0.46 || all.x[i] > 0.54) kept.add(all.position(i));
@@ -228,7 +242,8 @@ TEST(MapState, aFreeSurfaceLeavesPlacesEmpty)
 {
     auto source = scene(2, 25, 0.1);
     const auto all = source;
-    for (auto* values : {&source.x, &source.y, &source.z, &source.mass, &source.volume, &source.phase, &source.ux, &source.uy, &source.uz, &source.p})
+    for (auto* values :
+         {&source.x, &source.y, &source.z, &source.mass, &source.volume, &source.phase, &source.ux, &source.uy, &source.uz, &source.p})
         values->clear();
     for (std::size_t i = 0; i < all.size(); ++i)
         if (all.y[i] < 0.43) source.add(all.position(i));
@@ -248,7 +263,8 @@ TEST(MapState, gasThatWasLeftOutIsAtRest)
 {
     auto whole = scene(2, 40, 0.1, true), source = whole;
     const auto radius = [](Vector<3> x) { return std::hypot(x.x - 0.5, x.y - 0.5); };
-    for (auto* values : {&source.x, &source.y, &source.z, &source.mass, &source.volume, &source.phase, &source.ux, &source.uy, &source.uz, &source.p})
+    for (auto* values :
+         {&source.x, &source.y, &source.z, &source.mass, &source.volume, &source.phase, &source.ux, &source.uy, &source.uz, &source.p})
         values->clear();
     for (std::size_t i = 0; i < whole.size(); ++i)
         if (radius(whole.position(i)) < 0.3) source.add(whole.position(i));
