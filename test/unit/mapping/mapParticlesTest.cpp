@@ -135,6 +135,39 @@ TEST(MapParticles, fieldsOfTheSceneGoWithIt)
     whole.runWell("sphFoamLike");
 }
 
+// A packing with a pressure at the start has V in place of rho: p is then the source's.
+TEST(MapParticles, aStartByPressureHasTheSourcesPressure)
+{
+    auto files = dropCase();
+    files["system/packParticlesDict"] += "pressure \"0\";\n";
+    const Target target(files);
+    const auto outcome = target.map(drop());
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Interpolated beside U: p\n"), std::string::npos) << outcome.out;
+    EXPECT_FALSE(target.has("0/lagrangian/sph/rho"));
+    const auto p = read(target, "0").fields.at("p").component[0], before = read(drop(), "0.02").fields.at("p").component[0];
+    const double range = *std::ranges::max_element(before) - *std::ranges::min_element(before);
+    EXPECT_NEAR(mean(p), mean(before), 0.05 * range);
+    target.replace("system/controlDict", "endTime 0.08", "endTime 0.005");
+    target.runWell("sphFoamLike");
+}
+
+// A suspension that flows through a channel: powder goes with it, buffer particles beyond the planes too, which count in no sum.
+TEST(MapParticles, openBoundariesGoOn)
+{
+    static std::unique_ptr<TestCase> made;
+    const auto& source = ranTo(0.02, openCase(), made);
+    const Target target(openCase());
+    const auto outcome = target.map(source);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Interpolated beside U: phi\n"), std::string::npos) << outcome.out;
+    const auto phi = read(target, "0").fields.at("phi").component[0], before = read(source, "0.02").fields.at("phi").component[0];
+    EXPECT_NEAR(mean(phi), mean(before), 0.002);
+    EXPECT_GE(*std::ranges::min_element(phi), *std::ranges::min_element(before) - 1e-14);
+    target.replace("system/controlDict", "endTime 0.08", "endTime 0.001");
+    target.runWell("sphFoamLike");
+}
+
 TEST(MapParticles, saysWhatDiffers)
 {
     const auto changed = [](const std::string& file, const std::string& from, const std::string& to)

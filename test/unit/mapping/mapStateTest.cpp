@@ -1,6 +1,6 @@
 #include "mapping/mapState.hpp"
 #include "../sampling/Particles.hpp"
-#include "mapping/Sight.hpp"
+#include "mapping/Surroundings.hpp"
 #include "mapping/choosePhases.hpp"
 #include "sampling/SampledField.hpp"
 #include <cmath>
@@ -198,23 +198,61 @@ TEST(MapState, theSameParticlesHaveTheSameState)
     }
 }
 
-// A plate, a spacing and a half thick, between two streams: particles beside it have the velocity of their side alone.
-TEST(MapState, nothingIsSeenThroughAWall)
+namespace
+{
+/// A periodic square that a plate of 0.08 divides at x = 0.5.
+Geometry dividedSquare()
 {
     const auto diagnostics = std::make_shared<Diagnostics>();
-    const auto geometry = readGeometry(
-        Dictionary::parse(
-            "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\nwalls { plate { type box; min (0.46 -1 0); max (0.54 2 0); fluid outside; } }",
-            "constant/geometry", diagnostics),
-        0.3);
+    const auto geometry = readGeometry(Dictionary::parse("dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\n"
+                                                         "walls { plate { type box; min (0.46 -1 0); max (0.54 2 0); fluid outside; } }",
+                                                         "constant/geometry", diagnostics),
+                                       0.3);
     diagnostics->throwIfAny();
+    return geometry;
+}
+}
+
+// Across the plate nothing is seen, along it, close to it, and through the period all; a chord that cuts it by less than a twentieth of a spacing is free.
+TEST(Sight, endsAtWalls)
+{
+    const auto geometry = dividedSquare();
     const Sight sight(geometry, 0.05);
     const auto at = [&](Vector<3> x) { return PlacedPoint{x, sight.toWall(x)}; };
     EXPECT_FALSE(sight.isFree(at({0.44, 0.5, 0}), at({0.56, 0.5, 0})));
     EXPECT_FALSE(sight.isFree(at({0.44, 0.4, 0}), at({0.56, 0.6, 0})));
     EXPECT_TRUE(sight.isFree(at({0.45, 0.4, 0}), at({0.45, 0.6, 0})));
     EXPECT_TRUE(sight.isFree(at({0.02, 0.4, 0}), at({-0.02, 0.6, 0})));
+    EXPECT_TRUE(sight.isFree(at({0.461, 0.4, 0}), at({0.461, 0.6, 0})));
+    EXPECT_TRUE(Sight(Geometry{}, 0.05).isFree({{0, 0, 0}, Box::infinity}, {{1, 0, 0}, Box::infinity}));
+}
 
+// At a particle's own place it counts alone; within the support weights are linear; beyond it the nearest counts alone, as far as four supports; the particles that
+// are not admitted count nowhere.
+TEST(Surroundings, weighTheSupportOrTheNearest)
+{
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3> x) { return 2 * x.x + 3 * x.y; });
+    const auto view = particles.view();
+    const Surroundings surroundings(view, particles.geometry);
+    const auto around = [&](Vector<3> x, const Surroundings::Admits& admits = {}) {
+        return surroundings.around({x, Box::infinity}, Interpolation::linear, admits);
+    };
+    EXPECT_EQ(around(particles.position(7)).weights.particle, std::vector<std::size_t>{7});
+    EXPECT_NEAR(around({0.51, 0.47, 0}).weights(particles.p.data()), 2 * 0.51 + 3 * 0.47, 1e-12);
+    const auto beyond = around({1.2, 0.52, 0});
+    EXPECT_FALSE(beyond.bySupport);
+    EXPECT_NEAR(beyond.nearest, std::hypot(0.225, 0.005), 1e-12);
+    ASSERT_EQ(beyond.weights.particle.size(), 1u);
+    EXPECT_EQ(particles.position(beyond.weights.particle[0]).y, 0.525);
+    EXPECT_TRUE(around({1.7, 0.5, 0}).weights.empty());
+    EXPECT_TRUE(around({0.5, 0.5, 0}, [](std::size_t) { return false; }).weights.empty());
+}
+
+// The plate is a spacing and a half thick, between two streams: particles beside it have the velocity of their side alone.
+TEST(MapState, nothingIsSeenThroughAWall)
+{
+    const auto geometry = dividedSquare();
     const auto without = [&](Particles all)
     {
         Particles kept = all;

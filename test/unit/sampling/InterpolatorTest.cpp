@@ -112,6 +112,23 @@ TEST(Interpolator, coverageTellsInsideFromOutside)
     EXPECT_TRUE(std::isnan(outside(particles.p.data())));
 }
 
+TEST(Interpolator, leavesOutWhatIsNotAdmitted)
+{
+    // Two values on two sides: those of one side alone give its own, and the way to each particle is told, over the face of a period too.
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
+    particles.geometry.periodic = {true, false, false};
+    particles.setP([](Vector<3> x) { return x.x < 0.5 ? 3.0 : 7.0; });
+    const Interpolator interpolator(particles.view());
+    const auto left = [&](std::size_t j, const Vector<3>& offset)
+    {
+        EXPECT_LT(mag(offset), 0.3);
+        return particles.p[j] == 3;
+    };
+    for (const double x : {0.45, 0.55, 0.01, 0.99})
+        EXPECT_NEAR(interpolator.weights({x, 0.5, 0}, Interpolation::shepard, left)(particles.p.data()), 3, 1e-14) << x;
+    EXPECT_TRUE(interpolator.weights({0.5, 0.5, 0}, Interpolation::linear, [](std::size_t, const Vector<3>&) { return false; }).empty());
+}
+
 TEST(Interpolator, survivesLostParticles)
 {
     // One particle at NaN, one a million domains away: the others are interpolated as if these were not there.
