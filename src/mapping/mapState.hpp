@@ -55,7 +55,7 @@ using Say = std::function<void(const std::string&)>;
 /// Weights w_j are those of moving least squares, of the particles of the same phase that are in sight (Surroundings): linear fields are exact, smooth ones of
 /// second order in the spacing. All but U are means: where a weight is negative (at walls and surfaces) it becomes 0, and the others sum to 1. So fractions remain
 /// fractions, and stresses within the convex bounds of their law.
-/// Conserves the momentum of each phase to round-off and its mass to half a particle; the lightest phase has the places that are left.
+/// Conserves the momentum of each phase to round-off (between openings its mean velocity) and its mass to half a particle; the lightest phase has the places that are left.
 ///
 /// Where the source has less than 99 % of the target's volume it has a free surface: shares are of what the space holds,
 ///

@@ -162,7 +162,7 @@ TEST(MapParticles, openBoundariesGoOn)
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("Interpolated beside U: phi\n"), std::string::npos) << outcome.out;
     const auto phi = read(target, "0").fields.at("phi").component[0], before = read(source, "0.02").fields.at("phi").component[0];
-    EXPECT_NEAR(mean(phi), mean(before), 0.002);
+    EXPECT_NEAR(mean(phi), mean(before), 0.005); // of buffers, whose powder is 0.45 and 0.4, one case has a layer more
     EXPECT_GE(*std::ranges::min_element(phi), *std::ranges::min_element(before) - 1e-14);
     target.replace("system/controlDict", "endTime 0.08", "endTime 0.001");
     target.runWell("sphFoamLike");
