@@ -176,7 +176,11 @@ void readSolve(const Reading& reading, const Dictionary& dict)
                         integration.tolerance));
     }
     if (integration.responses.empty()) return; // an error that viscosity reports
-    settings.groups.push_back({ofSolver, integration.responses, {VelocityChange::info.name}, {}, {VelocityChange::info.name}});
+    settings.groups.push_back({.name = ofSolver,
+                               .terms = integration.responses,
+                               .changed = {VelocityChange::info.name},
+                               .inputs = {VelocityChange::info.name},
+                               .repeats = true});
     if (integration.solvesPressure) settings.state.push_back({.value = stateField(DelayedImpulse{}), .advancedByModel = true});
     settings.runningModels.push_back(running<ImplicitSolve>());
 }

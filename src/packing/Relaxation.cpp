@@ -31,19 +31,14 @@ constexpr double wallInset = 0.2;
 /// Particles stand on one line where their distances from one another across it are below this [spacings].
 constexpr double sameLine = 1e-6;
 
-/// Kernel of the repulsion. Where the scene's kernel lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
+/// The density, and for points that move the repulsion. Where the scene's kernel lets particles pair (cubic spline: closest pair 0.31 spacings on a simple cubic bed at support 2.4, its
 /// Fourier transform is negative somewhere), they are pushed with the gradient of a kernel that does not (0.80 spacings).
-template<int dim> Kernel<dim> repulsionOf(const Kernel<dim>& kernel)
-{
-    if (std::holds_alternative<CubicSpline<dim>>(kernel.choice())) return Kernel<dim>("wendlandC2", kernel.support());
-    return kernel;
-}
-
-/// The density alone of points that are only looked at.
-std::vector<Group> groupsOf(bool moves)
+template<int dim> std::vector<Group> groupsOf(const Kernel<dim>& kernel, bool moves)
 {
     std::vector<Group> groups{{NumberDensity::name, {NumberDensity::name, WallDistance::name}}};
-    if (moves) groups.push_back({Repulsion::name, {Repulsion::name}});
+    if (!moves) return groups;
+    groups.push_back({.name = Repulsion::name, .terms = {Repulsion::name}});
+    if (std::holds_alternative<CubicSpline<dim>>(kernel.choice())) groups.back().kernel = OwnKernel{"wendlandC2", kernel.support()};
     return groups;
 }
 
@@ -104,7 +99,6 @@ template<int dim> class Relaxer
 {
     const Geometry& geometry_;
     const Kernel<dim>& kernel_;
-    const Kernel<dim> repulsion_;
     const double V0_, spacing_, reach_;
     const std::size_t n_, owned_; ///< particles that are relaxed; with those around
     const Catalogue<dim> catalogue_;
@@ -127,14 +121,13 @@ public:
             bool moves)
         : geometry_(geometry),
           kernel_(kernel),
-          repulsion_(repulsionOf(kernel)),
           V0_(V0),
           spacing_(spacing),
           reach_(kernel.support() + skin * spacing),
           n_(points.size()),
           owned_(n_ + around.size()),
           catalogue_(relaxationTerms<dim>(V0)),
-          plan_(catalogue_, groupsOf(moves), {PackingPressure::info.name}),
+          plan_(catalogue_, groupsOf(kernel, moves), {PackingPressure::info.name}),
           images_(geometry, reach_, spacing),
           stored_(moves ? NeighbourLists<dim>::Stored::yes : NeighbourLists<dim>::Stored::no)
     {
@@ -189,7 +182,7 @@ public:
         double* const P = store_.component(PackingPressure::info.name, 0);
         const double mean = (1 + residual_.overall.mean) / V0_;
         forEach([&](std::size_t i) { P[i] = i < n_ ? bias + 1 / (V[i] * mean) - 1 : bias; });
-        plan_.evaluate(store_, images_, lists_, repulsion_, plan_.group(Repulsion::name));
+        plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(Repulsion::name));
 
         const double C = coefficient * spacing_ * spacing_, limit = largestStep * spacing_;
         const auto f = store_.pointers(PackingGradient{});

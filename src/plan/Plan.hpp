@@ -39,6 +39,7 @@ struct Group
     std::optional<OwnKernel> kernel = {}; ///< none: the scene's; not for the first group
     /// Fields by which the caller chooses BoundaryShare, by which each neighbour then counts in place of its volume factor; none: by that factor.
     std::set<std::string> sharesBy = {};
+    bool repeats = false; ///< runs several times between two evaluations, as the iterations of a solve do
 };
 
 template<int dim> class Plan
@@ -60,7 +61,8 @@ public:
     std::set<std::string> readOfCopies() const;
     /// Binds terms to their arrays; to be called again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
-    /// Runs the passes of a group. `deltaT` [s] is the step of laws that advance a state.
+    /// Runs the passes of a group. `kernel` is the scene's, the same for all groups: a group that has its own says so itself. `deltaT` [s] is the step of laws that
+    /// advance a state.
     void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0);
     /// Runs the pair passes of a group of given shares for these particles alone.
     void evaluateAt(std::span<const int> particles, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,

@@ -48,8 +48,7 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     keepPairs();
 }
 
-/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one of a later group, which may
-/// be repeated. Raw and normalised gradients differ: those are kept that more passes read.
+/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one that repeats. Raw and normalised gradients differ: those are kept that more passes read.
 template<int dim> void Plan<dim>::keepPairs()
 {
     std::vector<Pass*> passes;               // of the scene's kernel, over all particles
@@ -62,7 +61,7 @@ template<int dim> void Plan<dim>::keepPairs()
             passes.push_back(&pass);
             auto& alike = kind[pass.normalised];
             if (alike.empty() && g > 0) continue;
-            if (!alike.empty()) readers[pass.normalised] += g > 0 ? 2 : 1;
+            if (!alike.empty()) readers[pass.normalised] += groups_[g].group.repeats ? 2 : 1;
             alike.push_back(&pass);
         }
     for (auto* pass : passes) (pass == passes[0] ? pass->keepsWithin : pass->within) = passes.size() > 1;
