@@ -136,7 +136,7 @@ private:
     /// `only`: the particles that the pass is for; all where there is none.
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only = {});
-    /// Positions and columns of the particles [begin, end), eight doubles to a cache line.
+    /// Positions and columns of the particles [begin, end), in packed arrays of Stencil::recordWidth doubles.
     const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;

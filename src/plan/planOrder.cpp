@@ -48,7 +48,8 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     keepPairs();
 }
 
-/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one that repeats. Raw and normalised gradients differ: those are kept that more passes read.
+/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one that repeats. Raw and
+/// normalised gradients differ: those are kept that more passes read.
 template<int dim> void Plan<dim>::keepPairs()
 {
     std::vector<Pass*> passes;               // of the scene's kernel, over all particles

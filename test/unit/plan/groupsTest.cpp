@@ -106,33 +106,23 @@ struct SlopeOfC
     using Reads = Fields<C>;
     double operator()(const auto& ij, const auto&, const auto& j) const { return j.c * ij.dWdrOverR * ij.rr; }
 };
-/// e_i = sum_j d_j (W_ij + (dW_ij/dr)/r)
+/// b_i = sum_j d_j (W_ij + (dW_ij/dr)/r)
 struct SlopeOfD
 {
     static constexpr auto name = "slopeOfD";
-    using Provides = E;
+    using Provides = B;
     using Reads = Fields<D>;
     static constexpr bool readsKernel = true;
     double operator()(const auto& ij, const auto&, const auto& j) const { return j.d * (ij.W + ij.dWdrOverR); }
-};
-
-/// b_i = sum_j z_j W_ij
-struct SumOfZ
-{
-    static constexpr auto name = "sumOfZ";
-    using Provides = B;
-    using Reads = Fields<Z>;
-    static constexpr bool readsKernel = true;
-    double operator()(const auto& ij, const auto&, const auto& j) const { return j.z * ij.W; }
 };
 
 // Where at least two passes behind the first read gradW, the first keeps it, and says so; they find what they would have computed, a group that runs again behind
 // one of another kernel too.
 TEST(Groups, ReadTheSlopesThatTheFirstPassHasKept)
 {
-    Toy toy(torus(), catalogue<2, SumOfZ, SlopeOfA, SlopeOfC, SlopeOfD>(),
+    Toy toy(torus(), catalogue<2, OtherSum, SlopeOfA, SlopeOfC, SlopeOfD>(),
             {{"first", {"slopeOfD"}},
-             {.name = "wide", .terms = {"sumOfZ"}, .kernel = OwnKernel{"quinticSpline", 0.275}},
+             {.name = "wide", .terms = {"otherSum"}, .kernel = OwnKernel{"quinticSpline", 0.275}},
              {"again", {"slopeOfD"}, {"a"}}},
             Fields<A, Z>{});
     for (int run = 0; run < 2; ++run)
@@ -147,7 +137,7 @@ TEST(Groups, ReadTheSlopesThatTheFirstPassHasKept)
             { EXPECT_NEAR(toy.of(field)[i], value, 1e-12 * std::fabs(value)) << field << " of " << i; };
             expect("c", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("a")[j] * slope(r); }));
             expect("d", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("c")[j] * slope(r) * sqr(r); }));
-            expect("e", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("d")[j] * (toy.kernel.W(r) + slope(r)); }));
+            expect("b", toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("d")[j] * (toy.kernel.W(r) + slope(r)); }));
         }
     }
     std::ostringstream log;
