@@ -4,6 +4,7 @@
 #include "base/readText.hpp"
 #include "case/TimeFolder.hpp"
 #include "case/TimeName.hpp"
+#include "case/cloudViews.hpp"
 #include "case/labelEntries.hpp"
 #include "decomposition/processorFolders.hpp"
 #include "geometry/Geometry.hpp"
@@ -50,15 +51,7 @@ void append(Cloud& cloud, const Cloud& more)
 
 void write(const std::filesystem::path& timeFolder, const Cloud& cloud, const WriteOptions& options)
 {
-    std::vector<FieldView> fields;
-    for (const auto& [name, field] : cloud.fields)
-    {
-        FieldView view{name, field.type, {}};
-        for (const auto& a : field.component) view.component.push_back(a.data());
-        fields.push_back(std::move(view));
-    }
-    writeCloud(timeFolder, cloudName, cloud.size(), {"positions", FieldClass::vector, {cloud.x.data(), cloud.y.data(), cloud.z.data()}},
-               fields, options);
+    writeCloud(timeFolder, cloudName, cloud.size(), positionsOf(cloud), fieldsOf(cloud), options);
 }
 
 /// Numbers of a restart: the same for all parts.

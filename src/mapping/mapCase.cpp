@@ -2,6 +2,7 @@
 #include "base/words.hpp"
 #include "case/RunTime.hpp"
 #include "case/TimeName.hpp"
+#include "case/cloudViews.hpp"
 #include "case/replaceCloud.hpp"
 #include "mapping/checkAlike.hpp"
 #include "mapping/choosePhases.hpp"
@@ -113,15 +114,7 @@ Cloud mappedCloud(Cloud cloud, const MappedState& state, const std::vector<doubl
 
 void write(const Case& target, const std::string& folder, const Cloud& cloud, const WriteOptions& options)
 {
-    std::vector<FieldView> fields;
-    for (const auto& [name, field] : cloud.fields)
-    {
-        FieldView view{name, field.type, {}};
-        for (const auto& values : field.component) view.component.push_back(values.data());
-        fields.push_back(std::move(view));
-    }
-    replaceCloud(target.folder(), folder, cloudName, cloud.size(),
-                 {"positions", FieldClass::vector, {cloud.x.data(), cloud.y.data(), cloud.z.data()}}, fields, options);
+    replaceCloud(target.folder(), folder, cloudName, cloud.size(), positionsOf(cloud), fieldsOf(cloud), options);
 }
 
 std::string row(const std::string& name, const PhaseState& s)

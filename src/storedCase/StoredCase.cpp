@@ -1,4 +1,5 @@
 #include "storedCase/StoredCase.hpp"
+#include "case/cloudViews.hpp"
 #include "geometry/Walls.hpp"
 #include "models/forces/Shaking.hpp"
 #include "sampling/viewOfScene.hpp"
@@ -45,12 +46,7 @@ ParticleView StoredCase::load(const std::string& time)
     v.x = cloud_.x.data();
     v.y = cloud_.y.data();
     v.z = geometry_.dimension == 3 ? cloud_.z.data() : nullptr;
-    for (const auto& [name, field] : cloud_.fields)
-    {
-        FieldView f{name, field.type, {}};
-        for (const auto& component : field.component) f.component.push_back(component.data());
-        v.fields.push_back(std::move(f));
-    }
+    v.fields = fieldsOf(cloud_);
     volume_ = volumesOf(cloud_);
     v.volume = volume_.data();
     v.mass = cloud_.fields.at("m").component[0].data();
