@@ -19,6 +19,10 @@ constexpr double boxSize = 2;
 /// Steps from one measurement of gamma, a sum over pairs, to the next, of another component. A particle moves by 0.2 h a step at most.
 constexpr long stepsBetween = 6;
 
+/// Growth of the mean square of the accelerations from one solve to the next beyond which the tolerance is a share of what it was, down to the least; and by what it goes back.
+constexpr double mostGrowth = 2.25, tightening = 3, leastShare = 0.03, relaxation = 1.1;
+
+constexpr const char *toleranceShare = "toleranceShare", *forcesOfSolve = "meanSquareAcceleration";
 constexpr const char* wallRateNames[] = {"wallRateX", "wallRateY", "wallRateZ"};
 
 struct Norms
@@ -82,6 +86,11 @@ template<int dim>
 ImplicitSolve<dim>::ImplicitSolve(Particles<dim>& particles, const Numbers& restored)
     : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
 {
+    if (const auto share = restored.find(toleranceShare); share != restored.end())
+    {
+        share_ = share->second;
+        forces_ = restored.at(forcesOfSolve);
+    }
     const auto steps = restored.find("implicitSteps");
     if (steps == restored.end()) return;
     steps_ = long(steps->second);
@@ -108,8 +117,25 @@ template<int dim> std::string ImplicitSolve<dim>::note() const
     return iterations_ > 0 ? fmt::format("  {} {} iterations", withPressure_ ? "pressure" : "viscosity", iterations_) : "";
 }
 
+template<int dim> void ImplicitSolve<dim>::followForces(const Particles<dim>& particles)
+{
+    const auto a = particles.store().pointers(Acceleration{});
+    const std::size_t n = particles.size();
+    const auto meanSquare = sum(n,
+                                [&](std::size_t i)
+                                {
+                                    double square = 0;
+                                    for (int c = 0; c < dim; ++c) square += sqr(a[c][i]);
+                                    return square;
+                                }) /
+                            double(std::max<std::size_t>(1, particles.total()));
+    if (forces_ > 0) share_ = std::clamp(share_ * (meanSquare > mostGrowth * forces_ ? 1 / tightening : relaxation), leastShare, 1.0);
+    forces_ = meanSquare;
+}
+
 template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, double deltaT)
 {
+    if (withPressure_) followForces(particles);
     solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
     else delayResidual(particles, deltaT);
@@ -230,6 +256,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
                     for (const int i : particles.held()) component[i] = 0;
     };
     const char* const name = withPressure_ ? "the implicit pressure" : "the implicit viscosity";
+    const double tolerance = share_ * settings.tolerance;
     double start = 0;
     std::string history;
     const auto done = [&](const ResidualSums<Norms>& now, int iterations)
@@ -242,13 +269,13 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
                 fmt::format("{} has met forces or velocities that are no longer finite, after {} iterations{}. Choose a smaller step", name,
                             iterations, history));
         // The residual is relative to the velocity, or with pressure, whose forces balance one another, to its value at the start.
-        if (withPressure_ ? now.rz <= sqr(settings.tolerance) * start : rr <= sqr(settings.tolerance) * vv) return true;
+        if (withPressure_ ? now.rz <= sqr(tolerance) * start : rr <= sqr(tolerance) * vv) return true;
         const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
         if (iterations == settings.maxIter)
             throw DivergedError(
                 fmt::format("{} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
                             "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
-                            name, iterations, residual, withPressure_ ? "forces" : "velocity", settings.tolerance, history));
+                            name, iterations, residual, withPressure_ ? "forces" : "velocity", tolerance, history));
         if (iterations > 0 && iterations % std::max(1, settings.maxIter / 4) == 0)
             history += fmt::format("; after {} it was {:.3g}", iterations, residual);
         return false;
@@ -258,6 +285,11 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
 
 template<int dim> void ImplicitSolve<dim>::save(Numbers& numbers) const
 {
+    if (withPressure_ && forces_ > 0)
+    {
+        numbers[toleranceShare] = share_;
+        numbers[forcesOfSolve] = forces_;
+    }
     if (steps_ == 0) return;
     numbers["implicitSteps"] = double(steps_);
     for (int c = 0; c < dim; ++c) numbers[wallRateNames[c]] = wallRate_[c];

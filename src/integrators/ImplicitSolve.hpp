@@ -19,6 +19,12 @@
 /// loss is of one sign and adds up: a drop above a pool at rest was 5 % too slow after 0.1 s. Single particles' residuals are not kept: a particle that leaves
 /// a stiff surrounding would take its own as a velocity.
 ///
+/// A residual that is small beside the forces of all may be large beside those of motions that hardly have any: conjugate gradients multiply what they do not see. A stiff motion
+/// whose residual is rho times its own force is x, x + dt v = X at one step and rho X, 2 rho X - x at the next, mu^2 - 2 rho mu + rho = 0: it decays for rho between
+/// -1/3 and 1 and grows by any factor outside, until its forces are a share `tolerance` of all. At rest there is nothing beside it that could end its growth.
+/// Where the forces have grown from one solve to the next by more than 1.5 (rms over particles), the tolerance is therefore a third of what it was, down to 0.03 of the one asked for, and goes back by a
+/// tenth a step. Figures: README.md.
+///
 /// A velocity that all particles have in common is its own response where no wall holds it, since forces in pairs cancel; viscosity at walls takes
 ///
 ///   gamma_c = -sum_i m_i (L e_c)_i.e_c/sum_i m_i        e_c: unit vector of the component c
@@ -53,7 +59,11 @@ private:
     int iterations_ = 0;
     std::array<double, dim> wallRate_{}; ///< gamma [1/s]
     long steps_ = 0;                     ///< solves in which gamma was needed
+    double share_ = 1;                   ///< of the tolerance asked for
+    double forces_ = 0;                  ///< mean a^2 of the last solve [m^2/s^4]
 
+    /// Sets the share of the tolerance by how the forces have grown since the last solve.
+    void followForces(const Particles<dim>&);
     /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. It iterates until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2), or with pressure until |r| <= tolerance times |dt a|, both in sqrt(sum_i m_i r_i^2/diagonal_i): forces that
     /// balance one another are larger than any velocity. Throws DivergedError after `maxIter` iterations and where nothing is finite. Particles

@@ -124,6 +124,13 @@ struct PhaseInPart
     int phase = -1; ///< none
 };
 
+/// A phase whose force lacks the background pressure far from all others.
+struct CalmPhase
+{
+    static constexpr auto says = "which phase lacks the background pressure far from the others";
+    int phase = -1; ///< none
+};
+
 /// Velocity by which particles drift besides their own, a field.
 struct DriftVelocity
 {

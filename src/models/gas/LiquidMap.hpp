@@ -1,36 +1,22 @@
-/// Where the liquid is, on cells of one spacing: how far each cell is from it, and which of the gas it encloses.
+/// Where the liquid is and which of the gas it encloses, on cells of one spacing.
 ///
-/// The distance of a cell is that of its centre from the centre of the nearest cell that holds liquid, at most `reach`. Gas is enclosed where its cells, joined by
-/// their faces, do not lead to the largest such region; what is narrower than three cells between liquids or a liquid and a wall leads nowhere.
-///
-/// Where ranks share the particles, each marks its own and all get the same map.
+/// Gas is enclosed where its cells, joined by their faces, do not lead to the largest such region; what is narrower than three cells between liquids or a liquid and a wall leads nowhere.
 #pragma once
-#include "geometry/Geometry.hpp"
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "models/gas/LiquidDistance.hpp"
 
 namespace sph
 {
 
-class LiquidMap
+class LiquidMap : public LiquidDistance
 {
 public:
-    /// Cells over the domain. The geometry must outlive the map.
     LiquidMap(const Geometry&, double spacing);
 
-    void clear();
-    void mark(const Vector<3>& x) { liquid_[cellOf(x)] = 1; }
-    /// Ends the marking: distances as far as `reach` [spacings], and what is enclosed. All ranks must call it.
+    /// Distances as far as `reach` [spacings], and what is enclosed. All ranks must call it.
     void measure(double reach);
 
-    std::size_t cells() const { return liquid_.size(); }
-    std::size_t cellOf(const Vector<3>& x) const;
-    Vector<3> centre(std::size_t cell) const;
     /// Number of the block of `cells` along each side that a cell lies in.
     std::size_t blockOf(std::size_t cell, int cells) const;
-    /// Distance from the liquid, squared [spacings^2]; more than reach^2 where it is farther.
-    int squaredDistance(std::size_t cell) const { return squared_[cell]; }
     bool isEnclosed(std::size_t cell) const { return enclosed_[cell] != 0; }
     /// Enclosed now, and not when last measured.
     bool isClosing(std::size_t cell) const { return enclosed_[cell] != 0 && wasOpen_[cell] != 0; }
@@ -42,7 +28,7 @@ public:
     template<class F> void forEachAround(std::size_t cell, const F& f) const;
     /// Vector from b to a, by the shortest way where directions are periodic.
     Vector<3> between(const Vector<3>& a, const Vector<3>& b) const;
-    std::size_t bytes() const;
+    std::size_t bytes() const { return LiquidDistance::bytes() + cells() * 3 * sizeof(std::uint8_t); }
 
 private:
     enum Place : std::uint8_t
@@ -51,18 +37,10 @@ private:
         besideWall,
         solid
     };
-    const Geometry& geometry_;
-    Vector<3> low_, size_; ///< of the cells; size of one [m]
-    std::array<int, 3> n_; ///< of cells along each direction
-    std::vector<std::uint8_t> liquid_, enclosed_, wasOpen_, place_;
-    std::vector<std::uint16_t> squared_;
+    std::vector<std::uint8_t> enclosed_, wasOpen_, place_;
     int pockets_ = 0;
     bool hasMeasured_ = false;
 
-    std::array<int, 3> indices(std::size_t cell) const;
-    /// Cell of indices that may be outside; -1 where there is none.
-    long cellAt(std::array<int, 3> index) const;
-    void measureAlong(int direction, int reach);
     void findEnclosed();
 };
 

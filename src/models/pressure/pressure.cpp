@@ -92,7 +92,7 @@ void read(const Reading& reading)
     reading.select(std::string(settings.multiphase() ? "taitOfPhase" : "tait") + (prescribed ? "OrHeld" : "") +
                    (settings.facts.get<PhaseInPart>().phase >= 0 ? "OrAmbient" : ""));
     const auto& gradient = settings.chosen.at(entry::pressureGradient.keyword());
-    if (settings.facts.get<PhaseInPart>().phase < 0)
+    if (settings.facts.get<PhaseInPart>().phase < 0 && settings.facts.get<CalmPhase>().phase < 0)
         reading.select(settings.force(gradient + "Pressure", pressureTerms<2>(), pressureTerms<3>()));
     if (!settings.separateSums.empty()) reading.select("addPressure");
     if (gradient == "densityWeighted") warnOfWeighing(reading);
