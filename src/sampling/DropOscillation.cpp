@@ -15,7 +15,9 @@ namespace sph
 
 namespace entry
 {
-const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative, "of the drop at rest"};
+const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative,
+                    "of the drop at rest; needed with centre"};
+const VectorParameter centre{"centre", units::m, byScene("that of the drop"), "of the drop at rest, where planes of symmetry cut it"};
 }
 
 namespace
@@ -23,33 +25,43 @@ namespace
 constexpr double pi = std::numbers::pi;
 }
 
-DropOscillation::DropOscillation(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
+DropOscillation::DropOscillation(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
     : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), history_(d)
 {
-    if (geometry.dimension != 2) d.error("name", "the oscillation of a drop is measured in 2-D scenes alone");
+    if (d.found("centre"))
+    {
+        centre_ = entry::centre(d, {});
+        if (radius_ == 0)
+            d.error("radius",
+                    "of a drop that planes of symmetry cut the volume does not tell the radius: `radius` is needed with `centre`");
+    }
     if (phases.size() != 2) d.error("name", "a drop oscillates in a second phase: the scene must have two");
 }
 
-EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::from}; }
+EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::centre, entry::from}; }
 
 DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 {
     const Drop drop(view, phase_);
     const double rho_0 = view.restDensity[phase_];
+    const bool flat = view.dimension == 2;
+    const auto centre = centre_.value_or(drop.centre);
     const auto moment = sum(view.n,
                             [&](std::size_t i)
                             {
                                 if (phaseOf(view, i) != phase_) return VolumeMean<>{};
-                                const auto x = displacement(view, drop.centre, position(view, i));
-                                return VolumeMean<>::of(view.mass[i] / rho_0, x.x * x.x - x.y * x.y);
+                                const auto x = displacement(view, centre, position(view, i));
+                                const double across = x.x * x.x, along = flat ? x.y * x.y : x.z * x.z;
+                                return VolumeMean<>::of(view.mass[i] / rho_0,
+                                                        flat ? across - along : 5.0 / 3 * (along - (across + x.y * x.y) / 2));
                             });
-    const double R = radius_ > 0 ? radius_ : std::sqrt(moment.volume / pi);
-    history_.add(view.time, moment.amount / (pi * R * R * R));
+    const double R = radius_ > 0 ? radius_ : flat ? std::sqrt(moment.volume / pi) : std::cbrt(0.75 * moment.volume / pi);
+    history_.add(view.time, moment.value() / R);
 
     Rates rates;
     rates.measurement.particles = drop.particles;
-    rates.exact =
-        dropMode(2, R, surfaceTensionOf(view), {rho_0, view.viscosity[phase_]}, {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
+    rates.exact = (flat ? dropMode : ballMode)(2, R, surfaceTensionOf(view), {rho_0, view.viscosity[phase_]},
+                                               {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
     const auto found = fitOscillation(history_.times, history_.amplitudes, rates.exact);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     rates.found = found.value_or(std::complex<double>(nan, nan));

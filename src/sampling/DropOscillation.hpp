@@ -3,20 +3,23 @@
 #include "sampling/Measurement.hpp"
 #include "sampling/ModeHistory.hpp"
 #include <complex>
+#include <optional>
 
 namespace sph
 {
 
-/// A two-dimensional drop that oscillates in mode 2, r = R + a cos(2 theta), against the exact root of the linear problem of two viscous fluids
-/// (DropMode.hpp). The amplitude is that of the second moments of the drop about its centre,
+/// A drop that oscillates in mode 2, r = R + a cos(2 theta), in 3-D r = R + a P_2(z/r), against the exact root of the linear problem of two
+/// viscous fluids (DropMode.hpp). The amplitude is that of the second moments of the drop about its centre,
 ///
-///   a/R = (I_xx - I_yy)/(pi R^4),   I_xx = sum_i m_i/rho_0 x_i^2
+///   a/R = (I_xx - I_yy)/(V R^2),   in 3-D 5/3 (I_zz - (I_xx + I_yy)/2)/(V R^2),   I_xx = sum_i m_i/rho_0 x_i^2,   V = sum_i m_i/rho_0
 ///
-/// which changes smoothly as particles move and needs no surface. Each sample adds to the fit (ModeFit.hpp) of those since `from`.
+/// which changes smoothly as particles move and needs no surface. Each sample adds to the fit (ModeFit.hpp) of those since `from`. With
+/// `centre` a half, a quarter or an eighth of a drop, cut by planes of symmetry, has the amplitude of the whole.
 class DropOscillation
 {
     std::size_t phase_;
-    double radius_; ///< [m]; 0: from the volume of the drop's particles
+    double radius_;                   ///< [m]; 0: from the volume of the drop's particles
+    std::optional<Vector<3>> centre_; ///< [m]; none: that of the drop's particles
     ModeHistory history_;
 
 public:

@@ -387,6 +387,51 @@ TEST(DropOscillation, isFittedToTheSecondMoments)
     EXPECT_GT(ofDecay.reference, 0);
 }
 
+TEST(DropOscillation, ofAnEighthOfABallIsThatOfTheBall)
+{
+    // A ball of radius 0.25 stretched by (1 + e)^2 along z and 1/(1 + e) along x and y, a/R = 2 e to first order, and the eighth between three planes of symmetry.
+    const double omega = 21, decay = 1.5;
+    const auto measured = [&](double low, const std::string& entries)
+    {
+        Particles particles(3, {low, low, low}, {0.5, 0.5, 0.5}, 0.05);
+        particles.phases = {"water", "air"};
+        particles.surfaceTension = 1000;
+        particles.setPhase([](Vector<3> x) { return mag(x) < 0.25 ? 0 : 1; });
+        const auto x = particles.x, y = particles.y, z = particles.z;
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto d = Dictionary::parse(entries, "system/controlDict", diagnostics);
+        const auto period = readMeasure("dropPeriod", d, particles.geometry, particles.phases, {});
+        const auto rate = readMeasure("dropDecay", d, particles.geometry, particles.phases, {});
+        d.reportUnused();
+        EXPECT_EQ(errorsOf(*diagnostics), "");
+        std::array<Measurement, 2> found;
+        for (int k = 1; k < 100; ++k)
+        {
+            particles.time = 0.01 * k;
+            const double e = 1e-3 * std::exp(-decay * particles.time) * std::sin(omega * particles.time);
+            for (std::size_t i = 0; i < particles.size(); ++i)
+            {
+                particles.x[i] = x[i] / (1 + e);
+                particles.y[i] = y[i] / (1 + e);
+                particles.z[i] = z[i] * (1 + e) * (1 + e);
+            }
+            found = {period(particles.view()), rate(particles.view())};
+        }
+        return found;
+    };
+    for (const auto& [period, rate] : {measured(-0.5, "radius 0.25;"), measured(0, "radius 0.25; centre (0 0 0);")})
+    {
+        EXPECT_NEAR(period.value, 2 * pi / omega, 1e-5);
+        EXPECT_NEAR(rate.value, decay, 1e-3);
+        // Rayleigh's 2 pi/sqrt(24/(3.002 R^3)).
+        EXPECT_NEAR(period.reference, 2 * pi / std::sqrt(24 / (3.002 * 0.25 * 0.25 * 0.25)), 1e-4);
+    }
+    auto diagnostics = std::make_shared<Diagnostics>();
+    readMeasure("dropPeriod", Dictionary::parse("centre (0 0 0);", "system/controlDict", diagnostics),
+                Particles(3, {0, 0, 0}, {1, 1, 1}, 0.5).geometry, {"water", "air"}, {});
+    EXPECT_NE(errorsOf(*diagnostics).find("`radius` is needed"), std::string::npos) << errorsOf(*diagnostics);
+}
+
 TEST(InterfaceGrowth, isFittedToTheFirstHarmonicOfTheUpperLayer)
 {
     // Every particle is lifted by a cos(2 pi x), a = 1e-3 sinh(1.2 t): the sum over columns is exact but for round-off.

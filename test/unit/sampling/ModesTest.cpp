@@ -51,6 +51,31 @@ TEST(DropMode, ofTwoFluidsHasLambsFrequencyWhereViscosityVanishes)
     EXPECT_LT(s.real(), 0);
 }
 
+TEST(BallMode, hasRayleighsFrequencyAndLambsDecay)
+{
+    // 8 gamma/(rho R^3) and 5 nu/R^2 of mode 2 in a vacuum: both to first order in the Ohnesorge number, whose next order is its root of the third power.
+    const double R = 0.25, nu = 1e-5;
+    const auto s = ballMode(2, R, 1, {1, nu}, {1e-9, 1e-14});
+    EXPECT_NEAR(s.imag() / std::sqrt(8 / (R * R * R)), 1, 1e-4);
+    EXPECT_NEAR(-s.real() / (5 * nu / (R * R)), 1, 2e-2);
+    // Of two fluids: 2 3 1 4 gamma/((3 rho_1 + 2 rho_2) R^3).
+    EXPECT_NEAR(ballMode(2, R, 1, {1, 1e-10}, {0.4, 1e-10}).imag() / std::sqrt(24 / (3.8 * R * R * R)), 1, 1e-4);
+}
+
+TEST(BallMode, isTheRootOfChandrasekharsEquationOfAGlobe)
+{
+    // alpha^4 = 2 q^2 (l - 1) (l + (l + 1) (q - 2 l Q)/(q - 2 Q)) - q^4, Q = J_(l+3/2)(q)/J_(l+1/2)(q), q^2 = -s R^2/nu (Chandrasekhar 1961, chapter X): roots found
+    // independently, by another continued fraction. gamma = rho = 1, R = 0.25, nu = 0.02; mode 3 of R = 0.2, nu = 0.03; water of 1 mm.
+    const auto near = [](Complex s, double decay, double omega)
+    {
+        EXPECT_NEAR(-s.real() / decay, 1, 1e-6);
+        EXPECT_NEAR(s.imag() / omega, 1, 1e-7);
+    };
+    near(ballMode(2, 0.25, 1, {1, 0.02}, {1e-9, 2e-11}), 1.424102875862, 22.454737075862);
+    near(ballMode(3, 0.2, 1, {1, 0.03}, {1e-9, 3e-11}), 8.404664508312, 59.362301433124);
+    near(ballMode(2, 1e-3, 0.0728, {1000, 1e-3}, {1e-6, 1e-12}), 4.844969106876, 762.990781000739);
+}
+
 TEST(PlaneMode, isTheTabulatedRayleighTaylorRate)
 {
     // Densities 1 below 3, k = 2 pi, g = 1, without and with surface tension; then the cut-off k_c^2 = (rho_2 - rho_1) g/gamma.
