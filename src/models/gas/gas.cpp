@@ -1,37 +1,66 @@
 #include "models/gas/gas.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include "models/gas/AmbientGas.hpp"
+#include "models/gas/CompletedDensity.hpp"
 #include "models/gas/GasBand.hpp"
 #include "models/gas/gasTerms.hpp"
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sph
 {
 
 namespace entry
 {
-const Choice gas{"gas",
-                 {{"whole", "wherever there is no liquid"},
-                  {"band",
-                   "within some supports of the liquid, at a constant pressure beyond: where nothing asks for the motion of the gas"}},
-                 "whole",
-                 "where the lightest phase is"};
+const Choice gas{
+    "gas",
+    {{"whole", "wherever there is no liquid"},
+     {"band", "within some supports of the liquid, at a constant pressure beyond: where nothing asks for the motion of the gas"},
+     {"none", "left out: the one phase is a liquid, whose free surface has the pressure 0, and the tension `sigma` of the phase"}},
+    "whole",
+    "where the gas is, the lightest phase"};
 const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
                      "width of the band, with `gas band;`: its outer support stands still"};
 }
 
 namespace
 {
+void declare(const Reading& reading)
+{
+    if (entry::gas(reading.schemes) == "none") reading.settings.facts.give(GasLeftOut{true}, "gas of system/sphSchemes");
+}
+
+void prepareLiquidAlone(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto& c = settings.coefficients;
+    if (settings.multiphase())
+        return entry::gas.error(
+            reading.schemes,
+            fmt::format("none leaves the liquid alone, and constant/phaseProperties lists {}: leave the gas's name and dictionary "
+                        "out, and give the liquid's dictionary the surface tension as sigma",
+                        fmt::join(c.phases, ", ")));
+    const auto surface = FlatSurface::of(settings.resolution.kernel, c.dimension, c.support, c.spacing);
+    settings.reasons.push_back(fmt::format(
+        "no gas: density completed by what plane surfaces lack, {:.3g} t {:+.3g} t^2 {:+.3g} t^3, which rows of lattices are {:.2g} off",
+        surface.density[0], surface.density[1], surface.density[2], surface.densityMisfit));
+    settings.coefficients.set(surface);
+    settings.facts.give(FreeSurface{true}, "gas of system/sphSchemes");
+    settings.define<CompletedVolume>("completedVolume", [](const Coefficients& q) { return CompletedVolume(q); });
+    settings.define<CompletedNormalisation>("completedNormalisation", [](const Coefficients& q) { return CompletedNormalisation(q); });
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    if (reading.choose(entry::gas) != "band")
-    {
-        if (entry::gasBand.given(reading.schemes))
-            entry::gasBand.error(reading.schemes, "is the width of `gas band;`: give that, or leave this out");
-        return;
-    }
+    const auto& word = reading.choose(entry::gas);
+    if (word != "band" && entry::gasBand.given(reading.schemes))
+        entry::gasBand.error(reading.schemes, "is the width of `gas band;`: give that, or leave this out");
+    if (word == "none") return prepareLiquidAlone(reading);
+    if (word != "band") return;
     if (!settings.multiphase())
         return entry::gas.error(reading.schemes, "leaves out the lightest of several phases, and constant/phaseProperties lists one");
     const auto phase = std::size_t(std::ranges::min_element(c.restDensity) - c.restDensity.begin());
@@ -50,6 +79,14 @@ void read(const Reading& reading)
 }
 
 bool isInPart(const Settings& settings) { return settings.facts.get<PhaseInPart>().phase >= 0; }
+
+bool isLeftOut(const Settings& settings) { return settings.facts.get<GasLeftOut>().isLeftOut; }
+
+bool shifts(const Settings& settings)
+{
+    return std::ranges::any_of(std::array{"particleShifting", "interfaceShifting", "surfaceShifting", "transportStress"},
+                               [&](const char* term) { return std::ranges::count(settings.terms, term) > 0; });
+}
 }
 
 const Model& gasModel()
@@ -69,9 +106,26 @@ const Model& gasModel()
           "band is for scenes without constant/openings: gas that stands behind their planes, and liquid that passes them through it, stirred one another; "
           "take `gas whole;`"},
          {"gas", [](const Settings& s) { return isInPart(s) && !(s.coefficients.backgroundPressure > 0); },
-          "band needs a backgroundPressure above 0, which is that of the gas beyond it"}},
+          "band needs a backgroundPressure above 0, which is that of the gas beyond it"},
+         {"gas",
+          [](const Settings& s)
+          { return isLeftOut(s) && (!s.facts.get<PressureForce>().hasEnergy() || s.facts.get<IntegratedDensity>().exists); },
+          "none goes with `density numberDensity` and `pressureGradient huAdams`"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<OpenBoundary>().exists; },
+          "none is for scenes without constant/openings: their buffers end the liquid where it has no free surface"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<ConstitutiveStress>().exists; },
+          "none completes the density of a liquid with a state equation, not a soil"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<VaryingViscosity>().exists; },
+          "none has not been measured with a suspension"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.has(entry::walls, "layers"); },
+          "none goes with `walls reflected`: the free surface meets them at 90 degrees, by their mirror images"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.coefficients.backgroundPressure != 0; },
+          "none leaves out the gas, and with it the backgroundPressure: the free surface has the pressure 0"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && shifts(s); },
+          "none goes without shifting and transportVelocity, which push particles out of a free surface"}},
         {},
-        {{"system/sphSchemes", {entry::gas, entry::gasBand}}}};
+        {{"system/sphSchemes", {entry::gas, entry::gasBand}}},
+        declare};
     return model;
 }
 

@@ -1,0 +1,99 @@
+/// Surface tension of a liquid alone, whose gas is left out: curvature from the liquid's side of its free surface, four sums.
+///
+/// With a density that is completed at the surface (models/gas/CompletedDensity.hpp) a uniform pressure p = -gamma kappa is balanced particle by particle, since pressure and tension are sums of the same
+/// slopes. Verified by test/unit/tension (plain loop; a sphere, a cylinder) and tutorials/verification/laplaceDrop.
+#pragma once
+#include "fields/fieldTags.hpp"
+#include "models/tension/Tensions.hpp"
+#include "plan/Coefficients.hpp"
+
+namespace sph
+{
+
+/// n_i = N_i/|N_i|,  N_i = sum_j V_j g_j W_ij    [-], into the liquid; 0 where no surface is near
+///
+/// g_j = sum_k gradW_jk, of the disordered bulk less than `least` of that at a surface, is no normal there.
+struct LiquidNormals
+{
+    using Provides = LiquidNormal;
+    using Reads = Fields<Volume, SlopeSum>;
+    static constexpr bool readsKernel = true;
+
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * ij.W * j.g; }
+    auto finish(const auto&, const auto& sum) const { return 1 / (mag(sum) + 1e-300) * sum; }
+};
+
+/// Two symmetric tensors of one loop.
+template<int dim> struct TensorsOfFit
+{
+    SymmTensor<dim> a, b;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.a, q.b); }
+};
+
+/// Curvature of the surface that is nearest to i, at the feet y = x - z n of particles near it:
+///
+///   kappa_i = tr K,    K = argmin sum_j w_ij |P (n_j - n_i) - K P (y_j - y_i)|^2 = A B^-1,    P = I - n_i n_i
+///   A = sum_j w_ij P (n_j - n_i) (y_j - y_i) P,    B = sum_j w_ij P (y_j - y_i) (y_j - y_i) P,    w_ij = V_j t_j W_ij
+///
+/// kappa [1/m] is the divergence of the normal into the liquid: -2/R of a drop in 3-D, -1/R in 2-D. z [m] depth, t [-] share of the surface (models/gas/FlatSurface.hpp), 1 at it and 0 inside. Of feet rather than
+/// of particles, since those that the outermost see lie deeper, where surfaces parallel to that of a drop are more curved: kappa is then exact for spheres and cylinders however the particles lie, as far as normals and
+/// depths are. Curvatures beyond one over the spacing are none that an arrangement of particles can show.
+struct FreeSurfaceCurvature
+{
+    using Provides = RawCurvature;
+    using Reads = Fields<Volume, LiquidNormal, SurfaceDepth, SurfaceShare>;
+    static constexpr bool readsKernel = true;
+    double most;
+
+    explicit FreeSurfaceCurvature(const Coefficients& c) : most(1 / c.spacing) {}
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        constexpr int dim = dimensions(decltype(ij.x){});
+        const double w = j.V * j.t * ij.W;
+        const auto y = i.z * i.n_l - j.z * j.n_l - ij.x, n = j.n_l - i.n_l;
+        const auto along = y - dot(y, i.n_l) * i.n_l, turn = n - dot(n, i.n_l) * i.n_l;
+        return TensorsOfFit<dim>{w * symm(turn, along), w * outer(along)};
+    }
+    auto finish(const auto& i, const auto& sum) const
+    {
+        const auto B = sum.b + trace(sum.b) * outer(i.n_l);
+        const double det = determinant(B), tiny = 1e-300;
+        const double kappa = det > tiny ? doubleDot(sum.a, adjugate(B)) / det : 0.0;
+        return std::fmax(-most, std::fmin(most, kappa));
+    }
+};
+
+/// kappa smoothed: sum_j V_j t_j kappa_j W_ij/sum_j V_j t_j W_ij, faded out where the denominator, 0.2 to 0.3 at a surface, is that of a disordered bulk
+struct FreeSurfaceSmoothing
+{
+    using Provides = Curvature;
+    using Reads = Fields<Volume, SurfaceShare, RawCurvature>;
+    static constexpr bool readsKernel = true;
+    static constexpr double none = 0.01, whole = 0.03;
+
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * j.t * ij.W * Vector<2>{j.rawKappa, 1.0}; }
+    auto finish(const auto&, Vector<2> sum) const
+    {
+        return sum.y > none ? std::fmin(1.0, (sum.y - none) / (whole - none)) * sum.x / sum.y : 0.0;
+    }
+};
+
+/// dv_i/dt = -1/m_i gamma kappa_i sum_j (V_i^2 + V_j^2) gradW_ij
+///
+/// The sum is 0 inside, and that of a pressure gamma |kappa| beyond the surface at it. With (kappa_i + kappa_j)/2 momentum would be conserved, but the force were that of a pressure which ends at the surface, and would
+/// move nothing; as it is momentum is conserved as far as the sum of kappa n over a closed surface is 0.
+struct FreeSurfaceForce
+{
+    using Adds = Acceleration;
+    using Reads = Fields<Volume>;
+    using ReadsOwn = Fields<Mass, Curvature>;
+    double gamma; ///< [N/m]
+
+    explicit FreeSurfaceForce(const Coefficients& c) : gamma(tensionsOf(c).largest()) {}
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        return -gamma * i.kappa / i.m * (sqr(i.V) + sqr(j.V)) * ij.gradW;
+    }
+};
+
+}
