@@ -27,7 +27,7 @@ DropOscillation::DropOscillation(const Dictionary& d, const Geometry& geometry, 
     : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), history_(d)
 {
     if (geometry.dimension != 2) d.error("name", "the oscillation of a drop is measured in 2-D scenes alone");
-    if (phases.size() != 2) d.error("name", "a drop oscillates in a second phase: the scene must have two");
+    if (phases.size() > 2) d.error("name", "a drop oscillates in a second phase, or alone where the gas is left out: the scene has more than two");
 }
 
 EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::from}; }
@@ -48,8 +48,11 @@ DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 
     Rates rates;
     rates.measurement.particles = drop.particles;
-    rates.exact =
-        dropMode(2, R, surfaceTensionOf(view), {rho_0, view.viscosity[phase_]}, {view.restDensity[1 - phase_], view.viscosity[1 - phase_]});
+    const double thin = 1e-6; // gas that is left out, of the liquid's density and viscosity
+    const ModeFluid liquid{rho_0, view.viscosity[phase_]},
+        around = view.phases.size() == 2 ? ModeFluid{view.restDensity[1 - phase_], view.viscosity[1 - phase_]}
+                                         : ModeFluid{thin * liquid.rho, thin * liquid.mu};
+    rates.exact = dropMode(2, R, surfaceTensionOf(view), liquid, around);
     const auto found = fitOscillation(history_.times, history_.amplitudes, rates.exact);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     rates.found = found.value_or(std::complex<double>(nan, nan));

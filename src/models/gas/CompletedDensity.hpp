@@ -2,7 +2,7 @@
 ///
 ///   g_i = sum_j gradW_ij,    t_i = min(1, (|g_i| V_0/g_m)^2)
 ///   V_i = V_0/S_i,    S_i = max(S_min, a V_0 sum_j W_ij + c_1 t_i + c_2 t_i^2 + c_3 t_i^3)       j = i included
-///   N_i = M_i V_i + d_1 t_i + d_2 t_i^2 + d_3 t_i^3
+///   N_i = M_i V_i + d_1 t_i^2 + d_2 t_i^3 + d_3 t_i^4
 ///
 /// The completion is what a plane surface lacks (FlatSurface.hpp). With V of the completed density the state equation gives p = 0 at a surface of liquid at rest, and the pressure
 /// of Hu & Adams, which finds no neighbours beyond, is there a free surface at constant pressure: p is flat up to the outermost particle. The bulk carries no reference pressure; one of the order of
@@ -13,7 +13,7 @@
 /// a [-] scale of the number density (DensityScale.hpp); g [1/m^(d + 1)], V [m^d], M [1/m^d], z [m] depth below the surface, with t. Not the gradient of an energy: the pressure's pair force is symmetric, so
 /// that momentum is conserved, but S changes with g too. Verified by test/unit/gas (plain loop).
 #pragma once
-#include "fields/fieldTags.hpp"
+#include "fields/freeSurfaceTags.hpp"
 #include "models/gas/FlatSurface.hpp"
 #include "plan/Coefficients.hpp"
 
@@ -33,7 +33,7 @@ inline constexpr double leastShareOfDensity = 0.9;
 
 struct CompletedVolume
 {
-    using Provides = Fields<Volume, SlopeSum, SurfaceShare, SurfaceDepth>;
+    using Provides = Fields<Volume, SlopeSum, SurfaceShare, SurfaceLack, SurfaceDepth>;
     static constexpr bool readsKernel = true, ofRawGradient = true;
     FlatSurface surface;
     double a, V_0;
@@ -44,8 +44,8 @@ struct CompletedVolume
     auto finish(const auto&, const auto& sum) const
     {
         constexpr int dim = dimensions(decltype(sum.g){});
-        const double t = surface.share(mag(sum.g)), S = std::fmax(leastShareOfDensity, a * V_0 * sum.W + surface.lackOfDensity(t));
-        return Values<Provides, dim>{{V_0 / S}, {sum.g}, {t}, {surface.depthAt(t)}};
+        const double t = surface.share(mag(sum.g)), lack = surface.lackOfDensity(t);
+        return Values<Provides, dim>{{V_0 / std::fmax(leastShareOfDensity, a * V_0 * sum.W + lack)}, {sum.g}, {t}, {lack}, {surface.depthAt(t)}};
     }
 };
 

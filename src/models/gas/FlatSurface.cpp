@@ -87,13 +87,18 @@ template<int dim> FlatSurface flatSurface(const Kernel<dim>& kernel, double dx)
          dim == 3 ? std::array<Normal, 3>{{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}}} : std::array<Normal, 3>{{{1, 0, 0}, {1, 1, 0}, {2, 1, 0}}})
         for (const auto& row : rowsBelow(normal, kernel, dx)) rows.push_back(row);
     const auto share = [&](const Row& row) { return surface.share(row.g); };
-    const auto cubic = [&](const Row& row, double lack)
-    {
-        const double t = share(row);
-        return std::pair(std::array{t, t * t, t * t * t}, lack);
-    };
-    surface.density = fit<3>(rows, [&](const Row& row) { return cubic(row, 1 - row.s); });
-    surface.moment = fit<3>(rows, [&](const Row& row) { return cubic(row, 1 - row.N); });
+    surface.density = fit<3>(rows,
+                             [&](const Row& row)
+                             {
+                                 const double t = share(row);
+                                 return std::pair(std::array{t, t * t, t * t * t}, 1 - row.s);
+                             });
+    surface.moment = fit<3>(rows,
+                            [&](const Row& row)
+                            {
+                                const double t = share(row);
+                                return std::pair(std::array{t * t, t * t * t, t * t * t * t}, 1 - row.N);
+                            });
     surface.depth = fit<4>(rows,
                            [&](const Row& row)
                            {

@@ -186,6 +186,7 @@ void readFreeSurface(const Reading& reading)
 {
     auto& settings = reading.settings;
     settings.runningModels.push_back(running<FreeSurfaceArea>());
+    if (getenv("SHOWK")) { settings.fieldClasses["surfaceShare"] = settings.fieldClasses["surfaceDepth"] = FieldClass::scalar; for (const char* f : {"kappa", "rawKappa", "surfaceDepth", "surfaceShare"}) settings.shown.emplace_back(f, f); }
     settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
     settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature", [](const Coefficients& c) { return FreeSurfaceCurvature(c); });
     settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
