@@ -68,10 +68,6 @@ struct TransportAcceleration{ static constexpr FieldInfo info{"dUdtTransport", "
 struct CorrectionTensor    { static constexpr FieldInfo info{"L", "1", Image::mirrored};                template<int dim> struct At { SymmTensor<dim> L; }; };
 struct LeastEigenvalue     { static constexpr FieldInfo info{"lambda", "1"};                            template<int dim> struct At { double lambda; }; };
 struct SurfaceNormal       { static constexpr FieldInfo info{"surfaceNormal", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> n; }; };
-struct SlopeSum            { static constexpr FieldInfo info{"slopeSum", "1/m^4", Image::mirrored};      template<int dim> struct At { Vector<dim> g; }; };
-struct SurfaceDepth        { static constexpr FieldInfo info{"surfaceDepth", "m"};                      template<int dim> struct At { double z; }; };
-struct SurfaceShare        { static constexpr FieldInfo info{"surfaceShare", "1"};                      template<int dim> struct At { double t; }; };
-struct LiquidNormal        { static constexpr FieldInfo info{"liquidNormal", "1", Image::mirrored};     template<int dim> struct At { Vector<dim> n_l; }; };
 struct ConcentrationSlope  { static constexpr FieldInfo info{"gradConcentration", "1/m", Image::mirrored}; template<int dim> struct At { Vector<dim> gradN; }; };
 struct DensityGradient     { static constexpr FieldInfo info{"gradRho", "kg/m^4", Image::mirrored};     template<int dim> struct At { Vector<dim> gradRho; }; };
 struct VelocityChange      { static constexpr FieldInfo info{"dU", "m/s", Image::ruledChange, nullptr, "U"};       template<int dim> struct At { Vector<dim> dv; }; };

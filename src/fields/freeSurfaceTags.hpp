@@ -6,7 +6,11 @@ namespace sph
 {
 
 // clang-format off
+struct SlopeSum            { static constexpr FieldInfo info{"slopeSum", "1/m^4", Image::mirrored};      template<int dim> struct At { Vector<dim> g; }; };
+struct SurfaceShare        { static constexpr FieldInfo info{"surfaceShare", "1"};                      template<int dim> struct At { double t; }; };
 struct SurfaceLack         { static constexpr FieldInfo info{"surfaceLack", "1"};                       template<int dim> struct At { double lack; }; };
+struct SurfaceDepth        { static constexpr FieldInfo info{"surfaceDepth", "m"};                      template<int dim> struct At { double z; }; };
+struct LiquidNormal        { static constexpr FieldInfo info{"liquidNormal", "1", Image::mirrored};     template<int dim> struct At { Vector<dim> n_l; }; };
 // clang-format on
 
 }

@@ -27,7 +27,8 @@ DropOscillation::DropOscillation(const Dictionary& d, const Geometry& geometry, 
     : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), history_(d)
 {
     if (geometry.dimension != 2) d.error("name", "the oscillation of a drop is measured in 2-D scenes alone");
-    if (phases.size() > 2) d.error("name", "a drop oscillates in a second phase, or alone where the gas is left out: the scene has more than two");
+    if (phases.size() > 2)
+        d.error("name", "a drop oscillates in a second phase, or alone where the gas is left out: the scene has more than two");
 }
 
 EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::from}; }

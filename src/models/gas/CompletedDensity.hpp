@@ -45,7 +45,8 @@ struct CompletedVolume
     {
         constexpr int dim = dimensions(decltype(sum.g){});
         const double t = surface.share(mag(sum.g)), lack = surface.lackOfDensity(t);
-        return Values<Provides, dim>{{V_0 / std::fmax(leastShareOfDensity, a * V_0 * sum.W + lack)}, {sum.g}, {t}, {lack}, {surface.depthAt(t)}};
+        return Values<Provides, dim>{
+            {V_0 / std::fmax(leastShareOfDensity, a * V_0 * sum.W + lack)}, {sum.g}, {t}, {lack}, {surface.depthAt(t)}};
     }
 };
 

@@ -1,4 +1,5 @@
 #include "models/tension/FreeSurfaceArea.hpp"
+#include "fields/freeSurfaceTags.hpp"
 #include "models/tension/Tensions.hpp"
 #include "parallel/reduce.hpp"
 

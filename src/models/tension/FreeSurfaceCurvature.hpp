@@ -39,20 +39,20 @@ template<int dim> struct TensorsOfFit
 
 /// Curvature of the surface that is nearest to i, at the feet y = x - z n of particles near it:
 ///
-///   kappa_i = tr K,    K = argmin sum_j w_ij |P (n_j - n_i) - K P (y_j - y_i)|^2 = A B^-1,    P = I - n_i n_i
+///   kappa_i = k/(1 + beta H^2 k^2/(d - 1)^2),    k = tr K,    K = argmin sum_j w_ij |P (n_j - n_i) - K P (y_j - y_i)|^2 = A B^-1,    P = I - n_i n_i
 ///   A = sum_j w_ij P (n_j - n_i) (y_j - y_i) P,    B = sum_j w_ij P (y_j - y_i) (y_j - y_i) P,    w_ij = V_j t_j W_ij
 ///
 /// kappa [1/m] is the divergence of the normal into the liquid: -2/R of a drop in 3-D, -1/R in 2-D. z [m] depth, t [-] share of the surface (models/gas/FlatSurface.hpp), 1 at it and 0 inside. Of feet rather than
 /// of particles, since those that the outermost see lie deeper, where surfaces parallel to that of a drop are more curved: kappa is then exact for spheres and cylinders however the particles lie, as far as normals and
-/// depths are. Curvatures beyond one over the spacing are none that an arrangement of particles can show.
+/// depths are; beta (depthBias.hpp) is what depths are off near a curved surface, 1 % of kappa where a radius has 8 spacings and the support 3. Curvatures beyond one over the spacing are none that an arrangement of particles can show.
 struct FreeSurfaceCurvature
 {
     using Provides = RawCurvature;
     using Reads = Fields<Volume, LiquidNormal, SurfaceDepth, SurfaceShare>;
     static constexpr bool readsKernel = true;
-    double most;
+    double most, bias; ///< [1/m], beta H^2/(d - 1)^2 [m^2]
 
-    explicit FreeSurfaceCurvature(const Coefficients& c) : most(1 / c.spacing) {}
+    FreeSurfaceCurvature(const Coefficients& c, double beta) : most(1 / c.spacing), bias(beta * sqr(c.support / (c.dimension - 1))) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
@@ -64,8 +64,8 @@ struct FreeSurfaceCurvature
     {
         const auto B = sum.b + trace(sum.b) * outer(i.n_l);
         const double det = determinant(B), tiny = 1e-300;
-        const double kappa = det > tiny ? doubleDot(sum.a, adjugate(B)) / det : 0.0;
-        return std::fmax(-most, std::fmin(most, kappa));
+        const double k = det > tiny ? doubleDot(sum.a, adjugate(B)) / det : 0.0;
+        return std::fmax(-most, std::fmin(most, k / (1 + bias * k * k)));
     }
 };
 

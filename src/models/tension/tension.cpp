@@ -7,6 +7,7 @@
 #include "models/tension/WallTension.hpp"
 #include "models/tension/WettingAngles.hpp"
 #include "models/tension/YoungsLaw.hpp"
+#include "models/tension/depthBias.hpp"
 #include "models/tension/phaseCurvatureTerms.hpp"
 #include "models/tension/readTensions.hpp"
 #include "models/tension/sigmaEntry.hpp"
@@ -186,9 +187,10 @@ void readFreeSurface(const Reading& reading)
 {
     auto& settings = reading.settings;
     settings.runningModels.push_back(running<FreeSurfaceArea>());
-    if (getenv("SHOWK")) { settings.fieldClasses["surfaceShare"] = settings.fieldClasses["surfaceDepth"] = FieldClass::scalar; for (const char* f : {"kappa", "rawKappa", "surfaceDepth", "surfaceShare"}) settings.shown.emplace_back(f, f); }
     settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
-    settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature", [](const Coefficients& c) { return FreeSurfaceCurvature(c); });
+    settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
+                                          [beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension)](
+                                              const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
     settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
     settings.define<FreeSurfaceForce>(
         "freeSurfaceForce", [](const Coefficients& c) { return FreeSurfaceForce(c); }, settings.separateSums);
