@@ -147,7 +147,7 @@ void read(const Reading& reading)
     if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
-    if (normalises) reading.select(ends ? "gradientNormalisationOrRest" : alone ? "completedNormalisation" : "gradientNormalisation");
+    if (normalises) reading.select(ends ? "gradientNormalisationOrRest" : alone ? "uniformNormalisation" : "gradientNormalisation");
     if (volume == "numberDensity" && normalises) settings.runningModels.push_back(running<DensityScale>());
     readDiffusion(reading);
     readRelaxation(reading);

@@ -12,7 +12,7 @@ namespace
 /// A row of a half lattice: its depth in spacings, and what its particles have of the sums of the bulk.
 struct Row
 {
-    double z, g, s, N;
+    double z, g, s;
 };
 
 using Normal = std::array<int, 3>;
@@ -23,11 +23,10 @@ template<int dim> std::vector<Row> rowsBelow(const Normal& normal, const Kernel<
     const double length = std::sqrt(double(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2])), row = 1 / length;
     const int reach = int(kernel.support() / dx) + 1, deep = dim == 3 ? reach : 0;
     const double W_0 = sumOverLattice(kernel, dx, [&](double r) { return kernel.W(r); });
-    const double M_0 = sumOverLattice(kernel, dx, [&](double r) { return -kernel.dWdrOverR(r) * r * r; });
     std::vector<Row> rows;
     for (double z = 0.5 * row; z < kernel.support() / dx; z += row)
     {
-        double W = 0, M = 0;
+        double W = 0;
         std::array<double, 3> g{};
         for (int i = -reach; i <= reach; ++i)
             for (int j = -reach; j <= reach; ++j)
@@ -36,12 +35,11 @@ template<int dim> std::vector<Row> rowsBelow(const Normal& normal, const Kernel<
                     if ((i * normal[0] + j * normal[1] + k * normal[2]) / length > z) continue;
                     const double r = dx * std::sqrt(double(i * i + j * j + k * k)), slope = -kernel.dWdrOverR(r);
                     W += kernel.W(r);
-                    M += slope * r * r;
                     g[0] += slope * dx * i;
                     g[1] += slope * dx * j;
                     g[2] += slope * dx * k;
                 }
-        rows.push_back({z, std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), W / W_0, M / M_0});
+        rows.push_back({z, std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), W / W_0});
     }
     return rows;
 }
@@ -81,6 +79,7 @@ template<int dim> FlatSurface flatSurface(const Kernel<dim>& kernel, double dx)
 {
     FlatSurface surface;
     surface.support = kernel.support();
+    surface.normalisation = std::pow(dx, dim) * sumOverLattice(kernel, dx, [&](double r) { return -kernel.dWdrOverR(r) * r * r / dim; });
     surface.slope = throughPlane(kernel) / std::pow(dx, dim);
     std::vector<Row> rows;
     for (const Normal& normal :
@@ -93,12 +92,6 @@ template<int dim> FlatSurface flatSurface(const Kernel<dim>& kernel, double dx)
                                  const double t = share(row);
                                  return std::pair(std::array{t, t * t, t * t * t}, 1 - row.s);
                              });
-    surface.moment = fit<3>(rows,
-                            [&](const Row& row)
-                            {
-                                const double t = share(row);
-                                return std::pair(std::array{t * t, t * t * t, t * t * t * t}, 1 - row.N);
-                            });
     surface.depth = fit<4>(rows,
                            [&](const Row& row)
                            {

@@ -49,7 +49,7 @@ void prepareLiquidAlone(const Reading& reading)
     settings.coefficients.set(surface);
     settings.facts.give(FreeSurface{true}, "gas of system/sphSchemes");
     settings.define<CompletedVolume>("completedVolume", [](const Coefficients& q) { return CompletedVolume(q); });
-    settings.define<CompletedNormalisation>("completedNormalisation", [](const Coefficients& q) { return CompletedNormalisation(q); });
+    settings.define<UniformNormalisation>("uniformNormalisation", [](const Coefficients& q) { return UniformNormalisation(q); });
 }
 
 void prepare(const Reading& reading)
