@@ -100,11 +100,11 @@ template<int dim> struct ForceAndSlope
 /// at the surface: f = grad(gamma kappa 2 L) - gamma 2 L grad_s kappa, a pressure of -gamma kappa at the surface and a force along it. The second term takes that away: with the first alone a drop of n lobes has
 /// n <z>/R less of the stiffness that it should have, <z> = 0.19 H, and its period was 7.5 and 3.7 % too long at 8 and 16 spacings a radius.
 ///
-/// With (kappa_i + kappa_j)/2 momentum would be conserved, but the force were that of a pressure which ends at the surface, and would move nothing; as it is, momentum is conserved as far as the sum
-/// of kappa n over a closed surface is 0.
+/// With (kappa_i + kappa_j)/2 pairs would conserve momentum, but the force were that of a pressure which ends at the surface, and would move nothing; FreeBodies.hpp
+/// balances what is left over.
 struct FreeSurfaceForce
 {
-    using Adds = Acceleration;
+    using Provides = TensionAcceleration;
     using Reads = Fields<Volume, Curvature, LiquidNormal, SurfaceDepth, SurfaceShare>;
     using ReadsOwn = Fields<Mass, SurfaceLack>;
     static constexpr bool readsKernel = true;
@@ -125,6 +125,21 @@ struct FreeSurfaceForce
         const auto slope = (det > tiny ? 1 / det : 0.0) * (adjugate(B) * sum.b);
         return -gamma / i.m * (i.kappa * sum.force - 2 * i.lack * i.V * slope);
     }
+};
+
+struct AddTension
+{
+    using Adds = Acceleration;
+    using ReadsOwn = Fields<TensionAcceleration>;
+    auto operator()(const auto& i) const { return i.a_t; }
+};
+
+/// Ghosts of walls within the support; reads the numbers of images, by which a body is followed through periodic faces (FreeBodies.hpp).
+struct CountGhosts
+{
+    using Provides = GhostsSeen;
+    using Reads = Fields<GhostWall, ParticleNumber>;
+    auto operator()(const auto&, const auto&, const auto& j) const { return j.wall > 0 ? 1.0 : 0.0; }
 };
 
 }

@@ -1,5 +1,6 @@
 #include "models/tension/tension.hpp"
 #include "case/phaseEntries.hpp"
+#include "models/tension/FreeBodies.hpp"
 #include "models/tension/FreeSurfaceArea.hpp"
 #include "models/tension/FreeSurfaceCurvature.hpp"
 #include "models/tension/InterfaceArea.hpp"
@@ -14,6 +15,7 @@
 #include "models/tension/tensionTerms.hpp"
 #include "models/tension/wettingLaws.hpp"
 #include "operators/operatorTerms.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -192,9 +194,18 @@ void readFreeSurface(const Reading& reading)
                                           [beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension)](
                                               const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
     settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
-    settings.define<FreeSurfaceForce>(
-        "freeSurfaceForce", [](const Coefficients& c) { return FreeSurfaceForce(c); }, settings.separateSums);
-    for (const char* term : {"liquidNormals", "freeSurfaceCurvature", "freeSurfaceSmoothing", "freeSurfaceForce"}) reading.select(term);
+    settings.define<FreeSurfaceForce>("freeSurfaceForce", [](const Coefficients& c) { return FreeSurfaceForce(c); });
+    settings.define<AddTension>(
+        "addTension", [](const Coefficients&) { return AddTension{}; }, settings.separateSums);
+    for (const char* term : {"liquidNormals", "freeSurfaceCurvature", "freeSurfaceSmoothing", "freeSurfaceForce", "addTension"})
+        reading.select(term);
+    settings.state.push_back({.value = stateField(ParticleNumber{}), .advancedByModel = true, .written = false});
+    settings.define<CountGhosts>("countGhosts", [](const Coefficients&) { return CountGhosts{}; });
+    reading.select("countGhosts");
+    settings.runningModels.push_back(running<FreeBodies>());
+    if (ranks())
+        reading.schemes.error(
+            "gas", "none is for one process, which knows which liquid is one body: leave -parallel out, or use threads (OMP_NUM_THREADS)");
     if (settings.integration.maxSubSteps > 1)
         reading.schemes.subDictOrEmpty("integration")
             .error("maxSubSteps", "substeps go with surface tension between phases, not with that of `gas none;`");
