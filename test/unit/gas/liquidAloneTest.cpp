@@ -280,11 +280,18 @@ Files discAlone(const std::string& schemes = "gas none;\n")
 }
 }
 
-// A disc off the lattice of 8 spacings comes to rest with the pressure gamma/R, 4 Pa; explicit and implicit steps alike. 2 %: 1.6 % were measured.
-TEST(LiquidAlone, HasTheJumpOfYoungAndLaplace)
+// A disc off the lattice of 8 spacings to the radius comes to rest with the pressure gamma/R, by explicit and implicit steps, in the middle of the scene and across its periodic corner: it keeps its momentum
+// as one body. 3 %: 0.1 to 0.8 % were measured at 8 and 16 spacings, and where particles come to rest is chance.
+TEST(LiquidAlone, HasTheJumpOfYoungAndLaplaceAndStaysWhereItIs)
 {
-    for (const std::string scheme : {"predictorCorrector", "implicit"})
+    struct Place
     {
+        std::string scheme;
+        double centre;
+    };
+    for (const auto& [scheme, centre] : {Place{"predictorCorrector", 0.5}, Place{"implicit", 0.5}, Place{"implicit", 0.02}})
+    {
+        SCOPED_TRACE(scheme + ", centre " + std::to_string(centre));
         CaseScene scene(discAlone("gas none;\nintegration { scheme " + scheme + "; }\n"));
         ASSERT_EQ(scene.errors, "");
         Cloud cloud;
@@ -293,10 +300,11 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplace)
         std::mt19937_64 random(7);
         std::uniform_real_distribution<double> any(-0.1, 0.1);
         const double dx = 0.03125;
+        const auto wrapped = [](double x) { return x - std::floor(x); };
         for (const auto& x : lattice<2>(9, [](auto y) { return mag(y - Vector<2>{0.13, 0.21}) < 8; }))
         {
-            cloud.x.push_back(0.5 + dx * (x.x + any(random)));
-            cloud.y.push_back(0.5 + dx * (x.y + any(random)));
+            cloud.x.push_back(wrapped(centre + dx * (x.x + any(random))));
+            cloud.y.push_back(wrapped(centre + dx * (x.y + any(random))));
             cloud.z.push_back(0);
             phase[0].push_back(0);
         }
@@ -310,10 +318,11 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplace)
             if (time < 0.5) continue;
             simulation->observe();
             const auto x = simulation->positions().component;
+            const auto off = [&](double at) { return std::remainder(at - centre, 1.0); };
             double sum = 0;
             int n = 0;
             for (std::size_t i = 0; i < simulation->size(); ++i)
-                if (std::hypot(x[0][i] - 0.5, x[1][i] - 0.5) < 4.5 * dx)
+                if (std::hypot(off(x[0][i]), off(x[1][i])) < 4.5 * dx)
                 {
                     sum += simulation->field("p").component[0][i];
                     ++n;
@@ -322,9 +331,11 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplace)
             weight += deltaT;
         }
         const double R = dx * std::sqrt(double(cloud.x.size()) / std::numbers::pi);
-        EXPECT_NEAR(p / weight, 1 / R, 0.03 / R) << scheme;
+        EXPECT_NEAR(p / weight * R, 1, 0.03);
         const auto summary = simulation->summary();
-        EXPECT_LT(summary.maxSpeedOfScene(), 0.15) << scheme << ": of 2 m/s, sqrt(gamma/(rho R)); 0.06 and 0.07 were measured";
+        EXPECT_LT(summary.maxSpeedOfScene(), 0.1) << "of 2 m/s, sqrt(gamma/(rho R)); up to 0.03 were measured";
+        const double tolerance = scheme == "implicit" ? 1e-6 : 1e-13; // that of the solve; round-off of a thousand steps
+        EXPECT_LT(mag(summary.momentum), tolerance * summary.mass[0] * 2);
     }
 }
 
