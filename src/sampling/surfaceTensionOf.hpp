@@ -9,8 +9,9 @@ namespace sph
 inline double surfaceTensionOf(const ParticleView& view, std::size_t a = 0, std::size_t b = 1)
 {
     const auto sigma = view.constants.find("sigma");
-    const std::size_t pair = view.phases.size() == 1 ? 0 : a * view.phases.size() + b;
-    return sigma == view.constants.end() || pair >= sigma->second.size() ? 0 : sigma->second[pair];
+    if (sigma == view.constants.end()) return 0;
+    const std::size_t pair = sigma->second.size() == 1 ? 0 : a * view.phases.size() + b;
+    return pair < sigma->second.size() ? sigma->second[pair] : 0;
 }
 
 }
