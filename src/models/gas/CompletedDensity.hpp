@@ -10,8 +10,8 @@
 ///
 /// S_min = 0.9 bounds the tension of what has hardly a neighbour, as spray has, whose density no completion by t makes whole.
 ///
-/// a [-] scale of the number density (DensityScale.hpp); g [1/m^(d + 1)], V [m^d], M [1/m^d], z [m] depth below the surface, with t. Not the gradient of an energy: the pressure's pair force is symmetric, so
-/// that momentum is conserved, but S changes with g too. Verified by test/unit/gas (plain loop).
+/// a [-] scale of the number density (DensityScale.hpp); g [1/m^(d + 1)], V [m^d], V_0 that at rest, N the gradient's normalisation (operators/KernelMoment.hpp), z [m] depth below the surface, with t. Not the gradient of an energy: the pressure's pair force is symmetric, so
+/// that momentum is conserved, but S changes with g too. Verified by test/unit/gas.
 #pragma once
 #include "fields/freeSurfaceTags.hpp"
 #include "models/gas/FlatSurface.hpp"
@@ -28,7 +28,7 @@ template<int dim> struct KernelAndSlope
     static constexpr auto parts(auto& q, const auto& f) { return f(q.W, q.g); }
 };
 
-/// Index of a volume that is not completed: 0.9
+/// S_min
 inline constexpr double leastShareOfDensity = 0.9;
 
 struct CompletedVolume
@@ -51,7 +51,8 @@ struct CompletedVolume
 };
 
 /// N_0 of a lattice, everywhere: pressure and tension are then N_0^-1 of the sums of raw slopes, and a uniform pressure has no force where g is 0. With M_i V_i, completed by t at the surface to within 0.05,
-/// slopes of pairs from one to three rows below the surface did not cancel where kappa has faded out: the pressure inside a disc was 1.3 % above that at its surface however fine the resolution.
+/// slopes of pairs from one to three rows below the surface did not cancel where kappa has faded out: the pressure inside a disc was 1.3 % above that at its surface however fine the resolution. Disordered particles inside have an N of about 0.99 N_0: viscosity and pressure gradients are
+/// that much too small.
 struct UniformNormalisation
 {
     using Provides = GradientScale;

@@ -1,7 +1,8 @@
 /// Surface tension of a liquid alone, whose gas is left out: curvature from the liquid's side of its free surface, four sums.
 ///
 /// With a density that is completed at the surface (models/gas/CompletedDensity.hpp) a uniform pressure p = -gamma kappa is balanced particle by particle, since pressure and tension are sums of the same
-/// slopes. Verified by test/unit/tension (plain loop; a sphere, a cylinder) and tutorials/verification/laplaceDrop.
+/// slopes. Verified by test/unit/gas (balls, discs and holes; the balance with the pressure;
+/// the force along a surface) and tutorials/verification/laplaceDrop.
 #pragma once
 #include "fields/freeSurfaceTags.hpp"
 #include "models/tension/Tensions.hpp"
@@ -10,9 +11,7 @@
 namespace sph
 {
 
-/// n_i = N_i/|N_i|,  N_i = sum_j V_j g_j W_ij    [-], into the liquid; 0 where no surface is near
-///
-/// g_j = sum_k gradW_jk, of the disordered bulk less than `least` of that at a surface, is no normal there.
+/// n_i = N_i/|N_i|,  N_i = sum_j V_j g_j W_ij,  g_j = sum_k gradW_jk    [-], into the liquid; of no meaning deep inside, where t is 0 and nothing weighs
 struct LiquidNormals
 {
     using Provides = LiquidNormal;
@@ -69,7 +68,9 @@ struct FreeSurfaceCurvature
     }
 };
 
-/// kappa smoothed: sum_j V_j t_j kappa_j W_ij/sum_j V_j t_j W_ij, faded out where the denominator, 0.2 to 0.3 at a surface, is that of a disordered bulk
+/// kappa_i = sum_j V_j t_j kappa_j W_ij/q_i,    q_i = sum_j V_j t_j W_ij
+///
+/// q is 0.2 to 0.3 at a surface and 1e-4 inside, where kappa fades out from 0.03 to 0.01.
 struct FreeSurfaceSmoothing
 {
     using Provides = Curvature;
@@ -127,6 +128,7 @@ struct FreeSurfaceForce
     }
 };
 
+/// dv_i/dt += a_t,i
 struct AddTension
 {
     using Adds = Acceleration;
