@@ -268,8 +268,8 @@ TEST(PrintedPlan, IsWhatRunsInADropAlone)
     {
         files["system/sphSchemes"] = schemes;
         const auto ran = printsWhatRuns<2>(files, 4);
-        for (const char* term : {"completedVolume", "uniformNormalisation", "liquidNormals", "freeSurfaceCurvature",
-                                 "freeSurfaceSmoothing", "freeSurfaceForce", "singlePhaseTransposedViscosity"})
+        for (const char* term : {"completedVolume", "uniformNormalisation", "liquidNormals", "freeSurfaceCurvature", "freeSurfaceSmoothing",
+                                 "freeSurfaceForce", "singlePhaseTransposedViscosity"})
             EXPECT_TRUE(ran.operations.contains(term)) << term;
         EXPECT_FALSE(ran.operations.contains("numberDensity"));
     }
