@@ -5,12 +5,13 @@
 namespace sph
 {
 
-/// gamma of two phases [N/m]; 0 where the scene has none.
+/// gamma of two phases [N/m], or of one phase whose gas is left out; 0 where the scene has none.
 inline double surfaceTensionOf(const ParticleView& view, std::size_t a = 0, std::size_t b = 1)
 {
     const auto sigma = view.constants.find("sigma");
-    const std::size_t pair = a * view.phases.size() + b;
-    return sigma == view.constants.end() || pair >= sigma->second.size() ? 0 : sigma->second[pair];
+    if (sigma == view.constants.end()) return 0;
+    const std::size_t pair = sigma->second.size() == 1 ? 0 : a * view.phases.size() + b;
+    return pair < sigma->second.size() ? sigma->second[pair] : 0;
 }
 
 }

@@ -131,6 +131,13 @@ struct CalmPhase
     int phase = -1; ///< none
 };
 
+/// The liquid is alone: the gas that it ends at is left out, and has a constant pressure, 0.
+struct GasLeftOut
+{
+    static constexpr auto says = "whether the gas is left out";
+    bool isLeftOut = false;
+};
+
 /// Velocity by which particles drift besides their own, a field.
 struct DriftVelocity
 {

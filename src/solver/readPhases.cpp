@@ -97,7 +97,7 @@ EntryList gravityEntries() { return {entry::dimensions, entry::gravity, entry::s
 void warnOfSoftPhases(const Case& theCase, const Settings& settings)
 {
     const auto& c = settings.coefficients;
-    if (!settings.facts.get<InterfaceForces>().act) return;
+    if (!settings.facts.get<InterfaceForces>().act || settings.facts.get<GasLeftOut>().isLeftOut) return; // none has a band of interface
     const double capillary = settings.facts.get<InterfaceEnergy>().largest / c.spacing;
     const double most = std::abs(c.backgroundPressure) + capillary;
     for (std::size_t k = 0; k < c.phases.size(); ++k)

@@ -73,7 +73,8 @@ void chooseSet(const Reading& reading)
         return;
     }
     const std::string set = "freeSurface";
-    if (settings.multiphase() || facts.get<OpenBoundary>().exists || facts.get<VaryingViscosity>().exists || givesWordsOf(set, schemes))
+    if (settings.multiphase() || facts.get<GasLeftOut>().isLeftOut || facts.get<OpenBoundary>().exists ||
+        facts.get<VaryingViscosity>().exists || givesWordsOf(set, schemes))
         return;
     const auto share = shareFilled(reading.theCase, reading.geometry, settings.coefficients.spacing);
     if (!share || *share > 0.95) return;

@@ -136,14 +136,18 @@ void read(const Reading& reading)
         entry::volume.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     settings.facts.give(VolumeOfPlaces{volume == "numberDensity"}, "volume of system/sphSchemes");
     const bool ends = settings.facts.get<PhaseInPart>().phase >= 0;
-    reading.select(volume == "continuity" ? "integratedVolume" : ends ? "numberDensityOrRest" : "numberDensity");
+    const bool alone = settings.facts.get<GasLeftOut>().isLeftOut;
+    reading.select(volume == "continuity" ? "integratedVolume"
+                   : ends                 ? "numberDensityOrRest"
+                   : alone                ? "completedVolume"
+                                          : "numberDensity");
     const bool byMass = reading.choose(entry::continuityForm) == "mass";
     if (!integrated && byMass) entry::continuityForm.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
     reading.select(!integrated ? "summedDensity" : byMass ? "massContinuity" : "continuity");
     if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";
-    if (normalises) reading.select(ends ? "gradientNormalisationOrRest" : "gradientNormalisation");
+    if (normalises) reading.select(ends ? "gradientNormalisationOrRest" : alone ? "uniformNormalisation" : "gradientNormalisation");
     if (volume == "numberDensity" && normalises) settings.runningModels.push_back(running<DensityScale>());
     readDiffusion(reading);
     readRelaxation(reading);

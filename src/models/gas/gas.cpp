@@ -1,10 +1,14 @@
 #include "models/gas/gas.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include "models/gas/CalmGas.hpp"
+#include "models/gas/CompletedDensity.hpp"
 #include "models/gas/GasBand.hpp"
 #include "models/gas/gasTerms.hpp"
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sph
 {
@@ -16,15 +20,41 @@ const Choice gas{
     {{"whole", "wherever there is no liquid"},
      {"calm",
       "as `whole`, and without the lattice of its background pressure far from the liquid: it stays at rest where nothing moves it"},
-     {"band", "within some supports of the liquid, at a constant pressure beyond: where nothing asks for the motion of the gas"}},
+     {"band", "within some supports of the liquid, at a constant pressure beyond: where nothing asks for the motion of the gas"},
+     {"none", "left out: the one phase is a liquid, whose free surface has the pressure 0, and the tension `sigma` of the phase"}},
     "whole",
-    "where the lightest phase is"};
+    "where the gas is, the lightest phase"};
 const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
                      "width of the band, with `gas band;`: its outer support stands still"};
 }
 
 namespace
 {
+void declare(const Reading& reading)
+{
+    if (entry::gas(reading.schemes) == "none") reading.settings.facts.give(GasLeftOut{true}, "gas of system/sphSchemes");
+}
+
+void prepareLiquidAlone(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    const auto& c = settings.coefficients;
+    if (settings.multiphase())
+        return entry::gas.error(
+            reading.schemes,
+            fmt::format("none leaves the liquid alone, and constant/phaseProperties lists {}: leave the gas's name and dictionary "
+                        "out, and give the liquid's dictionary the surface tension as sigma",
+                        fmt::join(c.phases, ", ")));
+    const auto surface = FlatSurface::of(settings.resolution.kernel, c.dimension, c.support, c.spacing);
+    settings.reasons.push_back(fmt::format(
+        "no gas: density completed by what plane surfaces lack, {:.3g} t {:+.3g} t^2 {:+.3g} t^3, which rows of lattices are {:.2g} off",
+        surface.density[0], surface.density[1], surface.density[2], surface.densityMisfit));
+    settings.coefficients.set(surface);
+    settings.facts.give(FreeSurface{true}, "gas of system/sphSchemes");
+    settings.define<CompletedVolume>("completedVolume", [](const Coefficients& q) { return CompletedVolume(q); });
+    settings.define<UniformNormalisation>("uniformNormalisation", [](const Coefficients& q) { return UniformNormalisation(q); });
+}
+
 void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -32,6 +62,7 @@ void prepare(const Reading& reading)
     const auto& gas = reading.choose(entry::gas);
     if (gas != "band" && entry::gasBand.given(reading.schemes))
         entry::gasBand.error(reading.schemes, "is the width of `gas band;`: give that, or leave this out");
+    if (gas == "none") return prepareLiquidAlone(reading);
     if (gas == "whole") return;
     if (!settings.multiphase())
         return entry::gas.error(reading.schemes, gas + " is of the lightest of several phases, and constant/phaseProperties lists one");
@@ -60,6 +91,23 @@ void read(const Reading& reading)
 
 bool isInPart(const Settings& settings) { return settings.facts.get<PhaseInPart>().phase >= 0; }
 bool isCalm(const Settings& settings) { return settings.facts.get<CalmPhase>().phase >= 0; }
+
+bool isLeftOut(const Settings& settings) { return settings.facts.get<GasLeftOut>().isLeftOut; }
+
+/// 3 s h/c, s = 0.4, of steps that solve for the pressure: their response is that of the number density, and does not know how a completed one changes with the sum of slopes. A ball of 8 spacings to the radius comes to rest
+/// up to c dt/h = 1.2 (rho c^2 = 50 gamma/dx), keeps 1.2 mJ of motion in place of 1 uJ at 1.9, and 30 mJ at 2.9.
+std::optional<StepLimit> completionLimit(const Settings& settings, const Measured&)
+{
+    const auto& c = settings.coefficients;
+    if (!isLeftOut(settings) || !settings.integration.solvesPressure) return {};
+    return StepLimit{3 * settings.integration.factors.sound * 0.5 * c.support / c.soundSpeed[0], "sound at the free surface"};
+}
+
+bool shifts(const Settings& settings)
+{
+    return std::ranges::any_of(std::array{"particleShifting", "interfaceShifting", "surfaceShifting", "transportStress"},
+                               [&](const char* term) { return std::ranges::count(settings.terms, term) > 0; });
+}
 }
 
 const Model& gasModel()
@@ -83,9 +131,26 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0); },
           "calm leaves out a backgroundPressure above 0, and there is none"},
          {"gas", [](const Settings& s) { return isInPart(s) && !(s.coefficients.backgroundPressure > 0); },
-          "band needs a backgroundPressure above 0, which is that of the gas beyond it"}},
-        {},
-        {{"system/sphSchemes", {entry::gas, entry::gasBand}}}};
+          "band needs a backgroundPressure above 0, which is that of the gas beyond it"},
+         {"gas",
+          [](const Settings& s)
+          { return isLeftOut(s) && (!s.facts.get<PressureForce>().hasEnergy() || s.facts.get<IntegratedDensity>().exists); },
+          "none goes with `density numberDensity` and `pressureGradient huAdams`"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<OpenBoundary>().exists; },
+          "none is for scenes without constant/openings: their buffers end the liquid where it has no free surface"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<ConstitutiveStress>().exists; },
+          "none completes the density of a liquid with a state equation, not a soil"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<VaryingViscosity>().exists; },
+          "none has not been measured with a suspension"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.has(entry::walls, "layers"); },
+          "none goes with `walls reflected`: the free surface meets them at 90 degrees, by their mirror images"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.coefficients.backgroundPressure != 0; },
+          "none leaves out the gas, and with it the backgroundPressure: the free surface has the pressure 0"},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && shifts(s); },
+          "none goes without shifting and transportVelocity, which push particles out of a free surface"}},
+        {completionLimit},
+        {{"system/sphSchemes", {entry::gas, entry::gasBand}}},
+        declare};
     return model;
 }
 

@@ -40,7 +40,10 @@ void prepare(const Reading& reading)
     if (const auto least = entry::pMin.ifGiven(dict)) c.leastPressure = *least;
     if (c.leastPressure > 0)
         entry::pMin.error(dict, fmt::format("is the tension at which the fluid parts, 0 or less, not {:.4g} Pa", c.leastPressure));
-    if (c.leastPressure > -1e299) reading.settings.facts.give(FreeSurface{true}, "pMin of system/sphSchemes");
+    const bool alone = reading.settings.facts.get<GasLeftOut>().isLeftOut;
+    if (alone && entry::pMin.given(dict))
+        entry::pMin.error(dict, "does nothing with `gas none;`, which bounds the tension of spray by itself: leave this out");
+    else if (c.leastPressure > -1e299) reading.settings.facts.give(FreeSurface{true}, "pMin of system/sphSchemes");
 
     const auto& gradient = reading.choose(entry::pressureGradient);
     using Form = PressureForce::Form;
@@ -56,7 +59,7 @@ void readBackground(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     if (const auto given = entry::backgroundPressure(reading.schemes)) c.backgroundPressure = *given;
-    else if (settings.facts.get<InterfaceForces>().act)
+    else if (settings.facts.get<InterfaceForces>().act && !settings.facts.get<GasLeftOut>().isLeftOut)
     {
         c.backgroundPressure = 0.8 * settings.facts.get<InterfaceEnergy>().largest / c.spacing;
         settings.reasons.push_back(

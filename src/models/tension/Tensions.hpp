@@ -9,7 +9,8 @@ namespace sph
 
 struct Tensions
 {
-    std::vector<double> between; ///< gamma_kl [N/m], phases x phases; empty where there is one phase
+    std::vector<double>
+        between; ///< gamma_kl [N/m], phases x phases; of one phase alone that of its free surface, where the gas is left out
     std::vector<double> ofWalls; ///< gamma_sk [N/m], walls x phases; empty where no wall has a contact angle
 
     bool any() const

@@ -7,6 +7,14 @@
 namespace sph
 {
 
+std::vector<double> readSurfaceTension(const Dictionary& dict, const Coefficients& c)
+{
+    if (entry::sigma.given(dict))
+        entry::sigma.error(
+            dict, "is between phases, and the gas is left out (`gas none;` of system/sphSchemes): give the liquid's own dictionary sigma");
+    return {c.phases.size() == 1 ? entry::sigmaOfSurface(dict.subDict(c.phases[0])) : 0.0};
+}
+
 std::vector<double> readTensions(const Dictionary& dict, const Coefficients& c)
 {
     const std::size_t n = c.phases.size();

@@ -10,4 +10,7 @@ namespace sph
 /// is recorded with the dictionary's diagnostics.
 std::vector<double> readTensions(const Dictionary& phaseProperties, const Coefficients& c);
 
+/// Tension of the free surface of the one phase, from `water { sigma 0.072; }`, with a gas that is left out.
+std::vector<double> readSurfaceTension(const Dictionary& phaseProperties, const Coefficients& c);
+
 }

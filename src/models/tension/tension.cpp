@@ -1,15 +1,21 @@
 #include "models/tension/tension.hpp"
+#include "case/phaseEntries.hpp"
+#include "models/tension/FreeBodies.hpp"
+#include "models/tension/FreeSurfaceArea.hpp"
+#include "models/tension/FreeSurfaceCurvature.hpp"
 #include "models/tension/InterfaceArea.hpp"
 #include "models/tension/Tensions.hpp"
 #include "models/tension/WallTension.hpp"
 #include "models/tension/WettingAngles.hpp"
 #include "models/tension/YoungsLaw.hpp"
+#include "models/tension/depthBias.hpp"
 #include "models/tension/phaseCurvatureTerms.hpp"
 #include "models/tension/readTensions.hpp"
 #include "models/tension/sigmaEntry.hpp"
 #include "models/tension/tensionTerms.hpp"
 #include "models/tension/wettingLaws.hpp"
 #include "operators/operatorTerms.hpp"
+#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -40,10 +46,17 @@ const Choice surfaceTension{
 
 namespace
 {
+bool isLiquidAlone(const Settings& settings) { return settings.facts.get<GasLeftOut>().isLeftOut; }
+
 void declare(const Reading& reading)
 {
     auto& c = reading.settings.coefficients;
-    Tensions tensions{readTensions(reading.phases, c), {}};
+    const bool alone = isLiquidAlone(reading.settings);
+    Tensions tensions{alone ? readSurfaceTension(reading.phases, c) : readTensions(reading.phases, c), {}};
+    if (const auto phase = reading.phases.subDictOrEmpty(c.phases.size() == 1 ? c.phases[0] : "");
+        !alone && entry::sigmaOfSurface.given(phase))
+        entry::sigmaOfSurface.error(
+            phase, "of a phase is that of its free surface, with `gas none;` of system/sphSchemes: give that, or leave this out");
     reading.settings.facts.give(InterfaceEnergy{tensions.largest()}, "sigma of constant/phaseProperties");
     c.constants["sigma"] = tensions.between;
     c.set(std::move(tensions));
@@ -59,11 +72,26 @@ void refuseAngles(const Reading& reading, const std::string& why)
                                                 fmt::format("the contact angle of wall \"{}\" does nothing here: {}", wall.name, why));
 }
 
+/// Walls that mirror a free surface hold it at 90 degrees, and at no other angle.
+void refuseOtherAngles(const Reading& reading)
+{
+    for (const auto& wall : reading.geometry.walls)
+        if (wall.wets &&
+            (wall.contactAngle != 90 || std::ranges::any_of(wall.contactAngles, [](const auto& pair) { return pair.angle != 90; })))
+            reading.theCase.diagnostics().error(
+                wall.anglesAt,
+                fmt::format(
+                    "wall \"{}\": with `gas none;` of system/sphSchemes walls mirror the free surface, which meets them at 90 degrees. Take "
+                    "`gas band;` or `gas whole;` for other contact angles, with the gas as a phase",
+                    wall.name));
+}
+
 /// gamma_sk of each wall, by Young's law from its contact angles. None where every angle is 90 degrees.
 void setContactAngles(const Reading& reading, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
     if (!reading.geometry.wets()) return;
+    if (isLiquidAlone(reading.settings)) return refuseOtherAngles(reading);
     if (n < 2)
         return refuseAngles(reading,
                             "it is one of two phases, and constant/phaseProperties lists one, whose free surface has no tension. Add the "
@@ -111,6 +139,8 @@ void prepare(const Reading& reading)
     settings.facts.give(ForceReach{!acts ? 2 : form == "curvature" ? 4 : 3}, "surfaceTension of system/sphSchemes");
     if (!acts) c.of<Tensions>().ofWalls.clear();
     if (acts && !tension) entry::surfaceTension.error(dict, "constant/phaseProperties gives no sigma between any two phases");
+    else if (acts && isLiquidAlone(settings) && form != "curvature")
+        entry::surfaceTension.error(dict, "of a liquid whose gas is left out (`gas none;`) is by curvature: take that, or leave this out");
     else if (form == "curvature" && !haveShares(c))
         settings.reasons.push_back(fmt::format(
             "surface tensions of {} phases by a share of each: where three meet they balance to {:.2g} of the largest; interfaceStress "
@@ -122,6 +152,8 @@ void readAngles(const Reading& reading)
 {
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
+    if (isLiquidAlone(settings))
+        return reading.doesNothing(entry::contactAngle, "with `gas none;` walls mirror the free surface, which meets them at 90 degrees");
     const bool byCurvature = settings.has(entry::surfaceTension, "curvature"),
                byStress = settings.has(entry::surfaceTension, "interfaceStress");
     const auto& form = reading.choose(entry::contactAngle, byCurvature                   ? "wallPotential"
@@ -152,6 +184,33 @@ void readAngles(const Reading& reading)
     settings.reasons.push_back("contact angles by the solid as a phase of its own, as in the paper");
 }
 
+/// Surface tension of a liquid alone.
+void readFreeSurface(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    settings.runningModels.push_back(running<FreeSurfaceArea>());
+    settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
+    settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
+                                          [beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension)](
+                                              const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
+    settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
+    settings.define<FreeSurfaceForce>("freeSurfaceForce", [](const Coefficients& c) { return FreeSurfaceForce(c); });
+    settings.define<AddTension>(
+        "addTension", [](const Coefficients&) { return AddTension{}; }, settings.separateSums);
+    for (const char* term : {"liquidNormals", "freeSurfaceCurvature", "freeSurfaceSmoothing", "freeSurfaceForce", "addTension"})
+        reading.select(term);
+    settings.state.push_back({.value = stateField(ParticleNumber{}), .advancedByModel = true, .written = false});
+    settings.define<CountGhosts>("countGhosts", [](const Coefficients&) { return CountGhosts{}; });
+    reading.select("countGhosts");
+    settings.runningModels.push_back(running<FreeBodies>());
+    if (ranks())
+        reading.schemes.error(
+            "gas", "none is for one process, which knows which liquid is one body: leave -parallel out, or use threads (OMP_NUM_THREADS)");
+    if (settings.integration.maxSubSteps > 1)
+        reading.schemes.subDictOrEmpty("integration")
+            .error("maxSubSteps", "substeps go with surface tension between phases, not with that of `gas none;`");
+}
+
 /// Surface tension acts once in a step of several parts, in its middle: its curvature is four of the six sums over pairs of a two-phase step.
 /// Viscosity shares its sum with the pressure: nothing would be gained.
 void read(const Reading& reading)
@@ -159,6 +218,11 @@ void read(const Reading& reading)
     readAngles(reading);
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
+    if (isLiquidAlone(settings))
+    {
+        if (settings.facts.get<InterfaceForces>().act) readFreeSurface(reading);
+        return;
+    }
     const bool seldom = settings.integration.maxSubSteps > 1;
     const auto select = [&](const std::string& term) { (seldom ? settings.slowTerms : settings.terms).push_back(term); };
     if (settings.facts.get<InterfaceForces>().act) settings.runningModels.push_back(running<InterfaceArea>());
@@ -213,7 +277,10 @@ std::optional<StepLimit> capillaryLimit(const Settings& settings, const Measured
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t l = 0; l < n; ++l)
             if (const double gamma = between[k * n + l]; gamma > 0)
-                step = std::min(step, std::sqrt((c.restDensity[k] + c.restDensity[l]) * h * h * h / (4 * std::numbers::pi * gamma)));
+            {
+                const double rho = n > 1 ? c.restDensity[k] + c.restDensity[l] : c.restDensity[0]; // beyond a free surface there is none
+                step = std::min(step, std::sqrt(rho * h * h * h / (4 * std::numbers::pi * gamma)));
+            }
     if (!(step < std::numeric_limits<double>::infinity())) return {};
     return StepLimit{s * step, "capillary"};
 }
@@ -244,7 +311,7 @@ const Model& tensionModel()
                              prepare,
                              {},
                              {capillaryLimit, slowForceLimit},
-                             {{"constant/phaseProperties", {entry::sigma}},
+                             {{"constant/phaseProperties", {entry::sigma, {entry::phaseName, {entry::sigmaOfSurface}}}},
                               {"system/sphSchemes", {entry::surfaceTension, entry::contactAngle}}},
                              declare};
     return model;

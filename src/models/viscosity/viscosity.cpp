@@ -15,7 +15,7 @@ const Choice viscosity{"viscosity",
                         {"clearyMonaghan", "as harmonic, by the product of the volumes: Kauzlaric et al. (2011), eq. (3.4)"},
                         {"cleary", "the whole stress, along the line of centres"},
                         "none"},
-                       byScene("newtonian between phases of unequal mu, else harmonic where a phase has mu"),
+                       byScene("newtonian between phases of unequal mu and with `gas none;`, else harmonic where a phase has mu"),
                        "form of the viscous acceleration"};
 const Scalar artificialViscosity{"artificialViscosity", units::none, 0, nonNegative,
                                  "alpha of Monaghan and Gingold, about 0.02 for free surfaces"};
@@ -35,7 +35,8 @@ void read(const Reading& reading)
     auto& c = settings.coefficients;
     const bool viscous = std::any_of(c.viscosity.begin(), c.viscosity.end(), [](double mu) { return mu > 0; });
     const bool unequal = std::any_of(c.viscosity.begin(), c.viscosity.end(), [&](double mu) { return mu != c.viscosity[0]; });
-    const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : unequal && !reading.paper() ? "newtonian" : "harmonic");
+    const bool hasFreeStress = (unequal && !reading.paper()) || settings.facts.get<GasLeftOut>().isLeftOut;
+    const auto& form = reading.choose(entry::viscosity, !viscous ? "none" : hasFreeStress ? "newtonian" : "harmonic");
     settings.facts.give(ViscousForce{form != "none"}, "viscosity of system/sphSchemes");
     if (!viscous && form != "none") reading.doesNothing(entry::viscosity, "no phase of constant/phaseProperties has mu");
     const bool variable = settings.hasViscosityField(), central = form == "cleary", product = form == "clearyMonaghan";

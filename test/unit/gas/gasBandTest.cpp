@@ -121,6 +121,40 @@ TEST(GasBand, FollowsALayerThatFalls)
     EXPECT_LT(std::stod(report.substr(at + 15)), 1e-12);
 }
 
+// The force lacks the background pressure where gas is farther than five spacings from the liquid, and nowhere else; what is at rest stays so.
+TEST(CalmGas, IsThatFarFromTheLiquid)
+{
+    CaseScene scene(layer("gas calm;\n", "(0 0 0)", true));
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    advance(simulation, 0, 0.05);
+    const double* const y = simulation.positions().component[1];
+    const double *const phase = scene["phase"], *const ambient = scene["ambient"];
+    int between = 0;
+    for (std::size_t i = 0; i < simulation.size(); ++i)
+    {
+        const double share = Ambient::share(ambient[i]), d = (y[i] - 0.475) / 0.05; // from the liquid's last row
+        ASSERT_LT(ambient[i], Ambient::stands);
+        if (phase[i] == 0 || d < 2.9) ASSERT_EQ(share, 0) << y[i];
+        else if (d > 5.1) ASSERT_EQ(share, 1) << y[i];
+        else if (share > 0 && share < 1) ++between;
+    }
+    EXPECT_EQ(between, 20) << "the row at four spacings";
+    EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
+}
+
+TEST(CalmGas, RefusesWhatItCannotGoWith)
+{
+    const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+    EXPECT_PRED2(says, CaseScene(layer("gas calm; backgroundPressure 0;\n", "(0 0 0)", true)).errors,
+                 "calm leaves out a backgroundPressure");
+    EXPECT_PRED2(says, CaseScene(layer("gas calm; pressureGradient densityWeighted;\n", "(0 0 0)", true)).errors,
+                 "pressureGradient huAdams");
+    auto open = layer("gas calm;\n", "(0 0 0)", true);
+    open["constant/openings"] = "drain { type outlet; point (0 0.2 0); normal (0 1 0); }\n";
+    EXPECT_PRED2(says, CaseScene(open).errors, "calm is for scenes without constant/openings");
+}
+
 TEST(GasBand, RefusesWhatItCannotGoWith)
 {
     const auto errors = [](const std::string& schemes) { return CaseScene(layer(schemes, "(0 0 0)", true)).errors; };

@@ -252,6 +252,29 @@ TEST(PrintedPlan, IsWhatRunsWithAnImplicitPressure)
     for (const char* stage : {"drift", "evaluate", "solve", "kick", "drift on"}) EXPECT_EQ(ran.stages.at(stage), steps) << stage;
 }
 
+// A drop alone, whose gas is left out: its density is completed, and its tension is by curvature from its own side.
+TEST(PrintedPlan, IsWhatRunsInADropAlone)
+{
+    auto files = dropCase();
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1;\nfill ( { region sphere; centre (0.5 0 0); radius 0.4; phase liquid; } );\n";
+    auto& walls = files["constant/geometry"];
+    for (const char* angle : {" contactAngle 60;", " contactAngle 120;"}) walls.erase(walls.find(angle), std::string(angle).size());
+    files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.05; soundSpeed 20; sigma 1; }\n";
+    const auto explicitly = files["system/sphSchemes"] + "gas none;\n";
+    auto implicitly = explicitly;
+    implicitly.replace(implicitly.find("predictorCorrector"), 18, "implicit");
+    for (const auto& schemes : {explicitly, implicitly})
+    {
+        files["system/sphSchemes"] = schemes;
+        const auto ran = printsWhatRuns<2>(files, 4);
+        for (const char* term : {"completedVolume", "uniformNormalisation", "liquidNormals", "freeSurfaceCurvature", "freeSurfaceSmoothing",
+                                 "freeSurfaceForce", "singlePhaseTransposedViscosity"})
+            EXPECT_TRUE(ran.operations.contains(term)) << term;
+        EXPECT_FALSE(ran.operations.contains("numberDensity"));
+    }
+}
+
 // What is evaluated twice a step is printed twice.
 TEST(PrintedPlan, IsWhatRunsWithAnEvaluationMore)
 {

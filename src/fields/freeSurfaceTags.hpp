@@ -1,0 +1,20 @@
+/// Fields of the free surface of a liquid whose gas is left out (models/gas/CompletedDensity.hpp).
+#pragma once
+#include "fields/fieldTags.hpp"
+
+namespace sph
+{
+
+// clang-format off
+struct SlopeSum            { static constexpr FieldInfo info{"slopeSum", "1/m^4", Image::mirrored};      template<int dim> struct At { Vector<dim> g; }; };
+struct SurfaceShare        { static constexpr FieldInfo info{"surfaceShare", "1"};                      template<int dim> struct At { double t; }; };
+struct SurfaceLack         { static constexpr FieldInfo info{"surfaceLack", "1"};                       template<int dim> struct At { double lack; }; };
+struct SurfaceDepth        { static constexpr FieldInfo info{"surfaceDepth", "m"};                      template<int dim> struct At { double z; }; };
+struct LiquidNormal        { static constexpr FieldInfo info{"liquidNormal", "1", Image::mirrored};     template<int dim> struct At { Vector<dim> n_l; }; };
+struct TensionAcceleration { static constexpr FieldInfo info{"dUdtByTension", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_t; }; };
+/// The number of a particle, which its images have too; how many ghosts of walls a particle sees.
+struct ParticleNumber      { static constexpr FieldInfo info{"number", "1"};                            template<int dim> struct At { double number; }; };
+struct GhostsSeen          { static constexpr FieldInfo info{"ghostsSeen", "1"};                        template<int dim> struct At { double ghosts; }; };
+// clang-format on
+
+}

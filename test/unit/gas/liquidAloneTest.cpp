@@ -1,0 +1,381 @@
+/// Liquid whose gas is left out: its completed density, and the curvature and tension of its free surface, by the terms themselves over all pairs of a few hundred to a thousand particles.
+#include "CaseScene.hpp"
+#include "kernels/overLattice.hpp"
+#include "models/gas/CompletedDensity.hpp"
+#include "models/pressure/PressureForce.hpp"
+#include "models/tension/FreeSurfaceCurvature.hpp"
+#include "models/tension/depthBias.hpp"
+#include "plan/laneSums.hpp"
+#include <gtest/gtest.h>
+
+namespace sph::test
+{
+namespace
+{
+
+Coefficients numbers(int dimension, double support, double gamma = 1)
+{
+    Coefficients c;
+    c.dimension = dimension;
+    c.spacing = 1;
+    c.support = support;
+    c.set(FlatSurface::of("wendlandC2", dimension, support, 1));
+    c.set(Tensions{{gamma}, {}});
+    return c;
+}
+
+template<int dim> struct Particle
+{
+    Vector<dim> x{}, g{}, n_l{};
+    double m = 1, V = 1, p = 0, t = 0, lack = 0, z = 0, rawKappa = 0, kappa = 0;
+};
+
+template<int dim> struct Free
+{
+    Coefficients c;
+    Kernel<dim> kernel;
+    std::vector<Particle<dim>> particles;
+    std::vector<std::vector<int>> near; ///< within the support, j = i included
+
+    Free(const Coefficients& numbers, const std::vector<Vector<dim>>& places) : c(numbers), kernel("wendlandC2", c.support)
+    {
+        for (const auto& a : places)
+        {
+            particles.push_back({a});
+            auto& list = near.emplace_back();
+            for (std::size_t b = 0; b < places.size(); ++b)
+                if (mag(a - places[b]) < c.support) list.push_back(int(b));
+        }
+        c.densityScale = 1 / sumOverLattice(kernel, 1, [&](double r) { return kernel.W(r); });
+    }
+
+    /// finish(i, sum_j term(ij, i, j))
+    auto of(const auto& term, std::size_t i) const
+    {
+        struct Pair
+        {
+            Vector<dim> x;
+            double rr, W, dWdrOverR;
+            Vector<dim> gradW;
+        };
+        const auto pair = [&](int j)
+        {
+            const auto x = particles[i].x - particles[std::size_t(j)].x;
+            const double r = mag(x);
+            return Pair{x, r * r, kernel.W(r), kernel.dWdrOverR(r), kernel.dWdrOverR(r) * x};
+        };
+        using Sum = decltype(term(pair(0), particles[i], particles[0]));
+        const auto& list = near[i];
+        const auto sum =
+            sph::sum<Sum>(int(list.size()), [&](int k)
+                          { return term(pair(list[std::size_t(k)]), particles[i], particles[std::size_t(list[std::size_t(k)])]); });
+        if constexpr (requires { term.finish(particles[i], sum); }) return term.finish(particles[i], sum);
+        else return sum;
+    }
+    void each(const auto& set)
+    {
+        auto next = particles;
+        for (std::size_t i = 0; i < particles.size(); ++i) set(next[i], i);
+        particles = next;
+    }
+    void completeDensity()
+    {
+        const CompletedVolume term(c);
+        each(
+            [&](auto& q, std::size_t i)
+            {
+                const auto found = of(term, i);
+                q.V = found.V;
+                q.g = found.g;
+                q.t = found.t;
+                q.lack = found.lack;
+                q.z = found.z;
+            });
+    }
+    void findCurvature()
+    {
+        each([&](auto& q, std::size_t i) { q.n_l = of(LiquidNormals{}, i); });
+        const FreeSurfaceCurvature curvature(c, depthBias("wendlandC2", dim));
+        each([&](auto& q, std::size_t i) { q.rawKappa = of(curvature, i); });
+        each([&](auto& q, std::size_t i) { q.kappa = of(FreeSurfaceSmoothing{}, i); });
+    }
+};
+
+/// Places of a square or cubic lattice where `inside` says so.
+template<int dim> std::vector<Vector<dim>> lattice(int n, const auto& inside)
+{
+    std::vector<Vector<dim>> places;
+    for (int i = -n; i < n; ++i)
+        for (int j = -n; j < n; ++j)
+            for (int k = dim == 3 ? -n : 0; k < (dim == 3 ? n : 1); ++k)
+                if (const auto x = in<dim>(Vector<3>{i + 0.5, j + 0.5, dim == 3 ? k + 0.5 : 0}); inside(x)) places.push_back(x);
+    return places;
+}
+
+/// Places on shells half a spacing and more inside (or outside) a surface of radius R, evenly spread on each, as particles at rest below it lie.
+template<int dim> std::vector<Vector<dim>> shells(double R, int rows, double inward)
+{
+    std::vector<Vector<dim>> places;
+    for (int row = 0; row < rows; ++row)
+    {
+        const double r = R - inward * (row + 0.5), pi = std::numbers::pi, golden = pi * (3 - std::sqrt(5.0));
+        const int n = int(std::lround(dim == 3 ? 4 * pi * r * r : 2 * pi * r));
+        for (int k = 0; k < n; ++k)
+        {
+            const double z = dim == 3 ? 1 - (2 * k + 1.0) / n : 0, angle = dim == 3 ? golden * k + row : 2 * pi * (k + 0.3 * row) / n;
+            places.push_back(
+                in<dim>(Vector<3>{r * std::sqrt(1 - z * z) * std::cos(angle), r * std::sqrt(1 - z * z) * std::sin(angle), r * z}));
+        }
+    }
+    return places;
+}
+
+/// The mean of kappa over these particles of a surface, and the largest that one of them is off it.
+template<int dim> std::pair<double, double> curvatureOf(const std::vector<Particle<dim>>& particles)
+{
+    double sum = 0, off = 0;
+    for (const auto& q : particles) sum += q.kappa;
+    const double mean = sum / double(particles.size());
+    for (const auto& q : particles) off = std::max(off, std::abs(q.kappa - mean));
+    return {mean, off};
+}
+
+/// Densities and depths of the rows of a layer cut from a lattice, which has two plane surfaces.
+template<int dim> void expectRows(double support)
+{
+    SCOPED_TRACE(std::to_string(dim) + "-D, support " + std::to_string(support));
+    const int thick = 8, wide = int(support) + 1;
+    Free<dim> layer(numbers(dim, support),
+                    lattice<dim>(thick, [&](auto x) { return std::abs(in3D(x).x) < wide && std::abs(in3D(x).z) < wide; }));
+    layer.completeDensity();
+    for (const auto& q : layer.particles)
+    {
+        const auto x = in3D(q.x);
+        if (std::abs(x.x) > 0.6 || std::abs(x.z) > 0.6) continue; // the others lack neighbours beside them
+        const double depth = thick - std::abs(x.y);
+        EXPECT_NEAR(1 / q.V, 1, 0.015) << "at a depth of " << depth;
+        if (depth < 2) { EXPECT_NEAR(q.z, depth, 0.12) << "at a depth of " << depth; }
+    }
+}
+
+}
+
+// What a half lattice lacks, summed by an independent script: (100) in 3-D and (10) in 2-D, outermost row.
+TEST(FlatSurface, HasTheSumsOfHalfLattices)
+{
+    const auto in3 = FlatSurface::of("wendlandC2", 3, 3, 1), in2 = FlatSurface::of("wendlandC2", 2, 3, 1);
+    EXPECT_NEAR(in3.slope * 3, 1.5, 1e-5) << "int W dA of wendlandC2 over a plane, times H: exact";
+    EXPECT_NEAR(in2.slope * 3, 1.48545, 1e-5);
+    EXPECT_NEAR(in3.lackOfDensity(0.7336), 0.2495, 0.006) << "fit over rows of three planes";
+    EXPECT_NEAR(in2.lackOfDensity(0.7162), 0.2522, 0.006);
+    EXPECT_NEAR(in3.lackOfDensity(0.3186), 0.1310, 0.006) << "second row of (111)";
+    EXPECT_NEAR(in3.depthAt(0.7336), 0.5, 0.05);
+    EXPECT_NEAR(in3.depthAt(0.1747), 1.061, 0.05) << "second row of (110)";
+    EXPECT_EQ(in3.lackOfDensity(0), 0);
+}
+
+// The outermost row of a lattice as those inside, whatever the support. 1.5 %: rows of (10) are up to 1.2 % off the curve that they share with those of other planes.
+TEST(CompletedDensity, IsThatOfTheBulkUpToAPlaneSurface)
+{
+    for (const double support : {2.6, 3.0, 3.5}) expectRows<2>(support);
+    for (const double support : {2.6, 3.0}) expectRows<3>(support);
+}
+
+// Spray: a particle alone has no neighbours, and its density is bounded.
+TEST(CompletedDensity, IsBoundedForSpray)
+{
+    Free<3> alone(numbers(3, 3), {Vector<3>{}});
+    alone.completeDensity();
+    EXPECT_NEAR(alone.particles[0].V, 1 / leastShareOfDensity, 1e-12);
+    EXPECT_EQ(alone.particles[0].t, 0);
+}
+
+// -2/R of a ball, -1/R of a disc, 1/R of a hole, of particles in shells of which none fits the next.
+TEST(FreeSurfaceCurvature, IsThatOfBallsDiscsAndHoles)
+{
+    const auto relative = [](const auto& places, const Coefficients& c, double exact)
+    {
+        constexpr int dim = dimensions(std::decay_t<decltype(places[0])>{});
+        Free<dim> liquid(c, places);
+        liquid.completeDensity();
+        liquid.findCurvature();
+        const std::vector<Particle<dim>> outermost(liquid.particles.begin(), liquid.particles.begin() + long(places.size() / 10));
+        const auto [mean, off] = curvatureOf(outermost);
+        return std::pair(mean / exact, off / std::abs(exact));
+    };
+    const auto [ball, offBall] = relative(shells<3>(8, 7, 1), numbers(3, 3), -2.0 / 8);
+    EXPECT_NEAR(ball, 1, 0.02);
+    EXPECT_LT(offBall, 0.1);
+    const auto [disc, offDisc] = relative(shells<2>(12, 10, 1), numbers(2, 3), -1.0 / 12);
+    EXPECT_NEAR(disc, 1, 0.02);
+    EXPECT_LT(offDisc, 0.1);
+    const auto [hole, offHole] = relative(shells<2>(12, 10, -1), numbers(2, 3), 1.0 / 12);
+    EXPECT_NEAR(hole, 1, 0.02);
+    EXPECT_LT(offHole, 0.1);
+}
+
+// A uniform pressure -gamma kappa is balanced particle by particle where kappa is uniform, however the particles lie.
+TEST(FreeSurfaceForce, BalancesTheJumpOfThePressureExactly)
+{
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> any(-0.3, 0.3);
+    auto places = lattice<3>(4, [](auto x) { return mag(x) < 4; });
+    for (auto& x : places) x += Vector<3>{any(random), any(random), any(random)};
+    Free<3> drop(numbers(3, 3, 0.7), places);
+    drop.completeDensity();
+    drop.each([&](auto& q, std::size_t i) { q.n_l = drop.of(LiquidNormals{}, i); });
+    for (auto& q : drop.particles)
+    {
+        q.kappa = -0.5;
+        q.p = 0.7 * 0.5;
+    }
+    const FreeSurfaceForce tension(drop.c);
+    double largest = 0, worst = 0;
+    for (std::size_t i = 0; i < drop.particles.size(); ++i)
+    {
+        const auto a = drop.of(HuAdamsPressure{}, i);
+        largest = std::max(largest, mag(a));
+        worst = std::max(worst, mag(a + drop.of(tension, i)));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LT(worst, 1e-12 * largest);
+}
+
+// The force along the surface is -gamma 2 L grad_s kappa V/m: of a linear curvature on a plane surface, whose slope the fit has exactly.
+TEST(FreeSurfaceForce, TakesAwayWhatItsDepthAddsAlongTheSurface)
+{
+    const double slope = 0.01;
+    Free<2> layer(numbers(2, 3), lattice<2>(9, [](auto) { return true; }));
+    layer.completeDensity();
+    layer.each([&](auto& q, std::size_t i) { q.n_l = layer.of(LiquidNormals{}, i); });
+    for (auto& q : layer.particles) q.kappa = slope * q.x.x;
+    const FreeSurfaceForce tension(layer.c);
+    for (std::size_t i = 0; i < layer.particles.size(); ++i)
+    {
+        const auto& q = layer.particles[i];
+        if (q.x.x != 0.5 || 9 - std::abs(q.x.y) > 2) continue;
+        const auto a = layer.of(tension, i);
+        EXPECT_NEAR(a.x, 2 * q.lack * q.V * slope, 1e-10 + 0.01 * std::abs(a.x))
+            << "with the sign of kappa, the divergence of the normal into the liquid";
+    }
+}
+
+// A number of the kernel: 0.069 to 0.075 by an independent script, balls of 8 and 16 spacings, support 3, depths of 0.5 to 1.5 spacings.
+TEST(DepthBias, IsTheShiftBelowABall)
+{
+    EXPECT_NEAR(depthBias("wendlandC2", 3), 0.072, 0.004);
+    EXPECT_NEAR(depthBias("wendlandC2", 2), 0.5 * depthBias("wendlandC2", 3), 0.003) << "a disc bends in one direction, a ball in two";
+}
+
+namespace
+{
+Files discAlone(const std::string& schemes = "gas none;\n")
+{
+    auto files = channelCase();
+    files.erase("constant/g");
+    files["constant/geometry"] = "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x y); }\n";
+    files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.06; soundSpeed 20; sigma 1; }\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.03125; support 3; kernel wendlandC2; }\n" + schemes;
+    return files;
+}
+}
+
+// A disc off the lattice of 8 spacings to the radius comes to rest with the pressure gamma/R, by explicit and implicit steps, in the middle of the scene and across its periodic corner: it keeps its momentum
+// as one body. 3 %: 0.1 to 0.8 % were measured at 8 and 16 spacings, and where particles come to rest is chance.
+TEST(LiquidAlone, HasTheJumpOfYoungAndLaplaceAndStaysWhereItIs)
+{
+    struct Place
+    {
+        std::string scheme;
+        double centre;
+    };
+    for (const auto& [scheme, centre] : {Place{"predictorCorrector", 0.5}, Place{"implicit", 0.5}, Place{"implicit", 0.02}})
+    {
+        SCOPED_TRACE(scheme + ", centre " + std::to_string(centre));
+        CaseScene scene(discAlone("gas none;\nintegration { scheme " + scheme + "; }\n"));
+        ASSERT_EQ(scene.errors, "");
+        Cloud cloud;
+        auto& phase = cloud.fields["phase"].component;
+        phase.resize(1);
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> any(-0.1, 0.1);
+        const double dx = 0.03125;
+        const auto wrapped = [](double x) { return x - std::floor(x); };
+        for (const auto& x : lattice<2>(9, [](auto y) { return mag(y - Vector<2>{0.13, 0.21}) < 8; }))
+        {
+            cloud.x.push_back(wrapped(centre + dx * (x.x + any(random))));
+            cloud.y.push_back(wrapped(centre + dx * (x.y + any(random))));
+            cloud.z.push_back(0);
+            phase[0].push_back(0);
+        }
+        const auto simulation = makeSimulation(scene.settings, scene.geometry, cloud, {});
+        double time = 0, p = 0, weight = 0;
+        while (time < 1)
+        {
+            const double deltaT = std::min(simulation->stepLimit().deltaT, 1 - time);
+            simulation->step(time, deltaT);
+            time += deltaT;
+            if (time < 0.5) continue;
+            simulation->observe();
+            const auto x = simulation->positions().component;
+            const auto off = [&](double at) { return std::remainder(at - centre, 1.0); };
+            double sum = 0;
+            int n = 0;
+            for (std::size_t i = 0; i < simulation->size(); ++i)
+                if (std::hypot(off(x[0][i]), off(x[1][i])) < 4.5 * dx)
+                {
+                    sum += simulation->field("p").component[0][i];
+                    ++n;
+                }
+            p += deltaT * sum / n;
+            weight += deltaT;
+        }
+        const double R = dx * std::sqrt(double(cloud.x.size()) / std::numbers::pi);
+        EXPECT_NEAR(p / weight * R, 1, 0.03);
+        const auto summary = simulation->summary();
+        EXPECT_LT(summary.maxSpeedOfScene(), 0.1) << "of 2 m/s, sqrt(gamma/(rho R)); up to 0.03 were measured";
+        const double tolerance = scheme == "implicit" ? 1e-6 : 1e-13; // that of the solve; round-off of a thousand steps
+        EXPECT_LT(mag(summary.momentum), tolerance * summary.mass[0] * 2);
+    }
+}
+
+TEST(LiquidAlone, RefusesWhatItCannotGoWith)
+{
+    const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+    const auto with = [](const std::string& schemes) { return CaseScene(discAlone("gas none;\n" + schemes)).errors; };
+    EXPECT_PRED2(says, with("gasBand 3;\n"), "is the width of `gas band;`");
+    EXPECT_PRED2(says, with("density continuity;\n"), "none goes with `density numberDensity`");
+    EXPECT_PRED2(says, with("pressureGradient monaghan;\n"), "pressureGradient huAdams");
+    EXPECT_PRED2(says, with("backgroundPressure 3;\n"), "the free surface has the pressure 0");
+    EXPECT_PRED2(says, with("pMin 0;\n"), "bounds the tension of spray by itself");
+    EXPECT_PRED2(says, with("shifting 2;\n"), "without shifting");
+    EXPECT_PRED2(says, with("surfaceTension interfaceStress;\n"), "is by curvature");
+    EXPECT_PRED2(says, with("integration { scheme leapfrog; maxSubSteps 3; }\n"), "substeps go with surface tension between phases");
+    EXPECT_PRED2(says, CaseScene(discAlone("")).errors, "of a phase is that of its free surface, with `gas none;`");
+
+    auto twoPhases = discAlone();
+    twoPhases["constant/phaseProperties"] =
+        "phases (liquid gas);\nliquid { rho 1; mu 0.06; soundSpeed 20; }\ngas { rho 1e-3; mu 1e-3; soundSpeed 20; }\n";
+    EXPECT_PRED2(says, CaseScene(twoPhases).errors, "leave the gas's name and dictionary out");
+    auto pairs = discAlone();
+    pairs["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.06; soundSpeed 20; }\nsigma ( (liquid gas) 1 );\n";
+    EXPECT_PRED2(says, CaseScene(pairs).errors, "give the liquid's own dictionary sigma");
+
+    auto walls = discAlone();
+    const auto floor = [&](const std::string& angle)
+    {
+        walls["constant/geometry"] =
+            "dimension 2; domain { min (0 0 0); max (1 1 0); periodic (x); }\nwalls { floor { type plane; point (0 0 0); normal (0 1 0); " +
+            angle + " } lid { type plane; point (0 1 0); normal (0 -1 0); } }\n";
+        return CaseScene(walls).errors;
+    };
+    EXPECT_PRED2(says, floor("contactAngle 60;"), "constant/geometry:2: wall \"floor\": with `gas none;`");
+    EXPECT_EQ(floor("contactAngle 90;"), "");
+    walls["system/sphSchemes"] += "walls layers;\n";
+    EXPECT_PRED2(says, floor(""), "walls reflected");
+    auto open = discAlone();
+    open["constant/openings"] = "drain { type outlet; point (0 0.2 0); normal (0 1 0); }\n";
+    EXPECT_PRED2(says, CaseScene(open).errors, "none is for scenes without constant/openings");
+}
+
+}
