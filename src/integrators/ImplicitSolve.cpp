@@ -84,7 +84,9 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 
 template<int dim>
 ImplicitSolve<dim>::ImplicitSolve(Particles<dim>& particles, const Numbers& restored)
-    : withPressure_(particles.settings().integration.solvesPressure), viscous_(particles.plan().provides(ViscousResponse::info.name))
+    : withPressure_(particles.settings().integration.solvesPressure),
+      viscous_(particles.plan().provides(ViscousResponse::info.name)),
+      followsForces_(withPressure_ && particles.settings().facts.template get<CalmPhase>().phase >= 0)
 {
     if (const auto share = restored.find(toleranceShare); share != restored.end())
     {
@@ -135,7 +137,7 @@ template<int dim> void ImplicitSolve<dim>::followForces(const Particles<dim>& pa
 
 template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, double deltaT)
 {
-    if (withPressure_) followForces(particles);
+    if (followsForces_) followForces(particles);
     solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
     else delayResidual(particles, deltaT);
@@ -285,7 +287,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
 
 template<int dim> void ImplicitSolve<dim>::save(Numbers& numbers) const
 {
-    if (withPressure_ && forces_ > 0)
+    if (followsForces_)
     {
         numbers[toleranceShare] = share_;
         numbers[forcesOfSolve] = forces_;

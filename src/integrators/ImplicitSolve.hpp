@@ -22,8 +22,8 @@
 /// A residual that is small beside the forces of all may be large beside those of motions that hardly have any: conjugate gradients multiply what they do not see. A stiff motion
 /// whose residual is rho times its own force is x, x + dt v = X at one step and rho X, 2 rho X - x at the next, mu^2 - 2 rho mu + rho = 0: it decays for rho between
 /// -1/3 and 1 and grows by any factor outside, until its forces are a share `tolerance` of all. At rest there is nothing beside it that could end its growth.
-/// Where the forces have grown from one solve to the next by more than 1.5 (rms over particles), the tolerance is therefore a third of what it was, down to 0.03 of the one asked for, and goes back by a
-/// tenth a step. Figures: README.md.
+/// Where a scene asks for calm gas (the fact CalmPhase), and forces have grown from one solve to the next by more than 1.5 (rms over particles), the tolerance is therefore a third of what it was, down to
+/// 0.03 of the one asked for, and goes back by a tenth a step. Other scenes keep theirs: where the flow itself grows, its rate hangs on what the tolerance damps. Figures: README.md.
 ///
 /// A velocity that all particles have in common is its own response where no wall holds it, since forces in pairs cancel; viscosity at walls takes
 ///
@@ -55,7 +55,7 @@ public:
 
 private:
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
-    const bool withPressure_, viscous_;
+    const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;
     std::array<double, dim> wallRate_{}; ///< gamma [1/s]
     long steps_ = 0;                     ///< solves in which gamma was needed
