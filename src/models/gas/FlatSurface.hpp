@@ -1,4 +1,4 @@
-/// What a plane free surface lacks of the sums over neighbours, as functions of the sum of slopes alone.
+/// Sums over neighbours at a plane free surface: the part that they lack, as functions of the sum of slopes alone.
 ///
 ///   t = (|g_i| V_0/g_m)^2,    g_i = sum_j gradW_ij,    g_m = int W dA over a plane through the particle
 ///   1 - s = c_1 t + c_2 t^2 + c_3 t^3                                        s = sum_j W_ij over its value inside, j = i included

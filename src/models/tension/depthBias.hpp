@@ -1,4 +1,4 @@
-/// How much nearer to a curved free surface a particle seems to be than to a plane one, from the sum of its slopes |g|:
+/// A particle seems to be nearer to a curved free surface than to a plane one: by how much, from the sum of its slopes |g|:
 ///
 ///   z - z' = beta H^2 k
 ///
