@@ -114,7 +114,7 @@ const Model& gasModel()
 {
     static const Model model{
         "gas",
-        "where the gas is: everywhere, or in a band around the liquid; and how calm",
+        "where the gas is: everywhere, in a band around the liquid, or nowhere; and how calm",
         read,
         gasTerms<2>(),
         gasTerms<3>(),
