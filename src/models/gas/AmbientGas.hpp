@@ -8,6 +8,8 @@
 /// spring. The force above has no p_b where s is 1; the gradient of s p_b is taken as differences have it, 0 where s is uniform however the particles lie. It is that of Hu and
 /// Adams where s is 0. What stands still ends the gas: its own sums, which lack neighbours, are not used.
 ///
+/// Of these calm gas (CalmGas.hpp) takes the force alone, with pressures of the state equation.
+///
 /// p [Pa], V [m^3], v [m/s]. Verified by test/unit/gas.
 #pragma once
 #include "models/density/NumberDensity.hpp"
