@@ -17,4 +17,10 @@ template<int dim> double sumOverLattice(const Kernel<dim>& kernel, double dx, co
     return sum;
 }
 
+/// M = -1/d sum_j r_j W'(r_j) of a particle on it: what normalises gradients (operators/KernelMoment.hpp) [1/m^d].
+template<int dim> double momentOnLattice(const Kernel<dim>& kernel, double spacing)
+{
+    return sumOverLattice(kernel, spacing, [&](double r) { return -kernel.dWdrOverR(r) * sqr(r) / dim; });
+}
+
 }

@@ -4,14 +4,6 @@
 namespace sph
 {
 
-namespace
-{
-template<int dim> double momentOnLattice(const Kernel<dim>& kernel, double dx)
-{
-    return sumOverLattice(kernel, dx, [&](double r) { return -kernel.dWdrOverR(r) * sqr(r) / dim; });
-}
-}
-
 GasAtRest GasAtRest::of(double density, const std::string& kernel, int dimension, double H, double spacing)
 {
     return {density, dimension == 2 ? momentOnLattice(Kernel<2>(kernel, H), spacing) : momentOnLattice(Kernel<3>(kernel, H), spacing)};

@@ -1,5 +1,6 @@
 #include "models/gas/FlatSurface.hpp"
 #include "kernels/overLattice.hpp"
+#include "kernels/overPlane.hpp"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <vector>
@@ -44,20 +45,6 @@ template<int dim> std::vector<Row> rowsBelow(const Normal& normal, const Kernel<
     return rows;
 }
 
-/// int W dA over a plane through the particle: a line in 2-D.
-template<int dim> double throughPlane(const Kernel<dim>& kernel)
-{
-    const int n = 2000;
-    const double dr = kernel.support() / n, pi = 3.141592653589793;
-    double sum = 0;
-    for (int k = 0; k < n; ++k)
-    {
-        const double r = (k + 0.5) * dr;
-        sum += kernel.W(r) * (dim == 3 ? 2 * pi * r : 2) * dr;
-    }
-    return sum;
-}
-
 /// Coefficients q_k of least squares of sum_k q_k f_k = y over the rows; `of(row)` gives f and y, both times the row's weight.
 template<std::size_t n> std::array<double, n> fit(const std::vector<Row>& rows, const auto& of)
 {
@@ -79,8 +66,8 @@ template<int dim> FlatSurface flatSurface(const Kernel<dim>& kernel, double dx)
 {
     FlatSurface surface;
     surface.support = kernel.support();
-    surface.normalisation = std::pow(dx, dim) * sumOverLattice(kernel, dx, [&](double r) { return -kernel.dWdrOverR(r) * r * r / dim; });
-    surface.slope = throughPlane(kernel) / std::pow(dx, dim);
+    surface.normalisation = std::pow(dx, dim) * momentOnLattice(kernel, dx);
+    surface.slope = integralOverPlane(kernel) / std::pow(dx, dim);
     std::vector<Row> rows;
     for (const Normal& normal :
          dim == 3 ? std::array<Normal, 3>{{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}}} : std::array<Normal, 3>{{{1, 0, 0}, {1, 1, 0}, {2, 1, 0}}})

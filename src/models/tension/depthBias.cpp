@@ -1,6 +1,6 @@
 #include "models/tension/depthBias.hpp"
 #include "base/Vector.hpp"
-#include "kernels/Kernel.hpp"
+#include "kernels/overPlane.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -12,19 +12,7 @@ namespace
 constexpr int strips = 2000;
 constexpr double farther = 4; ///< radius of the ball over the support
 
-/// |g| of a particle at depth z below a plane surface: int W dA, over the support 1.
-template<int dim> double belowPlane(const Kernel<dim>& kernel, double z)
-{
-    double sum = 0;
-    for (int k = 0; k < strips; ++k)
-    {
-        const double x = (k + 0.5) / strips;
-        sum += kernel.W(std::sqrt(x * x + z * z)) * (dim == 3 ? 2 * std::numbers::pi * x : 2) / strips;
-    }
-    return sum;
-}
-
-/// int W cos(angle) dA over the surface of a disc or ball of radius R.
+/// int W cos(angle) dA over the surface of a disc or ball of radius R, the |g| of a particle at a depth z below it; that below a plane surface is integralOverPlane.
 template<int dim> double belowBall(const Kernel<dim>& kernel, double R, double z)
 {
     const double r = R - z, widest = std::numbers::pi / (2 * R);
@@ -50,7 +38,7 @@ template<int dim> double bias(const Kernel<dim>& kernel)
         for (int k = 0; k < 40; ++k)
         {
             const double middle = 0.5 * (low + high);
-            (belowPlane(kernel, middle) > g ? low : high) = middle;
+            (integralOverPlane(kernel, middle) > g ? low : high) = middle;
         }
         sum += (z - low) * farther;
     }

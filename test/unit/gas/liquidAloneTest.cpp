@@ -5,6 +5,7 @@
 #include "models/pressure/PressureForce.hpp"
 #include "models/tension/FreeSurfaceCurvature.hpp"
 #include "models/tension/depthBias.hpp"
+#include "parallel/reduce.hpp"
 #include "plan/laneSums.hpp"
 #include <gtest/gtest.h>
 
@@ -136,7 +137,7 @@ template<int dim> std::pair<double, double> curvatureOf(const std::vector<Partic
     double sum = 0, off = 0;
     for (const auto& q : particles) sum += q.kappa;
     const double mean = sum / double(particles.size());
-    for (const auto& q : particles) off = std::max(off, std::abs(q.kappa - mean));
+    for (const auto& q : particles) Larger{}(off, std::abs(q.kappa - mean));
     return {mean, off};
 }
 
@@ -234,8 +235,8 @@ TEST(FreeSurfaceForce, BalancesTheJumpOfThePressureExactly)
     for (std::size_t i = 0; i < drop.particles.size(); ++i)
     {
         const auto a = drop.of(HuAdamsPressure{}, i);
-        largest = std::max(largest, mag(a));
-        worst = std::max(worst, mag(a + drop.of(tension, i)));
+        Larger{}(largest, mag(a));
+        Larger{}(worst, mag(a + drop.of(tension, i)));
     }
     EXPECT_GT(largest, 0);
     EXPECT_LT(worst, 1e-12 * largest);
