@@ -13,8 +13,8 @@ TOLERANCE = sample.SINGLE_PRECISION
 
 
 def run(*command, cwd):
-    # The tools compare PWD with the folder they are in, and warn.
-    done = subprocess.run(command, cwd=cwd, env={**os.environ, "PWD": cwd}, capture_output=True, text=True)
+    # The tools compare PWD with the folder they are in, and warn. The folders of two mpirun in one TMPDIR can be in one another's way.
+    done = subprocess.run(command, cwd=cwd, env={**os.environ, "PWD": cwd, "TMPDIR": cwd}, capture_output=True, text=True)
     said = done.stdout + done.stderr
     # OpenFOAM's tools go on after some errors, with exit code 0.
     if done.returncode != 0 or "FATAL" in said or "--> FOAM Warning" in said:

@@ -18,24 +18,22 @@ using namespace sph::test;
 namespace
 {
 /// A program of the suite on so many ranks, all on whatever processors there are. `meanwhile` runs beside it.
-Outcome onRanks(int ranks, const std::string& program, const TestCase& c, const std::string& meanwhile = "")
+Outcome onRanks(int ranks, const std::string& program, const std::string& meanwhile = "")
 {
-    const auto log = std::filesystem::temp_directory_path() / (c.folder().filename().string() + ".ranks");
-    const std::string command =
-        "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-        "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1; timeout 100 mpirun -np " +
-        std::to_string(ranks) + " " SPH_APPLICATIONS "/" + program + " < /dev/null > '" + log.string() + ".out' 2> '" + log.string() +
-        ".err' & run=$!; " + meanwhile + " wait $run";
+    // Apart from other runs: an mpirun that ends removes the folder of all in TMPDIR once it is empty, and one that has just made it then fails.
+    const TestCase own(Files{});
+    const auto folder = own.folder().string();
+    const std::string command = "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+                                "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1; TMPDIR='" +
+                                folder + "' timeout 100 mpirun -np " + std::to_string(ranks) + " " SPH_APPLICATIONS "/" + program +
+                                " < /dev/null > '" + folder + "/out' 2> '" + folder + "/err' & run=$!; " + meanwhile + " wait $run";
     const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128, contentsOf(log.string() + ".out"), contentsOf(log.string() + ".err")};
-    std::filesystem::remove(log.string() + ".out");
-    std::filesystem::remove(log.string() + ".err");
-    return outcome;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, own.read("out"), own.read("err")};
 }
 
 Outcome runParallel(const TestCase& c, int ranks, const std::string& meanwhile = "")
 {
-    return onRanks(ranks, "sphFoamLike -parallel -case " + c.folder().string(), c, meanwhile);
+    return onRanks(ranks, "sphFoamLike -parallel -case " + c.folder().string(), meanwhile);
 }
 
 struct Prepared : TestCase
@@ -428,7 +426,7 @@ TEST(RanksOfACase, PrintThePlanOfOneProcess)
             return numbered;
         };
         const auto alone = plan(c.runWell("sphFoamLike", "-dry-run"));
-        const auto shared = onRanks(2, "sphFoamLike -parallel -dry-run -case " + c.folder().string(), c);
+        const auto shared = onRanks(2, "sphFoamLike -parallel -dry-run -case " + c.folder().string());
         EXPECT_EQ(shared.code, 0) << shared.err;
         EXPECT_GT(std::ranges::count(alone, '\n'), 8) << alone;
         EXPECT_EQ(plan(shared.out), alone);
@@ -511,7 +509,7 @@ Outcome writeOnRanks(const TestCase& c, const std::string& format, std::vector<i
 {
     std::string words = "collatedWriting write " + c.folder().string() + " " + format + " " + std::to_string(withoutLabel);
     for (const int n : counts) words += " " + std::to_string(n);
-    return onRanks(int(counts.size()), words, c);
+    return onRanks(int(counts.size()), words);
 }
 
 class CollatedFiles : public testing::TestWithParam<const char*>
