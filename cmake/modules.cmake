@@ -1,11 +1,12 @@
 # One static library per module. Headers are included by their room, `#include "images/Chain.hpp"`, and found only through the targets that a module names in
 # DEPENDS, so that including against the direction of DESIGN.md section 2 does not compile: each target shows a folder of the build that holds a link to its room alone.
 #
-#   sph_module(<name> [DEPENDS <module or library>...] [STENCIL <source>...])
+#   sph_module(<name> [DEPENDS <module or library>...] [STENCIL <source>...] [APART <source>...])
 #
-# STENCIL names the sources that instantiate terms: they are compiled with SPH_STENCIL_FLAGS.
+# STENCIL names the sources that instantiate terms: they are compiled with SPH_STENCIL_FLAGS. APART names those that share a name of their own (an entry, a
+# helper) with another source of the room: CMAKE_UNITY_BUILD leaves them by themselves, as it does STENCIL.
 function(sph_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;STENCIL")
+    cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;STENCIL;APART")
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     file(RELATIVE_PATH room ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
     set(shown ${PROJECT_BINARY_DIR}/rooms/${name})
@@ -24,6 +25,9 @@ function(sph_module name)
     if(module_STENCIL)
         set_source_files_properties(${module_STENCIL} PROPERTIES COMPILE_OPTIONS "${SPH_STENCIL_FLAGS}")
     endif()
+    if(module_APART)
+        set_source_files_properties(${module_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
 endfunction()
 
 # An application: one folder, one short main, named as its folder.
@@ -39,11 +43,14 @@ endfunction()
 # one another on two cores, and take a hundred times as long.
 set(SPH_TEST_ENVIRONMENT OMP_NUM_THREADS=1)
 
-# A test program from all sources of the folder: sph_test(<name> DEPENDS <module>...)
+# A test program from all sources of the folder: sph_test(<name> DEPENDS <module>... [APART <source>...]), APART as of sph_module.
 function(sph_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS")
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS;APART")
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${test_DEPENDS} GTest::gtest_main)
+    if(test_APART)
+        set_source_files_properties(${test_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ENVIRONMENT ${SPH_TEST_ENVIRONMENT})
 endfunction()
