@@ -1,5 +1,5 @@
-/// The part of Sweep that tells: the plan, tables, plots.
-#include "Sweep.hpp"
+/// The part of CaseSweep that tells: the plan, tables, plots.
+#include "CaseSweep.hpp"
 #include "base/OutputFile.hpp"
 #include "base/csv.hpp"
 #include "sweeps/convergence.hpp"
@@ -51,20 +51,20 @@ std::string number(double value, const char* format)
 
 }
 
-std::string Sweep::titleOf(std::size_t error) const
+std::string CaseSweep::titleOf(std::size_t error) const
 {
     const auto& choice = plan_.errors[error];
     return fmt::format("{} error of {} at time {} s", choice.norm, choice.field, shown(timeOf(choice, runs_.front())));
 }
 
-std::string Sweep::stemOf(std::size_t error) const
+std::string CaseSweep::stemOf(std::size_t error) const
 {
     const auto& choice = plan_.errors[error];
     return fmt::format("{}{}_{}_{}", choice.function == "errors" ? "" : choice.function + "_", choice.field, choice.norm,
                        shown(timeOf(choice, runs_.front())));
 }
 
-void Sweep::printPlan() const
+void CaseSweep::printPlan() const
 {
     const auto done = std::ranges::count_if(runs_, [](const Run& run) { return !run.rows.empty(); });
     std::vector<std::string> timed;
@@ -95,7 +95,7 @@ void Sweep::printPlan() const
     std::fflush(stdout);
 }
 
-void Sweep::writeTable()
+void CaseSweep::writeTable()
 {
     std::vector<ResultRow> all;
     for (std::size_t k = 0; k < plan_.errors.size(); ++k)
@@ -107,7 +107,7 @@ void Sweep::writeTable()
     writeFile(outputFolder_ / "results.csv", resultTableText(all));
 }
 
-void Sweep::printTable(std::size_t error) const
+void CaseSweep::printTable(std::size_t error) const
 {
     auto rows = rowsOf(error);
     const auto own = rows.size();
@@ -134,7 +134,7 @@ void Sweep::printTable(std::size_t error) const
     fmt::print("\n{}; * on the Pareto front: nothing has less error at no more processor time\n\n{}", titleOf(error), aligned(cells, 3));
 }
 
-void Sweep::draw() const
+void CaseSweep::draw() const
 {
     if (!gnuplot_) return;
     fmt::print("\n");

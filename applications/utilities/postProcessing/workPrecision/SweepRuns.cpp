@@ -1,5 +1,5 @@
-/// The part of Sweep that runs cases.
-#include "Sweep.hpp"
+/// The part of CaseSweep that runs cases.
+#include "CaseSweep.hpp"
 #include "base/DivergedError.hpp"
 #include "base/OutputFile.hpp"
 #include "base/csv.hpp"
@@ -141,9 +141,9 @@ std::string duration(double seconds)
 
 }
 
-fs::path Sweep::folderOf(const Run& run) const { return runFolder_ / run.plan.variant / shortestText(run.plan.resolution); }
+fs::path CaseSweep::folderOf(const Run& run) const { return runFolder_ / run.plan.variant / shortestText(run.plan.resolution); }
 
-std::string Sweep::expectedFinish(std::size_t next) const
+std::string CaseSweep::expectedFinish(std::size_t next) const
 {
     const auto rows = rowsOf(0);
     double sum = 0;
@@ -161,7 +161,7 @@ std::string Sweep::expectedFinish(std::size_t next) const
     return fmt::format("expected finish in {}, at {:%H:%M}", duration(sum), fmt::localtime(end));
 }
 
-std::string Sweep::executeSteps(const Run& run, Cost& cost, std::string& note)
+std::string CaseSweep::executeSteps(const Run& run, Cost& cost, std::string& note)
 {
     const auto folder = folderOf(run);
     copyInputs(plan_.baseCase, folder, !packs());
@@ -207,7 +207,7 @@ std::string Sweep::executeSteps(const Run& run, Cost& cost, std::string& note)
 
 /// Fills the errors in. The status of a run that ended well is "ok", "diverged" where an error is not finite, "failed" where one is
 /// missing or relative to nothing.
-std::string Sweep::readErrors(const Run& run, std::vector<ResultRow>& rows, std::string& note) const
+std::string CaseSweep::readErrors(const Run& run, std::vector<ResultRow>& rows, std::string& note) const
 {
     std::string status = "ok";
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -232,7 +232,7 @@ std::string Sweep::readErrors(const Run& run, std::vector<ResultRow>& rows, std:
     return status;
 }
 
-void Sweep::execute(Run& run)
+void CaseSweep::execute(Run& run)
 {
     Cost best{ResultRow::unknown, ResultRow::unknown, ResultRow::unknown};
     std::string status, note;
@@ -278,7 +278,7 @@ void Sweep::execute(Run& run)
     for (std::size_t k = 0; k < run.rows.size(); ++k) fmt::print("        {}: {:.4g}\n", titleOf(k), run.rows[k].error);
 }
 
-int Sweep::run()
+int CaseSweep::run()
 {
     // No run may use more than its core; OpenMP reads this when a child starts.
     ::setenv("OMP_NUM_THREADS", "1", 1);

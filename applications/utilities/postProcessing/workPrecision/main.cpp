@@ -1,5 +1,5 @@
 /// Runs a case over resolutions and variants and draws its error against its cost.
-#include "Sweep.hpp"
+#include "CaseSweep.hpp"
 #include "base/CommandLine.hpp"
 #include <CLI/CLI.hpp>
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv)
         [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Check everything, print what would run, and stop"); },
         [&](const std::filesystem::path& caseFolder)
         {
-            sph::Sweep sweep(caseFolder);
+            sph::CaseSweep sweep(caseFolder);
             sweep.printPlan();
             return dryRun ? 0 : sweep.run();
         });

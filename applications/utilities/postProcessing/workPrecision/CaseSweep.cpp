@@ -1,4 +1,4 @@
-#include "Sweep.hpp"
+#include "CaseSweep.hpp"
 #include "base/OutputFile.hpp"
 #include "base/words.hpp"
 #include "checkCase.hpp"
@@ -73,7 +73,7 @@ std::pair<Location, std::string> placeAndText(const std::string& mistake)
 
 bool sameTime(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); }
 
-Sweep::Sweep(const fs::path& caseFolder)
+CaseSweep::CaseSweep(const fs::path& caseFolder)
     : case_(fs::weakly_canonical(fs::absolute(caseFolder))),
       plan_(readSweepPlan(case_)),
       runFolder_(case_.folder() / "run" / "workPrecision"),
@@ -88,16 +88,16 @@ Sweep::Sweep(const fs::path& caseFolder)
     case_.diagnostics().throwIfAny();
 }
 
-std::vector<std::string> Sweep::programs() const
+std::vector<std::string> CaseSweep::programs() const
 {
     std::vector<std::string> names;
     for (const auto& step : steps_) names.push_back(step.program);
     return names;
 }
 
-bool Sweep::packs() const { return std::ranges::find(steps_, "packParticles", &Step::program) != steps_.end(); }
+bool CaseSweep::packs() const { return std::ranges::find(steps_, "packParticles", &Step::program) != steps_.end(); }
 
-void Sweep::findPrograms()
+void CaseSweep::findPrograms()
 {
     auto& diagnostics = case_.diagnostics();
     const auto control = Dictionary::read(plan_.baseCase, "system/controlDict", std::make_shared<Diagnostics>());
@@ -132,7 +132,7 @@ void Sweep::findPrograms()
                           "does), or say `plots no;`");
 }
 
-void Sweep::readPeers()
+void CaseSweep::readPeers()
 {
     for (const auto& file : plan_.peers)
     {
@@ -142,7 +142,7 @@ void Sweep::readPeers()
     }
 }
 
-void Sweep::checkRuns()
+void CaseSweep::checkRuns()
 {
     const ScratchFolder scratch(runFolder_);
     copyInputs(plan_.baseCase, scratch.copy(), !packs());
@@ -176,7 +176,7 @@ void Sweep::checkRuns()
 }
 
 /// In files that some step reads whole an entry may be new: whether it is known there is found when the copy is read.
-void Sweep::checkOverrides(const Run& run)
+void CaseSweep::checkOverrides(const Run& run)
 {
     const auto whole = filesReadWhole(programs());
     for (const auto& o : run.plan.overrides)
@@ -184,7 +184,7 @@ void Sweep::checkOverrides(const Run& run)
             case_.diagnostics().error(o.where, fmt::format("{} has no entry \"{}\"", o.file, o.entry()));
 }
 
-void Sweep::reportMistakes(const Run& run, const fs::path& copy, const std::vector<std::string>& mistakes)
+void CaseSweep::reportMistakes(const Run& run, const fs::path& copy, const std::vector<std::string>& mistakes)
 {
     auto& diagnostics = case_.diagnostics();
     for (const auto& mistake : mistakes)
@@ -210,7 +210,7 @@ void Sweep::reportMistakes(const Run& run, const fs::path& copy, const std::vect
     }
 }
 
-void Sweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
+void CaseSweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
 {
     auto& diagnostics = case_.diagnostics();
     const auto functions = Dictionary::read(copy, "system/controlDict", std::make_shared<Diagnostics>()).subDictOrEmpty("functions");
@@ -240,16 +240,16 @@ void Sweep::checkErrors(const Run& run, const fs::path& copy, bool endIsKnown)
     }
 }
 
-double Sweep::timeOf(const ErrorChoice& choice, const Run& run) const { return choice.time.value_or(run.endTime); }
+double CaseSweep::timeOf(const ErrorChoice& choice, const Run& run) const { return choice.time.value_or(run.endTime); }
 
-bool Sweep::isFinal(const ResultRow& row) const
+bool CaseSweep::isFinal(const ResultRow& row) const
 {
     // A failure may have been the machine's; a limit may have been raised.
     if (row.status == "timeLimit") return plan_.timeLimit && *plan_.timeLimit <= row.wallSeconds;
     return row.status != "failed";
 }
 
-void Sweep::takeOldRows()
+void CaseSweep::takeOldRows()
 {
     const auto old =
         readResultTable(case_.folder(), "postProcessing/workPrecision/results.csv", Completeness::ownRows, case_.diagnostics());
@@ -272,7 +272,7 @@ void Sweep::takeOldRows()
     keepOld_ = used < old.size();
 }
 
-std::vector<ResultRow> Sweep::rowsOf(std::size_t error) const
+std::vector<ResultRow> CaseSweep::rowsOf(std::size_t error) const
 {
     std::vector<ResultRow> rows;
     for (const auto& variant : plan_.variants)
@@ -281,7 +281,7 @@ std::vector<ResultRow> Sweep::rowsOf(std::size_t error) const
     return rows;
 }
 
-std::vector<ResultRow> Sweep::peersOf(std::size_t error) const
+std::vector<ResultRow> CaseSweep::peersOf(std::size_t error) const
 {
     const auto& choice = plan_.errors[error];
     std::vector<ResultRow> rows;

@@ -12,11 +12,11 @@ namespace sph
 /// Times of a table and of a dictionary are the same where they differ by less than the digits that either is written with.
 bool sameTime(double a, double b);
 
-class Sweep
+class CaseSweep
 {
 public:
     /// Reads and checks everything, each variant at each resolution included; throws CaseError with all mistakes at once.
-    explicit Sweep(const std::filesystem::path& caseFolder);
+    explicit CaseSweep(const std::filesystem::path& caseFolder);
 
     void printPlan() const;
 
