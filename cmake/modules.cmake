@@ -43,16 +43,21 @@ endfunction()
 # one another on two cores, and take a hundred times as long.
 set(SPH_TEST_ENVIRONMENT OMP_NUM_THREADS=1)
 
-# A test program from all sources of the folder: sph_test(<name> DEPENDS <module>... [APART <source>...]), APART as of sph_module.
-# The optimiser is left out of it: it takes half of the compilation, and what takes time in a test is in the libraries.
+# A test program from all sources of the folder: sph_test(<name> DEPENDS <module>... [APART <source>...] [OPTIMISED <source>...])
+#
+# APART as of sph_module. The optimiser takes half of the compilation, and what takes time in most tests is in the libraries: it is left to those sources alone
+# that OPTIMISED names.
 function(sph_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS;APART")
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "DEPENDS;APART;OPTIMISED")
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${test_DEPENDS} GTest::gtest_main)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O0;-g0>)
     if(test_APART)
         set_source_files_properties(${test_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+    if(test_OPTIMISED)
+        set_source_files_properties(${test_OPTIMISED} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O2>)
     endif()
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ENVIRONMENT ${SPH_TEST_ENVIRONMENT})
 endfunction()
