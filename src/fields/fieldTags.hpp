@@ -87,7 +87,8 @@ struct ShearRate           { static constexpr FieldInfo info{"gammaDot", "1/s"};
 struct ShearStress         { static constexpr FieldInfo info{"tau", "Pa"};                              template<int dim> struct At { double tau; }; };
 struct RelativeViscositySlope { static constexpr FieldInfo info{"viscositySlope", "1"};                 template<int dim> struct At { double slope; }; };
 struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};                             template<int dim> struct At { double holder; }; };
-struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim> struct At { double p_h; }; };
+struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim> struct At { double p_h; };
+                             static constexpr double ofDensity = -1e30; }; ///< of what has the pressure of its density
 struct BoundaryShare       { static constexpr FieldInfo info{"boundaryShare", "1", Image::placed};              template<int dim> struct At { double s_b; }; };
 struct BoundaryAcceleration{ static constexpr FieldInfo info{"dUdtByBoundary", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_b; }; };
 struct BoundaryDensityRate { static constexpr FieldInfo info{"drhodtByBoundary", "kg/(m^3 s)"};          template<int dim> struct At { double drhodt_b; }; };

@@ -4,6 +4,7 @@
 #include "models/gas/CalmGas.hpp"
 #include "models/gas/CompletedDensity.hpp"
 #include "models/gas/GasBand.hpp"
+#include "models/gas/GasFriction.hpp"
 #include "models/gas/gasTerms.hpp"
 #include <algorithm>
 #include <array>
@@ -25,11 +26,14 @@ const Choice gas{
     "whole",
     "where the gas is, the lightest phase"};
 const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
-                     "width of the band, with `gas band;`: its outer support stands still"};
+                     "width of the band, with `gas band;`: its outer support stands still"},
+    gasFriction{"gasFriction", units::none / units::s, 0, nonNegative, "r of a friction of the gas, dv/dt = -r v"};
 }
 
 namespace
 {
+std::size_t lightest(const Coefficients& c) { return std::size_t(std::ranges::min_element(c.restDensity) - c.restDensity.begin()); }
+
 void declare(const Reading& reading)
 {
     if (entry::gas(reading.schemes) == "none") reading.settings.facts.give(GasLeftOut{true}, "gas of system/sphSchemes");
@@ -66,7 +70,7 @@ void prepare(const Reading& reading)
     if (gas == "whole") return;
     if (!settings.multiphase())
         return entry::gas.error(reading.schemes, gas + " is of the lightest of several phases, and constant/phaseProperties lists one");
-    const auto phase = std::size_t(std::ranges::min_element(c.restDensity) - c.restDensity.begin());
+    const auto phase = lightest(c);
     if (gas == "calm")
     {
         Evolving share{stateField(Ambient{})};
@@ -79,10 +83,24 @@ void prepare(const Reading& reading)
     settings.facts.give(PhaseInPart{int(phase)}, "gas of system/sphSchemes");
 }
 
+void slowGas(const Reading& reading, double rate)
+{
+    auto& settings = reading.settings;
+    const auto& c = settings.coefficients;
+    if (!settings.multiphase())
+        return entry::gasFriction.error(reading.schemes, "is of the lightest of several phases, and constant/phaseProperties lists one");
+    const auto gas = lightest(c);
+    settings.reasons.push_back(
+        fmt::format("friction of {}: driven at v m/s over L m it resists by {:.3g} v L Pa; capillary pressures are {:.3g}/R Pa",
+                    c.phases[gas], rate * c.restDensity[gas], settings.facts.get<InterfaceEnergy>().largest));
+    settings.runningModels.push_back(running<GasFriction>(gas, rate));
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     const int inPart = settings.facts.get<PhaseInPart>().phase, calm = settings.facts.get<CalmPhase>().phase;
+    if (const double rate = entry::gasFriction(reading.schemes); rate > 0) slowGas(reading, rate);
     if (inPart < 0 && calm < 0) return;
     reading.select(settings.force("ambientPressure", gasTerms<2>(), gasTerms<3>()));
     settings.runningModels.push_back(inPart < 0 ? running<CalmGas>(std::size_t(calm))
@@ -149,7 +167,7 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isLeftOut(s) && shifts(s); },
           "none goes without shifting and transportVelocity, which push particles out of a free surface"}},
         {completionLimit},
-        {{"system/sphSchemes", {entry::gas, entry::gasBand}}},
+        {{"system/sphSchemes", {entry::gas, entry::gasBand, entry::gasFriction}}},
         declare};
     return model;
 }

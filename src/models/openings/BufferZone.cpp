@@ -171,12 +171,14 @@ template<int dim> void BufferZone<dim>::soften(FieldStore<dim>& store) const
         if (!placed_[std::size_t(holder[i]) - 1].opening.inlet) stiffness[i] = 0;
 }
 
-/// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there.
+/// The pressure of a held particle and, where density is integrated, that of Tait's law for it: free, it goes on from there. What a drip or a flux pushes
+/// out at a given velocity has that of its density (BoundaryFit.hpp).
 template<int dim> void BufferZone<dim>::imposePressure(FieldStore<dim>& store, std::size_t i, const Vector<3>& x_i) const
 {
     const auto& placed = placed_[std::size_t(store.component(Holder::info.name, 0)[i]) - 1];
     const std::size_t k = scene_.phasesOf(store)(i);
-    const double p = placed.pressure[k] + placed.slope[k] * placed.opening.distance(x_i);
+    const bool isPiston = placed.opening.inlet && placed.opening.isPart && !placed.opening.pressure && !integrates_;
+    const double p = isPiston ? HeldPressure::ofDensity : placed.pressure[k] + placed.slope[k] * placed.opening.distance(x_i);
     store.component(HeldPressure::info.name, 0)[i] = p;
     if (!integrates_) return;
     const auto& equation = scene_.coefficients.stateEquation[k];

@@ -143,6 +143,35 @@ TEST(CalmGas, IsThatFarFromTheLiquid)
     EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
 }
 
+// A layer that falls and drives gas before it, which goes round by the periodic faces: dv/dt = -g - k v, k = r m_gas/(m_gas + m_liquid).
+TEST(GasFriction, IsThatOfTheGasAloneWhichTheLiquidDrives)
+{
+    const double r = 200, end = 0.4;
+    CaseScene scene(layer("gasFriction 200;\nintegration { scheme implicit; }\n", "(0 -1 0)", false));
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    advance(simulation, 0, end);
+    const double* const v = simulation.field("U").component[1];
+    const double *const phase = scene["phase"], *const m = scene["m"];
+    double momentum = 0, mass[2] = {0, 0};
+    for (std::size_t i = 0; i < simulation.size(); ++i)
+    {
+        mass[phase[i] == 0 ? 0 : 1] += m[i];
+        if (phase[i] == 0) momentum += m[i] * v[i];
+    }
+    const double k = r * mass[1] / (mass[0] + mass[1]);
+    EXPECT_NEAR(momentum / mass[0], -(1 - std::exp(-k * end)) / k, 0.01 * end) << "free fall: " << -end;
+}
+
+TEST(GasFriction, RefusesWhatItCannotGoWith)
+{
+    auto alone = channelCase();
+    alone["system/sphSchemes"] += "gasFriction 10;\n";
+    const auto errors = CaseScene(alone).errors;
+    EXPECT_NE(errors.find("the lightest of several phases"), std::string::npos) << errors;
+    EXPECT_NE(CaseScene(layer("gasFriction -1;\n", "(0 0 0)", true)).errors.find("gasFriction"), std::string::npos);
+}
+
 TEST(CalmGas, RefusesWhatItCannotGoWith)
 {
     const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };

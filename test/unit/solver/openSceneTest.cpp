@@ -1,4 +1,5 @@
 /// Inflow of one suspension and outflow of another: accounts that close to round-off, and the one in the place of the other at the end.
+#include "Largest.hpp"
 #include "smallCases.hpp"
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,31 @@ void gasMakesRoomForWhatDripsIn(const std::string& scheme)
 
 TEST(OpenScene, GasMakesRoomForWhatDripsIn) { gasMakesRoomForWhatDripsIn("semiImplicit"); }
 TEST(OpenScene, GasMakesRoomForWhatDripsInByImplicitSteps) { gasMakesRoomForWhatDripsIn("implicit"); }
+
+/// The largest number of all that follow `word` in a log, the first one behind `after`.
+double mostAfter(const std::string& log, const std::string& word, const std::string& after = "")
+{
+    Largest most;
+    for (auto at = log.find(word); at != std::string::npos; at = log.find(word, at + 1))
+        most(std::stod(log.substr(log.find(after, at + word.size()) + after.size())));
+    return most.value();
+}
+
+// Rows of water come out of a drip into a gas a thousand times as light as dense as they are held, and with the velocity that they are given: 0.4 m/s, and up to 0.5 more by gravity. Measured 1005 kg/m^3
+// and 0.61 m/s; 1126 and 4.3 m/s, in thrice the steps, where the drip took the pressure of what was free before it.
+TEST(OpenScene, WhatDripsInKeepsItsVelocity)
+{
+    auto files = by("implicit", dripCase());
+    files["constant/phaseProperties"] =
+        "phases (water gas); water { rho 1000; mu 1; soundSpeed 10; } gas { rho 1; mu 0.02; soundSpeed 100; exponent 1.4; }\n"
+        "sigma ( (water gas) 40 );\n";
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("0.08"), 4, "0.5");
+    const TestCase c(files);
+    const auto log = packAndRun(c);
+    EXPECT_LT(mostAfter(log, "water: rho ", " .. "), 1020);
+    EXPECT_LT(mostAfter(log, "max|U| "), 0.9);
+}
 
 // A film through half of the top, exactly as wide as it says, beside gas that leaves by the other half.
 TEST(OpenScene, AFluxIsCutOutOfAnOpenPlane)
