@@ -144,8 +144,6 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isInPart(s) && s.facts.get<OpenBoundary>().exists; },
           "band is for scenes without constant/openings: gas that stands behind their planes, and liquid that passes them through it, stirred one another; "
           "take `gas whole;`"},
-         {"gas", [](const Settings& s) { return isCalm(s) && s.facts.get<OpenBoundary>().exists; },
-          "calm is for scenes without constant/openings: beside drips, whose pressures are prescribed, the gas was fed; take `gas whole;`"},
          {"gas", [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0); },
           "calm leaves out a backgroundPressure above 0, and there is none"},
          {"gas", [](const Settings& s) { return isInPart(s) && !(s.coefficients.backgroundPressure > 0); },

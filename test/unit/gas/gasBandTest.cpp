@@ -179,9 +179,6 @@ TEST(CalmGas, RefusesWhatItCannotGoWith)
                  "calm leaves out a backgroundPressure");
     EXPECT_PRED2(says, CaseScene(layer("gas calm; pressureGradient densityWeighted;\n", "(0 0 0)", true)).errors,
                  "pressureGradient huAdams");
-    auto open = layer("gas calm;\n", "(0 0 0)", true);
-    open["constant/openings"] = "drain { type outlet; point (0 0.2 0); normal (0 1 0); }\n";
-    EXPECT_PRED2(says, CaseScene(open).errors, "calm is for scenes without constant/openings");
 }
 
 TEST(GasBand, RefusesWhatItCannotGoWith)
