@@ -4,7 +4,7 @@
 ///   outlet   v = (v_l.n) n, v_l the mean of the free particles within H of the plane that come along the same line l, never inwards
 ///   both     p = a + b s                s [m] distance from the plane, < 0; a, b fitted to the fluid within H of the plane, at an outlet
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
-///   drip and flux of a given velocity   p = max(p_b, p(rho)), where density is a sum
+///   drip and flux of a given velocity   p = p(rho), where density is a sum
 ///
 /// A drip or a flux is a piston of rows as far apart as at rest: what comes too near to them compresses them, and they push it away as the same liquid would that is free. With
 /// a + b s they did not: gas came as near as half a spacing to the first row, of 1.13 to 1.27 of the density at rest, which then left at seven times its velocity; and a row that is free

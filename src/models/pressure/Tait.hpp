@@ -18,12 +18,6 @@ namespace sph
 /// Pressure from the q that the density gives: below p_min the liquid parts, and its tension fades to 0.
 inline double unlessParted(double q, double p_min) { return std::fmax(q, std::fmin(0.0, 2 * p_min - q)); }
 
-/// Of what an opening holds: that which it gives, or of a drip and a flux (HeldPressure::ofDensity) that of the density, where this is above the background.
-inline double heldPressure(double given, double ofDensity, double p_b)
-{
-    return given > HeldPressure::ofDensity ? given : std::fmax(ofDensity, p_b);
-}
-
 struct Tait
 {
     static constexpr auto name = "tait";
@@ -36,17 +30,16 @@ struct Tait
     auto operator()(const auto& i) const { return unlessParted(equation.pressure(i.rho) + p_b, p_min); }
 };
 
-/// Tait's pressure, but for buffer particles.
+/// Whether an opening holds the particle and gives its pressure.
+inline bool isPrescribed(const auto& i) { return i.holder > 0 && i.p_h > HeldPressure::ofDensity; }
+
+/// Tait's pressure, but for buffer particles whose pressure the opening gives.
 struct TaitOrHeld : Tait
 {
     static constexpr auto name = "taitOrHeld";
     using ReadsOwn = Fields<Density, Holder, HeldPressure>;
     using Tait::Tait;
-    auto operator()(const auto& i) const
-    {
-        const double own = Tait::operator()(i);
-        return i.holder > 0 ? heldPressure(i.p_h, own, p_b) : own;
-    }
+    auto operator()(const auto& i) const { return isPrescribed(i) ? i.p_h : Tait::operator()(i); }
 };
 
 /// Tait's pressure with each phase's own constants.
@@ -68,11 +61,7 @@ struct TaitOfPhaseOrHeld : TaitOfPhase
     static constexpr auto name = "taitOfPhaseOrHeld";
     using ReadsOwn = Fields<Density, Phase, Holder, HeldPressure>;
     using TaitOfPhase::TaitOfPhase;
-    auto operator()(const auto& i) const
-    {
-        const double own = TaitOfPhase::operator()(i);
-        return i.holder > 0 ? heldPressure(i.p_h, own, p_b) : own;
-    }
+    auto operator()(const auto& i) const { return isPrescribed(i) ? i.p_h : TaitOfPhase::operator()(i); }
 };
 
 }
