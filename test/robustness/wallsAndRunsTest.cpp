@@ -190,17 +190,19 @@ TEST(Runs, OfNothingAtAll)
     EXPECT_TRUE(c.has("0.04/lagrangian/sph/U"));
 }
 
-// A terminal that is closed ends a run as any other signal does: the present time is written.
+// A terminal that is closed ends a run as any other signal does: the present time is written, and the exit code is that of a shell for the signal, so that no script goes on as if all were done.
 TEST(Runs, EndedBySignals)
 {
-    for (const char* signal : {"HUP", "TERM", "INT"})
+    for (const auto& [signal, number] : {std::pair("HUP", SIGHUP), std::pair("TERM", SIGTERM), std::pair("INT", SIGINT)})
     {
         Damaged c;
         c.replace("system/controlDict", "endTime 0.04", "endTime 1e5");
         c.replace("system/controlDict", "writeInterval 0.02", "writeInterval 1e5");
         const auto command = std::string("OMP_NUM_THREADS=1 timeout --preserve-status -s ") + signal +
-                             " 3 '" SPH_APPLICATIONS "/sphFoamLike' -case '" + c.folder().string() + "' > /dev/null 2>&1 < /dev/null";
-        EXPECT_EQ(std::system(command.c_str()), 0) << signal;
+                             " 3 '" SPH_APPLICATIONS "/sphFoamLike' -case '" + c.folder().string() + "' > '" + c.folder().string() +
+                             "/log' 2>&1 < /dev/null";
+        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 128 + number) << signal;
+        EXPECT_NE(c.read("log").find("Stopped by signal " + std::to_string(number)), std::string::npos) << c.read("log");
         std::size_t times = 0;
         for (const auto& entry : std::filesystem::directory_iterator(c.folder()))
             times += std::filesystem::exists(entry.path() / "uniform/time");

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <iostream>
@@ -25,8 +26,8 @@ namespace sph
 
 namespace
 {
-volatile std::sig_atomic_t stopRequested = 0;
-void requestStop(int) { stopRequested = 1; }
+volatile std::sig_atomic_t stopRequested = 0; ///< the signal that asked for it
+void requestStop(int signal) { stopRequested = signal; }
 
 /// Speed over sound speed beyond which it is, even where nothing is compressed: a shear flow whose viscosity is unstable.
 constexpr double mostMach = 20;
@@ -475,7 +476,7 @@ void Run::reportLeaks() const
                             leaks.at.x, leaks.at.y, leaks.at.z, deepestLeakAt_);
 }
 
-void Run::solve()
+int Run::solve()
 {
     onStopSignals(requestStop);
     reportPlan();
@@ -492,6 +493,7 @@ void Run::solve()
             time_.startTime(), time_.endTime());
     log_ << "Starting time loop\n\n";
     double lastReport = -1;
+    int stoppedBy = 0; // a signal
     StepLimit limit = simulation_->stepLimit();
     check(limit);
     warnOfCompression();
@@ -500,7 +502,8 @@ void Run::solve()
         const double deltaT = advance(limit);
         noteLeaks();
         traceEnergy(deltaT);
-        if (ofAllRanks(double(stopRequested), 0.0, Larger{}) > 0) time_.stopNow();
+        stoppedBy = int(ofAllRanks(double(stopRequested), 0.0, Larger{}));
+        if (stoppedBy > 0) time_.stopNow();
         if (ofFirst(time_.controlDictModified()) > 0)
             if (const auto changed = time_.rereadIfModified(); !changed.empty()) log_ << changed << '\n';
 
@@ -524,7 +527,16 @@ void Run::solve()
         limit = simulation_->stepLimit();
     }
     reportLeaks();
-    log_ << simulation_->reportRanks() << "End\n";
+    log_ << simulation_->reportRanks();
+    if (stoppedBy == 0)
+    {
+        log_ << "End\n";
+        return 0;
+    }
+    log_ << fmt::format(
+        "Stopped by signal {} ({}) at time {}, before endTime {}: `startFrom latestTime;` of system/controlDict goes on from there\n",
+        stoppedBy, strsignal(stoppedBy), time_.name(), time_.endTime());
+    return 128 + stoppedBy;
 }
 
 }

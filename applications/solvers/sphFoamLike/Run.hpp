@@ -25,8 +25,8 @@ public:
 
     /// Prints the plan and, by the steps of some seconds in memory, how long the run would take. Writes nothing.
     void dryRun();
-    /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends.
-    void solve();
+    /// Until controlDict's stopAt, or a signal (TERM, INT, HUP), which writes the present time and ends. Returns the exit code: 0, or 128 and the number of the signal.
+    int solve();
 
 private:
     Case case_;

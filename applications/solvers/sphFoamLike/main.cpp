@@ -31,8 +31,8 @@ int main(int argc, char** argv)
                 std::optional<sph::CaseLock> lock;
                 if (first && !dryRun) lock.emplace(caseFolder, "sphFoamLike");
                 sph::Run run(caseFolder, first ? std::cout : nowhere, parallel);
-                if (dryRun) run.dryRun();
-                else run.solve();
+                if (!dryRun) return run.solve();
+                run.dryRun();
             }
             catch (...)
             {
