@@ -1,11 +1,13 @@
-/// Friction of the gas, dv/dt = -r v [1/s]: of gas whose motion nobody asks for.
+/// Friction of the gas: of gas whose motion nobody asks for.
 ///
-///   v_1 = v/(1 + r dt)
+///   dv/dt = a - r v      v_1 = (v_0 + dt a)/(1 + r dt)
 ///
-/// behind each step's kick. What the gas then takes of a liquid that drives it is rho_gas r v L over a pore of length L [Pa]: see README.md for how large r may be.
+/// behind the kick of each step, so that a steady velocity is a/r however long steps are. v [m/s] of the gas alone, in both levels where there are two; r [1/s]. Momentum is not kept: a liquid that drives the
+/// gas at v over a length L feels rho_gas r v L [Pa]. How large r may be: README.md. Verified by test/unit/gas (a layer that drives the gas round).
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "scene/Particles.hpp"
+#include "scene/TwoLevels.hpp"
 
 namespace sph
 {
@@ -16,7 +18,7 @@ template<int dim> class GasFriction final : public RunningModel<dim>
     double rate_;
 
 public:
-    /// `gas`: number of its phase; `rate` [1/s].
+    /// `gas`: number of its phase; `rate`: r.
     GasFriction(Particles<dim>&, const Numbers&, std::size_t gas, double rate) : gas_(gas), rate_(rate) {}
 
     std::vector<Stage<dim>> stages(JoinPoint place) override
@@ -25,12 +27,16 @@ public:
         return {{"slow gas", "v /= 1 + r dt",
                  [this](Particles<dim>& p, const Substep& step)
                  {
-                     const double* const phase = p.store().component(Phase::info.name, 0);
-                     const auto v = p.store().pointers(Velocity{});
-                     const double share = 1 / (1 + rate_ * step.deltaT);
+                     auto& store = p.store();
+                     const double* const phase = store.component(Phase::info.name, 0);
+                     const double slowed = 1 / (1 + rate_ * step.deltaT);
+                     for (const auto& name : {std::string(Velocity::info.name), incrementOf(stateField(Velocity{}))})
+                         for (int c = 0; c < dim && store.has(name); ++c)
+                         {
+                             double* const v = store.component(name, c);
 #pragma omp parallel for schedule(static)
-                     for (std::size_t i = 0; i < p.size(); ++i)
-                         for (int c = 0; c < dim; ++c) v[c][i] *= std::size_t(phase[i]) == gas_ ? share : 1;
+                             for (std::size_t i = 0; i < p.size(); ++i) v[i] *= std::size_t(phase[i]) == gas_ ? slowed : 1;
+                         }
                  }}};
     }
 };
