@@ -42,6 +42,7 @@ int main(int argc, char** argv)
             }
             return 0;
         });
-    if (const auto* const all = sph::ranks(); all && code != 0) all->abort();
+    // What a signal has stopped, codes from 128 on, has ended well on all ranks.
+    if (const auto* const all = sph::ranks(); all && code != 0 && code < 128) all->abort();
     return code;
 }
