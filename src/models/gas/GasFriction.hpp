@@ -3,7 +3,7 @@
 ///   dv/dt = a - r v      v_1 = (v_0 + dt a)/(1 + r dt)
 ///
 /// behind the kick of each step, so that a steady velocity is a/r however long steps are. v [m/s] of the gas alone, in both levels where there are two; r [1/s]. Momentum is not kept: a liquid that drives the
-/// gas at v over a length L feels rho_gas r v L [Pa]. How large r may be: README.md. Verified by test/unit/gas (a layer that drives the gas round).
+/// gas at v over a length L feels rho_gas r v L [Pa], to first order in r dt. How large r may be: README.md. Verified by test/unit/gas (a layer that drives the gas round).
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "scene/Particles.hpp"

@@ -143,24 +143,30 @@ TEST(CalmGas, IsThatFarFromTheLiquid)
     EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
 }
 
-// A layer that falls and drives gas before it, which goes round by the periodic faces: dv/dt = -g - k v, k = r m_gas/(m_gas + m_liquid).
+// A layer that falls and drives gas round by the periodic faces: dv/dt = -g - k v, k = r m_gas/(m_gas + m_liquid). What the layer feels of the friction is of first order in r dt: of what is exact, 84 % at 0.1 of the
+// limits (r dt 0.2) and 96 % at 0.02.
 TEST(GasFriction, IsThatOfTheGasAloneWhichTheLiquidDrives)
 {
     const double r = 200, end = 0.4;
-    CaseScene scene(layer("gasFriction 200;\nintegration { scheme implicit; }\n", "(0 -1 0)", false));
-    ASSERT_EQ(scene.errors, "");
-    auto& simulation = *scene.simulation;
-    advance(simulation, 0, end);
-    const double* const v = simulation.field("U").component[1];
-    const double *const phase = scene["phase"], *const m = scene["m"];
-    double momentum = 0, mass[2] = {0, 0};
-    for (std::size_t i = 0; i < simulation.size(); ++i)
+    const auto shareOfExact = [&](const std::string& stepFactor)
     {
-        mass[phase[i] == 0 ? 0 : 1] += m[i];
-        if (phase[i] == 0) momentum += m[i] * v[i];
-    }
-    const double k = r * mass[1] / (mass[0] + mass[1]);
-    EXPECT_NEAR(momentum / mass[0], -(1 - std::exp(-k * end)) / k, 0.01 * end) << "free fall: " << -end;
+        CaseScene scene(layer("gasFriction 200;\nintegration { scheme implicit; stepFactor " + stepFactor + "; }\n", "(0 -1 0)", false));
+        EXPECT_EQ(scene.errors, "");
+        auto& simulation = *scene.simulation;
+        advance(simulation, 0, end);
+        const double* const v = simulation.field("U").component[1];
+        const double *const phase = scene["phase"], *const m = scene["m"];
+        double momentum = 0, mass[2] = {0, 0};
+        for (std::size_t i = 0; i < simulation.size(); ++i)
+        {
+            mass[phase[i] == 0 ? 0 : 1] += m[i];
+            if (phase[i] == 0) momentum += m[i] * v[i];
+        }
+        const double k = r * mass[1] / (mass[0] + mass[1]), exact = (1 - std::exp(-k * end)) / k;
+        return (end + momentum / mass[0]) / (end - exact);
+    };
+    EXPECT_NEAR(shareOfExact("0.1"), 1, 0.2);
+    EXPECT_NEAR(shareOfExact("0.02"), 1, 0.06);
 }
 
 TEST(GasFriction, RefusesWhatItCannotGoWith)
