@@ -27,7 +27,7 @@ const Choice gas{
     "where the gas is, the lightest phase"};
 const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
                      "width of the band, with `gas band;`: its outer support stands still"},
-    gasFriction{"gasFriction", units::none / units::s, 0, nonNegative, "r of a friction of the gas, dv/dt = -r v"};
+    gasFriction{"gasFriction", units::none / units::s, 0, nonNegative, "r of a friction of the gas, dv/dt = -(r + 2 |v|/spacing) v"};
 }
 
 namespace
