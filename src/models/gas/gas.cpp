@@ -90,9 +90,9 @@ void slowGas(const Reading& reading, double rate)
     if (!settings.multiphase())
         return entry::gasFriction.error(reading.schemes, "is of the lightest of several phases, and constant/phaseProperties lists one");
     const auto gas = lightest(c);
-    settings.reasons.push_back(
-        fmt::format("friction of {}: driven at v m/s over L m it resists by {:.3g} v L Pa; capillary pressures are {:.3g}/R Pa",
-                    c.phases[gas], rate * c.restDensity[gas], settings.facts.get<InterfaceEnergy>().largest));
+    settings.reasons.push_back(fmt::format(
+        "friction of {}: driven at v m/s over L m it resists by ({:.3g} + {:.3g} v) v L Pa; capillary pressures are {:.3g}/R Pa",
+        c.phases[gas], rate * c.restDensity[gas], 2 / c.spacing * c.restDensity[gas], settings.facts.get<InterfaceEnergy>().largest));
     settings.runningModels.push_back(running<GasFriction>(gas, rate));
 }
 

@@ -8,7 +8,7 @@
 ///
 /// A drip or a flux is a piston of rows as far apart as at rest: what comes too near to them compresses them, and they push it away as the same liquid would that is free. With
 /// a + b s they did not: gas came as near as half a spacing to the first row, of 1.13 to 1.27 of the density at rest, which then left at seven times its velocity; and a row that is free
-/// and alone gave its own pressure to those behind it, which sped it up to three times theirs (a drip of 5 spacings at 1000:1, test OpenScene.WhatDripsInKeepsItsVelocity).
+/// and alone gave its own pressure to those behind it, which sped it up to three times theirs (a drip of 5 spacings at 1000:1; another in test OpenScene.WhatDripsInKeepsItsVelocity).
 ///
 /// With several phases each has a fit p of its own, or that of all where it has none, and v_l is a mean by mass. An outlet with `backflow` lets that phase
 /// in again, by lines: a line along which nothing else comes may move inwards, is filled up from behind, and what else is held on it becomes that phase. It

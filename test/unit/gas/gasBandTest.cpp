@@ -143,8 +143,8 @@ TEST(CalmGas, IsThatFarFromTheLiquid)
     EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
 }
 
-// A layer that falls and drives gas round by the periodic faces: dv/dt = -g - k v, k = (r + 2 |v|/Delta_x) m_gas/(m_gas + m_liquid). What the layer feels of the friction is of first order in r dt: of what is exact, 84 % at 0.1 of the
-// limits (r dt 0.2) and 96 % at 0.02.
+// A layer that falls and drives gas round by the periodic faces: dv/dt = -g - k v, k = (r + 2 |v|/Delta_x) m_gas/(m_gas + m_liquid). What the layer feels of the friction is of first order in r dt: of what is exact, 83 % at 0.1 of the
+// limits (r dt 0.2) and 95 % at 0.02.
 TEST(GasFriction, IsThatOfTheGasAloneWhichTheLiquidDrives)
 {
     const double r = 200, end = 0.4;
