@@ -20,6 +20,9 @@ std::string text(const Geometry& g, const Vector<3>& x)
     return g.dimension == 3 ? fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z) : fmt::format("({:.6g} {:.6g})", x.x, x.y);
 }
 
+/// Share of a diameter by which balls that touch may overlap: packers leave a hundredth.
+constexpr double mostOverlap = 0.1;
+
 class Check
 {
     const Geometry& g_;
@@ -32,7 +35,7 @@ class Check
     struct Overlap
     {
         int count = 0;
-        double wedge = 180;
+        double wedge = 180, overlap = 0;
         Vector<3> at;
         bool ofBody = false;
     };
@@ -263,26 +266,36 @@ class Check
         const auto approach = closestApproach(a, b, g_, bothBalls ? none : samples(p), 0.5 * H_);
         const int wallA = g_.patches[p].wall, wallB = g_.patches[q].wall;
 
+        const auto isContact = [&]
+        {
+            ++report_.contacts;
+            ++report_.walls[wallA].contacts;
+            if (wallA != wallB) ++report_.walls[wallB].contacts;
+        };
         if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
         {
+            if (approach.overlap > 0 && approach.overlap <= mostOverlap)
+            {
+                if (approach.overlap > report_.overlap)
+                {
+                    report_.overlap = approach.overlap;
+                    report_.overlapAt = approach.at;
+                }
+                return isContact();
+            }
             auto& overlap = overlaps_[{std::min(wallA, wallB), std::max(wallA, wallB)}];
             ++overlap.count;
             overlap.ofBody = overlap.ofBody || !a.enclosesFluid() || !b.enclosesFluid();
             if (approach.wedge < overlap.wedge)
             {
                 overlap.wedge = approach.wedge;
+                overlap.overlap = approach.overlap;
                 overlap.at = approach.at;
             }
             return;
         }
         if (approach.crossing || !approach.facing || approach.distance < -tolerance_ || !isOnce(approach.at)) return;
-        if (approach.distance <= tolerance_)
-        {
-            ++report_.contacts;
-            ++report_.walls[wallA].contacts;
-            if (wallA != wallB) ++report_.walls[wallB].contacts;
-            return;
-        }
+        if (approach.distance <= tolerance_) return isContact();
         if (!g_.inFluid(approach.at)) return;
         const auto note = [&](int wall, int other)
         {
@@ -328,10 +341,14 @@ class Check
         {
             const auto& last = g_.walls[between.second];
             const auto what =
-                fmt::format("wall \"{}\" and wall \"{}\" overlap{} near {} and leave a wedge of fluid of {:.0f} degrees: reflection "
+                fmt::format("wall \"{}\" and wall \"{}\" overlap{} near {}{} and leave a wedge of fluid of {:.0f} degrees: reflection "
                             "needs 90 or more. Let them touch, or keep them apart",
                             g_.walls[between.first].name, last.name,
                             overlap.count > 1 ? fmt::format(" in {} places, most sharply", overlap.count) : "", text(g_, overlap.at),
+                            overlap.overlap > 0
+                                ? fmt::format(", by {:.2g} of the smaller diameter ({} is the most that counts as a contact),",
+                                              overlap.overlap, mostOverlap)
+                                : "",
                             overlap.wedge);
             if (overlap.ofBody) diagnostics_.error(last.where, what);
             else diagnostics_.warning(last.where, what);

@@ -3,9 +3,8 @@
 /// An image exists as far as the nearest centre of curvature, so that R > H is needed on either side of a curved wall (Barker et al.
 /// 2012 do not say so). Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not
 /// resolved.
-/// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube). Sharper
-/// wedges, which are what overlapping grains make, have images in images without end: an error where a body is involved, a
-/// warning between the walls of a container. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
+/// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube), and balls may overlap by a
+/// tenth of a diameter, as packers leave them: a contact. Sharper wedges of other bodies are an error, between the walls of a container a warning. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
 /// it (solidUnion.cpp): a step on the floor may be thinner than two supports; a body that no fluid can reach is an error.
 #pragma once
 #include "geometry/Geometry.hpp"
@@ -40,6 +39,8 @@ struct GeometryReport
     double fluidFraction = 1;      ///< volume of the fluid over that of the domain
     double fluidFractionError = 0; ///< standard error of the sampling
     int contacts = 0;              ///< in the domain, each once
+    double overlap = 0;            ///< largest of two balls, or of a ball and another solid, over the smaller diameter
+    Vector<3> overlapAt;
 };
 
 /// Records errors and warnings at the walls they concern. `geometry.reach` must be at least H [m].

@@ -1,6 +1,6 @@
 /// Walls around a particle: the patches that may be near, their feet, and the nearest foot.
 #pragma once
-#include "geometry/forEachFoot.hpp"
+#include "geometry/crevice.hpp"
 
 namespace sph
 {
@@ -24,6 +24,9 @@ public:
         sph::forEachFoot(*geometry_, patches(x), x, Box::infinity,
                          [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
+
+    /// The narrowest crevice at x among those narrower than `narrowest` [m].
+    Crevice crevice(const Vector<3>& x, double narrowest) const { return creviceAt(*geometry_, patches(x), x, narrowest); }
 
     /// The nearest foot of x within `reach` [m] that bounds the fluid, on a face, an edge or a vertex, or one that is infinitely far.
     NearestFoot nearestFoot(const Vector<3>& x, double reach) const;

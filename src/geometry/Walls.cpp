@@ -33,11 +33,12 @@ void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesy
             start != std::string::npos && (line.compare(start, 8, "#include") == 0 || line.compare(start, 9, "#sinclude") == 0);
         const auto open = line.find('"'), close = line.rfind('"');
         if (includes && close > open) addFile(hash, file.parent_path() / line.substr(open + 1, close - open - 1), seen);
-        // `file "rocks.stl";` of a mesh: a file in constant/triSurface, whatever is in it.
+        // `file "rocks.stl";` of a mesh or `file "bed.csv";` of spheres, whatever is in it.
+        if (includes || !(close > open)) continue;
         std::error_code unknown;
-        if (const auto mesh = close > open ? file.parent_path() / "triSurface" / line.substr(open + 1, close - open - 1) : "";
-            !includes && !mesh.empty() && std::filesystem::is_regular_file(mesh, unknown))
-            hash.add(MappedFile(mesh).text());
+        const auto name = line.substr(open + 1, close - open - 1);
+        for (const auto& data : {file.parent_path() / "triSurface" / name, file.parent_path() / name})
+            if (std::filesystem::is_regular_file(data, unknown)) hash.add(MappedFile(data).text());
     }
 }
 

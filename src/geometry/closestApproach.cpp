@@ -116,15 +116,20 @@ Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, cons
         const double D = mag(A.centre - B.centre);
         result.crossing = result.distance < -tolerance && D > std::abs(A.R - B.R);
         if (result.crossing) result.wedge = wedgeAngle((sqr(A.R) + sqr(B.R) - sqr(D)) / (2 * A.R * B.R));
+        result.overlap = -result.distance / (2 * std::min(A.R, B.R));
         return result;
     }
+    double overlap = 0;
     if (ballA || ballB)
     {
-        const auto result = ballToSurface(asBall(ballA ? a : b), ballA ? b : a);
+        const auto ball = asBall(ballA ? a : b);
+        const auto result = ballToSurface(ball, ballA ? b : a);
         if (result.distance > -tolerance) return result;
+        overlap = -result.distance / (2 * ball.R);
     }
 
     Approach result;
+    result.overlap = overlap;
     std::vector<double> distances;
     int best = -1;
     bool outside = false, behind = false;

@@ -12,6 +12,8 @@ struct Approach
     bool facing = false;             ///< the surfaces look at each other there, with fluid or solid between
     bool crossing = false;
     double wedge = 180; ///< sharpest angle of the fluid where they cross [degrees]
+    /// Of a ball, how far it reaches into the other, over its diameter; of two balls over the smaller one's.
+    double overlap = 0;
 };
 
 /// Search within the domain. `samples` are points of the surface of `a` there, `size` their distance from each other. Balls

@@ -5,17 +5,42 @@
 namespace sph
 {
 
-/// x, put off the nearest wall in turn until none is nearer than `closest` [m]: what is put off one solid may be put into the next. Calls
-/// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
-template<int dim, class F> Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, double closest, double reach, const F& pushed)
+/// How near to walls a particle may come [m].
+struct Clearance
 {
+    double closest;       ///< to one
+    double narrowest = 0; ///< width of a crevice
+
+    /// The distance from a wall below which something may be to do.
+    double looked() const { return std::max(closest, 0.5 * narrowest); }
+};
+
+/// x, put off the nearest wall in turn until none is nearer than `closest`: what is put off one solid may be put into the next. Calls
+/// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
+///
+/// Out of crevices narrower than `narrowest` it is put likewise, to where they are as wide, as if a wall stood across them there; half as far as they are to be wide in each turn.
+/// In a slit it stays: there is no wider place to go to.
+template<int dim, class F>
+Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, const Clearance& clearance, double reach, const F& pushed)
+{
+    constexpr double slit = 0.1, rounding = 1e-9; // slit: n_1 + n_2 of walls at 6 degrees
     for (int turn = 0; turn < 8; ++turn)
     {
         const Foot foot = walls.nearestFoot(in3D(x), reach).foot;
-        if (!(foot.distance < closest)) break;
-        const auto n = in<dim>(foot.normal);
-        x += (closest - foot.distance) * n;
-        pushed(n);
+        if (foot.distance < clearance.closest)
+        {
+            const auto n = in<dim>(foot.normal);
+            x += (clearance.closest - foot.distance) * n;
+            pushed(n);
+            continue;
+        }
+        if (!(foot.distance < 0.5 * clearance.narrowest)) break;
+        const auto crevice = walls.crevice(in3D(x), (1 - rounding) * clearance.narrowest);
+        const auto wider = in<dim>(crevice.wider);
+        const double slope = mag(wider);
+        if (slope < slit) break;
+        x += std::min((clearance.narrowest - crevice.width) / slope, 0.5 * clearance.narrowest) / slope * wider;
+        pushed(wider / slope);
     }
     return x;
 }

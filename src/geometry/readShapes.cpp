@@ -1,4 +1,5 @@
 #include "geometry/readShapes.hpp"
+#include "base/readText.hpp"
 #include "geometry/Cone.hpp"
 #include "geometry/Cylinder.hpp"
 #include "geometry/Ellipsoid.hpp"
@@ -8,6 +9,7 @@
 #include "geometry/Torus.hpp"
 #include "geometry/TriangleMesh.hpp"
 #include "geometry/components.hpp"
+#include "geometry/sphereTable.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -31,7 +33,11 @@ const Scalar radius{"radius", units::m, required, positive, "of the shape, or of
     tubeRadius{"tubeRadius", units::m, required, positive, "of the tube, less than ringRadius"},
     period{"period", units::m, required, positive, "edge of the lattice's cubic cell, of hcp the distance of neighbours"};
 const Word lattice{"lattice", required, "sc, bcc, fcc or hcp; in 2-D sc or hcp"};
-const ListOf<std::vector<double>> spheres{"spheres", units::m, required, "(x y z radius) of each"};
+const ListOf<std::vector<double>> spheres{"spheres", units::m, notGiven, "(x y z radius) of each"};
+const FileName file{"file", "constant", notGiven,
+                    "in constant/: a table of x, y, z and r or d, with commas or blanks, in place of `spheres`"};
+const Scalar scale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
+const VectorParameter translation{"translation", units::m, Vector<3>{}, "of the file's spheres, after scaling"};
 }
 
 namespace
@@ -209,9 +215,50 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
     return shapes;
 }
 
+/// The spheres of a table on disk, refused where none can touch the fluid: as a rule it is their unit.
+Shapes spheresOfFile(const Dictionary& wall, const Geometry& g)
+{
+    const std::string file = "constant/" + entry::file.needed(wall);
+    std::string reason;
+    const auto text = readText(g.folder / file, reason);
+    if (!text)
+    {
+        entry::file.error(wall, fmt::format("cannot read {}: {}", file, reason));
+        return {};
+    }
+    const double scale = entry::scale(wall);
+    const auto shift = entry::translation(wall);
+    Shapes shapes;
+    Box bounds{{Box::infinity, Box::infinity, Box::infinity}, {-Box::infinity, -Box::infinity, -Box::infinity}};
+    for (const auto& [centre, radius, line] : spheresInTable(*text, file, wall.diagnostics()))
+    {
+        shapes.push_back(ball(scale * centre + shift, scale * radius, FluidSide::outside, g));
+        const auto b = shapes.back()->bounds();
+        for (int k = 0; k < g.dimension; ++k)
+        {
+            const auto c = component(k);
+            bounds.low.*c = std::min(bounds.low.*c, b.low.*c);
+            bounds.high.*c = std::max(bounds.high.*c, b.high.*c);
+        }
+    }
+    double largest = 0; // extent over that of the domain
+    for (int k = 0; k < g.dimension; ++k) largest = std::max(largest, (bounds.high.*component(k) - bounds.low.*component(k)) / g.length(k));
+    const double ofMillimetres = 300;
+    if (largest > ofMillimetres)
+        entry::file.error(wall, fmt::format("the spheres of {} take {:.3g} times the extent of the domain{}", file, largest,
+                                            entry::scale.given(wall) ? ": see scale" : ": are they in mm? Then `scale 1e-3;`"));
+    return shapes;
+}
+
 Shapes spheres(const Dictionary& wall, const Geometry& g)
 {
-    const auto rows = entry::spheres(wall);
+    if (entry::spheres.given(wall) == entry::file.given(wall))
+    {
+        wall.error("type", "a bed of `type spheres` has either a list `spheres` or a `file`");
+        return {};
+    }
+    if (entry::file.given(wall)) return spheresOfFile(wall, g);
+    const auto rows = entry::spheres.needed(wall);
     Shapes shapes;
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
@@ -221,7 +268,7 @@ Shapes spheres(const Dictionary& wall, const Geometry& g)
         else if (!(row[3] > 0)) entry::spheres.error(wall, fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
         else shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
     }
-    if (rows.empty() && entry::spheres.given(wall)) entry::spheres.error(wall, "there are no spheres in the list");
+    if (rows.empty()) entry::spheres.error(wall, "there are no spheres in the list");
     return shapes;
 }
 
@@ -271,7 +318,9 @@ const std::vector<ShapeType>& catalogue()
         {{"torus", "in 3-D"}, torus, {centre, axis, ringRadius, tubeRadius, fluid}},
         {{"ellipsoid", "axes along x, y and z; in 2-D an ellipse"}, ellipsoid, {centre, semiAxes, fluid}},
         {{"sphereBed", "equal spheres in the fluid, on all points of a lattice"}, sphereBed, {lattice, radius, period, latticeOrigin}},
-        {{"spheres", "spheres in the fluid, one by one, as from an included file"}, spheres, {entry::spheres}},
+        {{"spheres", "spheres in the fluid, one by one, as from a table"},
+         spheres,
+         {entry::spheres, entry::file, entry::scale, entry::translation}},
         {{"triSurface", "a closed surface of triangles from a file; in 3-D"}, triSurface, {}}};
     return types;
 }

@@ -1,5 +1,6 @@
 #include "packing/Packing.hpp"
 #include "geometry/components.hpp"
+#include "geometry/crevice.hpp"
 #include "geometry/makeWallLayers.hpp"
 #include "packing/openFaces.hpp"
 #include "packing/overFluid.hpp"
@@ -58,51 +59,91 @@ std::vector<CellRange> filledCells(const PackingPlan& plan, const Lattice& latti
     return filled;
 }
 
-Points inFluid(const Geometry& g, const Points& points)
+/// What of the lattice holds particles: places between the walls that lie in no crevice narrower than they.
+class Room
 {
-    const long n = long(points.size());
-    std::vector<char> isFluid(n);
-#pragma omp parallel for schedule(static)
-    for (long i = 0; i < n; ++i) isFluid[i] = g.distance(points[i]) > 0;
-    Points inside;
-    for (long i = 0; i < n; ++i)
-        if (isFluid[i]) inside.add(points[i]);
-    return inside;
-}
+    const Geometry& g_;
+    double narrowest_;
 
-std::size_t placesBetweenWalls(const Geometry& g, const Lattice& lattice)
+public:
+    enum class At : char
+    {
+        solid,
+        crevice,
+        fluid
+    };
+    Room(const Geometry& g, double spacing) : g_(g), narrowest_(narrowestCrevice * spacing) {}
+    At operator()(const Vector<3>& x) const
+    {
+        const double d = g_.distance(x);
+        if (!(d > 0)) return At::solid;
+        return 2 * d < narrowest_ && creviceAt(g_, g_.grid->near(x), x, narrowest_).width < narrowest_ ? At::crevice : At::fluid;
+    }
+};
+
+/// Places of a lattice between the walls.
+struct PlaceCount
 {
-    return overFluid<std::size_t>(
-        g, lattice.cells, lattice.all(), lattice.farthestOff(), [&](const CellRange& range) { return lattice.count(range); },
-        [&](const std::array<long, 3>& cell, const Vector<3>&)
-        { return std::size_t(lattice.holds(cell) && g.distance(lattice.particle(cell)) > 0); });
-}
+    std::size_t fluid = 0, crevices = 0;
+    PlaceCount operator+(const PlaceCount& other) const { return {fluid + other.fluid, crevices + other.crevices}; }
+};
 
 /// The places that may be filled.
 struct Places
 {
     Points points;
-    Points around;       ///< beyond them, within reach of the kernel
-    std::size_t all = 0; ///< between the walls, wherever
+    Points around;  ///< beyond them, within reach of the kernel
+    PlaceCount all; ///< wherever
 };
+
+/// Those of the points that have room for a particle; counts all.
+Points withRoom(const Room& room, const Points& points, PlaceCount& count)
+{
+    const long n = long(points.size());
+    std::vector<Room::At> at(n);
+#pragma omp parallel for schedule(static)
+    for (long i = 0; i < n; ++i) at[i] = room(points[i]);
+    Points inside;
+    for (long i = 0; i < n; ++i)
+    {
+        if (at[i] == Room::At::fluid) inside.add(points[i]);
+        count.crevices += at[i] == Room::At::crevice;
+    }
+    count.fluid += inside.size();
+    return inside;
+}
+
+PlaceCount placesBetweenWalls(const Geometry& g, const Lattice& lattice, const Room& room)
+{
+    return overFluid<PlaceCount>(
+        g, lattice.cells, lattice.all(), lattice.farthestOff(),
+        [&](const CellRange& range) {
+            return PlaceCount{lattice.count(range), 0};
+        },
+        [&](const std::array<long, 3>& cell, const Vector<3>&)
+        {
+            const auto at = lattice.holds(cell) ? room(lattice.particle(cell)) : Room::At::solid;
+            return PlaceCount{std::size_t(at == Room::At::fluid), std::size_t(at == Room::At::crevice)};
+        });
+}
 
 Places findPlaces(const PackingPlan& plan, const Lattice& lattice)
 {
     const auto& g = plan.geometry;
     const auto filled = filledCells(plan, lattice);
+    const Room room(g, plan.lattice.spacing);
     Places places;
-    if (filled == std::vector{lattice.all()})
-    {
-        places.points = inFluid(g, lattice.points());
-        places.all = places.points.size();
-    }
+    if (filled == std::vector{lattice.all()}) places.points = withRoom(room, lattice.points(), places.all);
     else
     {
         const auto moving = lattice.grown(filled, plan.relaxation ? relaxedAround * plan.lattice.spacing : 0);
         const auto seen = lattice.grown(moving, plan.support + plan.lattice.spacing);
-        places = {inFluid(g, lattice.points(moving)), inFluid(g, lattice.points(seen, moving)), placesBetweenWalls(g, lattice)};
+        PlaceCount ofThese;
+        places.points = withRoom(room, lattice.points(moving), ofThese);
+        places.around = withRoom(room, lattice.points(seen, moving), ofThese);
+        places.all = placesBetweenWalls(g, lattice, room);
     }
-    if (places.all == 0)
+    if (places.all.fluid == 0)
         throw CaseError(plan.spacingAt, fmt::format("no particle of spacing {:g} m fits between the walls: the domain from {} to {} has "
                                                     "no fluid, or its gaps are narrower than the spacing",
                                                     plan.lattice.spacing, text(g.low), text(g.high)));
@@ -216,7 +257,9 @@ Packing pack(const PackingPlan& plan)
     packing.fittedSpacing = lattice.fittedSpacing;
     auto [relaxed, around, allPlaces] = findPlaces(plan, lattice);
     packing.volume = fluidVolume(g, plan.lattice.spacing / 4);
-    packing.particleVolume = packing.volume.value / double(allPlaces);
+    packing.particleVolume = packing.volume.value / double(allPlaces.fluid);
+    packing.inCrevices = allPlaces.crevices;
+    packing.shareOfCrevices = double(allPlaces.crevices) / double(allPlaces.fluid + allPlaces.crevices);
     const Vector<3> length = box.high - box.low;
     packing.porosity = packing.volume.value / (length.x * length.y * (g.dimension == 3 ? length.z : 1));
 
@@ -246,7 +289,7 @@ Packing pack(const PackingPlan& plan)
                             fmt::format("in 2-D the z component of a velocity must be 0, found {} at {}", U.z, text(relaxed[i])));
         packing.velocity.add(U);
     }
-    packing.leftEmpty = allPlaces - packing.points.size();
+    packing.leftEmpty = allPlaces.fluid - packing.points.size();
     packing.phases = groupSums(
         packing.points.size(), plan.phases.size(), [&](std::size_t i) { return std::size_t(packing.phase[i]); },
         [&](std::size_t i) {

@@ -334,7 +334,8 @@ private:
     Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
         const double inset = wallInset * spacing_;
-        const auto reached = offWalls(images_.nearWalls(), wanted, inset, Box::infinity, [](const Vector<dim>&) {});
+        const auto reached =
+            offWalls(images_.nearWalls(), wanted, {inset, narrowestCrevice * spacing_}, Box::infinity, [](const Vector<dim>&) {});
         return images_.nearWalls().nearestFoot(in3D(reached), Box::infinity).foot.distance > 0.5 * inset ? reached : from;
     }
 

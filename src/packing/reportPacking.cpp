@@ -1,5 +1,6 @@
 #include "case/replaceCloud.hpp"
 #include "geometry/components.hpp"
+#include "geometry/crevice.hpp"
 #include "packing/Packing.hpp"
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,10 @@ std::string report(const PackingPlan& plan, const Packing& packing)
     const double ratio = packing.particleVolume / std::pow(spacing, g.dimension);
     s += fmt::format("Particle volume: {:.10g} {} ({:.5f} spacing^{})\n", packing.particleVolume, isFlat ? "m^2" : "m^3", ratio,
                      g.dimension);
+    if (packing.inCrevices)
+        s += fmt::format(
+            "Crevices narrower than {:g} spacings: {:.3g} % of the fluid's volume, {} places; no particle fits in, and the others have that volume\n",
+            narrowestCrevice, 100 * packing.shareOfCrevices, packing.inCrevices);
     if (std::fabs(ratio - 1) > 0.1) s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
     if (!packing.balls.empty()) s += bed(plan, packing);
     s += residuals(plan, packing.relaxation);

@@ -89,7 +89,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
         }
     }
     if (!(nearest < closest)) return found;
-    const auto held = offWalls(walls, x_i, closest, Box::infinity,
+    const auto held = offWalls(walls, x_i, {closest}, Box::infinity,
                                [&](const Vector<dim>& n)
                                {
                                    for (const auto& v : velocities)

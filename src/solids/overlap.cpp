@@ -144,6 +144,13 @@ double meshes(const PlacedSolid& a, const PlacedSolid& b)
     return crosses ? std::max(depth, 1e-12 * mag(a.bounds.high - a.bounds.low)) : depth;
 }
 
+PlacedSolid shifted(PlacedSolid solid, const Vector<3>& by)
+{
+    for (auto& p : solid.surface.points) p = p + by;
+    solid.bounds = {solid.bounds.low + by, solid.bounds.high + by};
+    return solid;
+}
+
 double meshAndSphere(const PlacedSolid& a, const Vector<3>& centre, double radius)
 {
     const double distance = distanceToSurface(a.surface, centre);
@@ -191,10 +198,13 @@ double largestOverlap(const SolidContainer& c, const Bed& bed)
     {
         const auto a = std::size_t(i), b = std::size_t(j);
         const bool round = bed.shapeOf(bed.bodies[a]).isSphere(), otherRound = bed.shapeOf(bed.bodies[b]).isSphere();
-        if (round && otherRound) most = std::max(most, reach[a] + reach[b] - mag(shortest(c, centres[b] - centres[a])));
-        else if (round) most = std::max(most, meshAndSphere(solids[b], centres[a], reach[a]));
-        else if (otherRound) most = std::max(most, meshAndSphere(solids[a], centres[b], reach[b]));
-        else most = std::max(most, meshes(solids[a], solids[b]));
+        const auto apart = shortest(c, centres[b] - centres[a]);
+        const auto shift = apart - (centres[b] - centres[a]); // of b, to the nearest of its copies
+        if (round && otherRound) most = std::max(most, reach[a] + reach[b] - mag(apart));
+        else if (round) most = std::max(most, meshAndSphere(solids[b], centres[a] - shift, reach[a]));
+        else if (otherRound) most = std::max(most, meshAndSphere(solids[a], centres[b] + shift, reach[b]));
+        else if (shift == Vector<3>{}) most = std::max(most, meshes(solids[a], solids[b]));
+        else most = std::max(most, meshes(solids[a], shifted(solids[b], shift)));
     }
     return most;
 }

@@ -28,8 +28,115 @@ struct Touch
     double gap;
 };
 
-/// Rigid bodies in a container. Contacts of meshes are Bullet's own; those of two spheres, also across periodic sides, and those with walls,
-/// which Bullet has not or not with impulses kept from step to step, are handed to its solver.
+/// A pair across a periodic side, of which one body at least is a mesh. Bullet finds where the first touches a copy of the second, one or more periods off, convex part by
+/// convex part; its solver is handed those points where the second itself has them.
+class PairAcross
+{
+    /// Two convex parts, with the points that Bullet keeps of them.
+    struct Parts
+    {
+        const btCollisionShape *a, *b;
+        btPersistentManifold found;   ///< of the first body and the copy
+        btPersistentManifold* handed; ///< of the bodies themselves
+        btCollisionAlgorithm* algorithm = nullptr;
+    };
+    btCollisionDispatcher& dispatcher_;
+    btRigidBody *a_, *b_;
+    btVector3 shift_; ///< of the copy
+    btCollisionObject copy_;
+    std::vector<std::unique_ptr<Parts>> parts_;
+
+    static std::vector<const btCollisionShape*> partsOf(const btRigidBody* body)
+    {
+        const auto* shape = body->getCollisionShape();
+        if (!shape->isCompound()) return {shape};
+        const auto* compound = static_cast<const btCompoundShape*>(shape); // placed as they are (makeBulletShape)
+        std::vector<const btCollisionShape*> parts;
+        for (int k = 0; k < compound->getNumChildShapes(); ++k) parts.push_back(compound->getChildShape(k));
+        return parts;
+    }
+    static btCollisionObjectWrapper wrapped(const btCollisionObject& o, const btCollisionShape* part)
+    {
+        return {nullptr, part, &o, o.getWorldTransform(), -1, -1};
+    }
+    void place() { copy_.setWorldTransform(btTransform(b_->getWorldTransform().getBasis(), b_->getWorldTransform().getOrigin() + shift_)); }
+
+    bool areNear(const Parts& p) const
+    {
+        btVector3 lowA, highA, lowB, highB;
+        p.a->getAabb(a_->getWorldTransform(), lowA, highA);
+        p.b->getAabb(copy_.getWorldTransform(), lowB, highB);
+        const btVector3 slack(nearby, nearby, nearby);
+        return TestAabbAgainstAabb2(lowA - slack, highA + slack, lowB, highB);
+    }
+
+    void touch(Parts& p, const btDispatcherInfo& info)
+    {
+        // The solver has left its impulses in what it was handed; points that stay keep them.
+        for (int k = 0; k < p.handed->getNumContacts(); ++k)
+        {
+            const auto& solved = p.handed->getContactPoint(k);
+            auto& point = p.found.getContactPoint(k);
+            point.m_appliedImpulse = solved.m_appliedImpulse;
+            point.m_appliedImpulseLateral1 = solved.m_appliedImpulseLateral1;
+            point.m_appliedImpulseLateral2 = solved.m_appliedImpulseLateral2;
+        }
+        p.handed->clearManifold();
+        if (!areNear(p)) return p.found.clearManifold();
+        const auto first = wrapped(*a_, p.a), second = wrapped(copy_, p.b);
+        if (!p.algorithm) p.algorithm = dispatcher_.findAlgorithm(&first, &second, &p.found, BT_CONTACT_POINT_ALGORITHMS);
+        btManifoldResult result(&first, &second);
+        result.setPersistentManifold(&p.found);
+        p.algorithm->processCollision(&first, &second, info, &result);
+        p.found.refreshContactPoints(a_->getWorldTransform(), copy_.getWorldTransform());
+        for (int k = 0; k < p.found.getNumContacts(); ++k)
+        {
+            auto point = p.found.getContactPoint(k);
+            point.m_positionWorldOnB -= shift_;
+            p.handed->addManifoldPoint(point);
+        }
+    }
+
+public:
+    PairAcross(btCollisionDispatcher& dispatcher, btRigidBody* a, btRigidBody* b, const btVector3& shift)
+        : dispatcher_(dispatcher), a_(a), b_(b), shift_(shift)
+    {
+        copy_.setCollisionShape(b->getCollisionShape());
+        copy_.setFriction(b->getFriction());
+        copy_.setRestitution(b->getRestitution());
+        for (const auto* first : partsOf(a))
+            for (const auto* second : partsOf(b))
+            {
+                const double breaking = std::min(first->getContactBreakingThreshold(gContactBreakingThreshold),
+                                                 second->getContactBreakingThreshold(gContactBreakingThreshold));
+                parts_.push_back(std::make_unique<Parts>(
+                    Parts{first, second, btPersistentManifold(a, &copy_, 0, breaking, BT_LARGE_FLOAT), dispatcher.getNewManifold(a, b)}));
+            }
+    }
+    PairAcross(const PairAcross&) = delete;
+    PairAcross& operator=(const PairAcross&) = delete;
+    ~PairAcross()
+    {
+        for (const auto& p : parts_)
+        {
+            if (p->algorithm)
+            {
+                p->algorithm->~btCollisionAlgorithm();
+                dispatcher_.freeCollisionAlgorithm(p->algorithm);
+            }
+            dispatcher_.releaseManifold(p->handed);
+        }
+    }
+    const btVector3& shift() const { return shift_; }
+    void touch(const btDispatcherInfo& info)
+    {
+        place();
+        for (const auto& p : parts_) touch(*p, info);
+    }
+};
+
+/// Rigid bodies in a container. Contacts of meshes are Bullet's own, across periodic sides with its help (PairAcross); those of two spheres, also across periodic sides, and
+/// those with walls, which Bullet has not or not with impulses kept from step to step, are handed to its solver.
 class SettlingWorld : public btDiscreteDynamicsWorld
 {
     const SolidContainer& container_;
@@ -42,6 +149,7 @@ class SettlingWorld : public btDiscreteDynamicsWorld
     btRigidBody* walls_;
     double friction_, restitution_;
     std::map<std::pair<int, int>, btPersistentManifold*> given_;
+    std::map<std::pair<int, int>, std::unique_ptr<PairAcross>> across_;
 
     void give(btRigidBody* a, btRigidBody* b, std::pair<int, int> key, const std::vector<Touch>& touches)
     {
@@ -164,6 +272,29 @@ class SettlingWorld : public btDiscreteDynamicsWorld
         give(bodies_[std::size_t(i)], bodies_[std::size_t(j)], {i, j}, touches);
     }
 
+    void touchMeshesAcrossSides()
+    {
+        std::vector<Vector<3>> centres;
+        for (const auto* b : bodies_) centres.push_back(plain(b->getWorldTransform().getOrigin()));
+        std::map<std::pair<int, int>, std::unique_ptr<PairAcross>> now;
+        for (const auto& pair : nearPairs(container_, centres, reach_, nearby))
+        {
+            const auto [i, j] = pair;
+            if (shapeOf_[std::size_t(i)]->isSphere && shapeOf_[std::size_t(j)]->isSphere) continue;
+            const auto apart = centres[std::size_t(j)] - centres[std::size_t(i)];
+            const auto shift = bullet(shortest(container_, apart) - apart);
+            if (shift.length2() == 0) continue; // Bullet sees it
+            auto& known = across_[pair];
+            const bool isSame = known && (known->shift() - shift).length2() < sqr(nearby);
+            auto& at = now[pair];
+            at = isSame ? std::move(known)
+                        : std::make_unique<PairAcross>(*static_cast<btCollisionDispatcher*>(getDispatcher()), bodies_[std::size_t(i)],
+                                                       bodies_[std::size_t(j)], shift);
+            at->touch(getDispatchInfo());
+        }
+        across_ = std::move(now);
+    }
+
     void performDiscreteCollisionDetection() override
     {
         btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
@@ -175,6 +306,7 @@ class SettlingWorld : public btDiscreteDynamicsWorld
                 if (!container_.periodic[std::size_t(wall - 1) / 2]) touchWall(i, wall);
         }
         touchSpheres();
+        if (spheres_.size() < bodies_.size() && (container_.periodic[0] || container_.periodic[1])) touchMeshesAcrossSides();
     }
 
 public:
@@ -268,6 +400,13 @@ void placeInCells(const SolidsPlan& plan, const SolidContainer& c, Bed& bed, dou
             fmt::format("the largest solid ({}) is {:.4g} m long, and the container {:.4g} m wide: it must be {:.4g} m wide at least",
                         largest && !bed.shapeOf(*largest).isSphere() ? bed.shapeOf(*largest).file : "a sphere", 2 * reach * unit,
                         c.narrowest() * unit, cell * unit));
+    for (const auto& [isPeriodic, period] : {std::pair{c.periodic[0], c.length}, {c.periodic[1], c.width}})
+        if (isPeriodic && period < 4 * reach && !bed.shapeOf(*largest).isSphere())
+            throw CaseError(
+                plan.container.where,
+                fmt::format(
+                    "a period of {:.4g} m is shorter than two of the largest solid ({}, {:.4g} m long): it would touch another on both sides at once",
+                    period * unit, bed.shapeOf(*largest).file, 2 * reach * unit));
     const double length = c.isCylinder ? 2 * c.radius : c.length, width = c.isCylinder ? 2 * c.radius : c.width;
     const int nx = std::max(1, int(length / cell)), ny = std::max(1, int(width / cell));
     const double dx = length / nx, dy = width / ny;

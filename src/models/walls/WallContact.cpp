@@ -8,7 +8,11 @@ namespace sph
 
 namespace
 {
-template<int dim> double closestOf(const Particles<dim>& p) { return LeakGuard<dim>::closestInSpacings * p.coefficients().spacing; }
+template<int dim> Clearance clearanceOf(const Particles<dim>& p)
+{
+    const double spacing = p.coefficients().spacing;
+    return {LeakGuard<dim>::closestInSpacings * spacing, narrowestCrevice * spacing};
+}
 }
 
 template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(JoinPoint place)
@@ -36,7 +40,7 @@ template<int dim> void WallContact<dim>::find(const Particles<dim>& p)
     const double within = 0.5 * p.coefficients().spacing + p.skin();
     for (const auto& [i, d] : p.images().layers() ? nearFeet(p, within) : p.images().nearFaces(within))
     {
-        near_.push_back({i, valueAt<Vector<dim>>(x, i), std::max(0.0, d - closestOf(p)), p.movingWalls().travelled()});
+        near_.push_back({i, valueAt<Vector<dim>>(x, i), std::max(0.0, d - clearanceOf(p).looked()), p.movingWalls().travelled()});
     }
 }
 
@@ -62,16 +66,18 @@ template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, cons
     if (mag(x_i - near.x) + (walls - near.walls) < near.clear) return 0;
 
     // Deeper than that the leak guard ends the run.
-    const double closest = closestOf(p), reach = 0.5 * p.coefficients().spacing;
+    const auto clearance = clearanceOf(p);
+    const double reach = 0.5 * p.coefficients().spacing;
     const auto [foot, patch] = p.nearWalls().nearestFoot(in3D(x_i), reach);
     const double d = std::min(reach, foot.distance);
-    near = {i, x_i, std::max(0.0, d - closest), walls};
-    if (d >= closest) return 0;
+    near = {i, x_i, std::max(0.0, d - clearance.looked()), walls};
+    if (d >= clearance.looked()) return 0;
     const auto before = valueAt<Vector<dim>>(v, i);
     auto v_i = before;
     HeldVelocity<dim> velocity(v_i);
-    const auto held =
-        offWalls(p.nearWalls(), x_i, closest, reach, [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
+    const auto held = offWalls(p.nearWalls(), x_i, clearance, reach,
+                               [&](const Vector<dim>& n) { velocity.touch(n, p.movingWalls().speedAlong(in3D(n))); });
+    if (held == x_i) return 0;
     v_i = velocity;
     if (const auto& geometry = p.geometry(); rubs_)
     {

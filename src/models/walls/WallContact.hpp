@@ -8,7 +8,8 @@
 ///
 /// n unit normal into the fluid of each foot of x, at distance d [m]; d_0 the distance at which the leak guard too holds particles off walls [m].
 /// Pressure alone cannot do it: a particle and its image push each other less the nearer they are, and one on the wall is one with its image. Particles
-/// come there in gaps below two thirds of a spacing, where more of them are than fit, and thrown against a wall. The contact is inelastic. Soil that is thrown
+/// come there in gaps below two thirds of a spacing, where more of them are than fit, and thrown against a wall. Out of crevices narrower than half a spacing, where grains touch,
+/// they are held likewise, as by a wall across them (geometry/crevice.hpp). The contact is inelastic. Soil that is thrown
 /// ahead of a flow has no neighbours to rub at and no stress: without the last rule it slides on for good.
 ///
 /// v_w velocity of the wall [m/s], t the part along it, dv_n what v has lost across it [m/s].

@@ -37,7 +37,7 @@ const Choice containerType{"type", {"box", "cylinder"}, required, "shape of the 
 const VectorParameter boxMin{"min", units::m, required, "lowest corner"}, boxMax{"max", units::m, required, "highest corner"},
     cylinderBase{"base", units::m, required, "middle of the bottom; the axis is along gravity"};
 const ListOf<std::string> boxPeriodic{"periodic", byScene("(), no direction"),
-                                      "directions in which a box of spheres repeats; the one along gravity for randomClose alone"};
+                                      "directions in which a box repeats; the one along gravity for randomClose alone"};
 const Scalar cylinderRadius{"radius", units::m, required, positive, "of the cylinder"},
     cylinderHeight{"height", units::m, required, positive, "of the cylinder"};
 
@@ -298,11 +298,8 @@ SolidsPlan readSolidsPlan(const Case& c)
         plan.longest = entry::timeLimit(dict);
         plan.timeLimitAt = entry::timeLimit.where(dict);
         plan.level = entry::level(dict);
-        const bool hasMeshes = std::ranges::any_of(plan.shapes, [](const auto& s) { return !s.isSphere(); });
         if (plan.container.periodic[2])
             entry::boxPeriodic.error(container, "along gravity a bed that settles does not repeat; randomClose can");
-        else if (hasMeshes && (plan.container.periodic[0] || plan.container.periodic[1]))
-            entry::boxPeriodic.error(container, "sides are periodic for spheres alone, and \"shapes\" has meshes");
     }
     dict.reportUnused();
     gravityFile.ignore("dimensions");
@@ -312,7 +309,7 @@ SolidsPlan readSolidsPlan(const Case& c)
     const std::array<double, 3> lengths{box.length, box.width, box.height};
     for (std::size_t k = 0; k < 3; ++k)
         if (box.periodic[k] && lengths[k] < 2 * plan.size.high)
-            throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest spheres ({:g} m each)",
+            throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest solids ({:g} m each)",
                                                    lengths[k], plan.size.high));
     // Sizes are those of spheres here; meshes are longer, and checked when they are read.
     if (plan.size.high > std::min(box.narrowest(), box.height))

@@ -59,5 +59,10 @@ TEST(Walls, stampChangesWithTheSource)
     EXPECT_NE(geometryStamp(folder, 1e-4, 3), stamp);
     write("spheres", "spheres ((0 0 0 2));\n");
     EXPECT_NE(geometryStamp(folder, 1e-4, 2.6), stamp);
+    write("spheres", "file \"bed.csv\";\n");
+    write("bed.csv", "0 0 0 1\n");
+    const auto ofTable = geometryStamp(folder, 1e-4, 2.6);
+    write("bed.csv", "0 0 0 2\n");
+    EXPECT_NE(geometryStamp(folder, 1e-4, 2.6), ofTable);
     std::filesystem::remove_all(folder);
 }

@@ -1,5 +1,6 @@
 /// Images in meshes: what is behind a surface is filled once, whatever its edges and vertices.
 #include "Largest.hpp"
+#include "geometry/NearWalls.hpp"
 #include "geometry/Plane.hpp"
 #include "geometry/Sphere.hpp"
 #include "geometry/TriangleMesh.hpp"
@@ -194,6 +195,41 @@ TEST(MeshImages, FillTheGapBelowASphereOnce)
             EXPECT_LT(share, 1.04) << height << (facets ? ", facets" : "");
             EXPECT_LE(WithImages(g, {x}).images.count(), 18u);
         }
+}
+
+// Grains that touch, overlap as packers leave them, or almost touch, of 8 and 16 spacings of radius; three that touch one another; one in the corner of a box. What is behind them is filled
+// once wherever their crevice is wide enough for particles.
+TEST(MeshImages, FillTheCrevicesOfGrainsThatTouch)
+{
+    const auto grain = [](const Vector<3>& centre, double R) { return std::make_shared<Sphere>(centre, R, FluidSide::outside); };
+    const auto along = [](const std::string& what, const Geometry& g, const Vector<3>& from, const Vector<3>& to)
+    {
+        const NearWalls walls(g, H);
+        int looked = 0;
+        for (int k = 0; k <= 10; ++k)
+        {
+            const auto x = from + 0.1 * k * (to - from);
+            if (g.distance(x) <= 0.2 * spacing || walls.crevice(x, narrowestCrevice * spacing).width < Box::infinity) continue;
+            ++looked;
+            EXPECT_NEAR(filled(g, x, 100000), 1, 0.05) << what << ", " << 0.1 * k;
+        }
+        EXPECT_GE(looked, 4) << what;
+    };
+    for (const double R : {8 * spacing, 16 * spacing})
+        for (const double overlap : {-0.05, 0.0, 0.01, 0.03}) // of the diameter
+        {
+            const double D = 2 * R * (1 - overlap);
+            along(std::to_string(overlap), meshScene({}, {grain({-D / 2, 0, 0}, R), grain({D / 2, 0, 0}, R)}), {}, {0, 5 * spacing, 0});
+        }
+    const double R = 8 * spacing, h = 2 * R / std::sqrt(3.0);
+    const auto three = meshScene({}, {grain({h, 0, 0}, R), grain({-h / 2, R, 0}, R), grain({-h / 2, -R, 0}, R)});
+    along("three, along their axis", three, {}, {0, 0, 4 * spacing});
+    along("three, towards a contact", three, {}, {-h / 2, 0, 0});
+    const auto corner =
+        meshScene({}, {std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0}),
+                       std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 0, 1}), grain({R, R, R}, R)});
+    along("in the corner of a box", corner, {0.6 * spacing, 0.6 * spacing, 0.6 * spacing}, {0.4 * R, 0.4 * R, 0.4 * R});
+    along("in the edge of a box, towards a contact", corner, {0.2 * R, 0.2 * R, R}, {0.1 * R, 0.4 * R, R});
 }
 
 // Corners of a cube, of a box, and where a concave edge ends among convex ones, from either side. Where three faces meet, each image has a share

@@ -154,6 +154,49 @@ TEST(Bed, Rocks)
         }
 }
 
+// Rocks between periodic sides: at rest, apart also across the sides, and touching there as often as their share of the bed says. A body that the sides
+// cut lies whole on one of them. Where a shape has several parts the points of each are found.
+TEST(Bed, RocksAcrossPeriodicSides)
+{
+    const auto [plan, bed, m] =
+        pack(withRocks("count 40;\nfriction 0.3;\ncontainer { type box; min (0 0 0); max (0.06 0.06 0.2); periodic (x y); }\n"
+                       "shapes ( { file \"angular.obj\"; } { file \"concave.obj\"; } { share 0.5; } );\n"
+                       "size { distribution uniform; min 0.012; max 0.016; }\n"));
+    EXPECT_EQ(bed.bodies.size(), 40u);
+    EXPECT_LT(bed.kineticEnergy, 1e-6);
+    EXPECT_LT(bed.overlap, 0.01);
+    EXPECT_EQ(largestOverlap(plan.container, bed), 0);
+    std::size_t across = 0, meshesAcross = 0;
+    for (const auto& [i, j, gap] : bed.contacts)
+    {
+        const auto &a = bed.bodies[std::size_t(i)], &b = bed.bodies[std::size_t(j)];
+        if (mag(a.centre - b.centre) < 0.03) continue;
+        ++across;
+        meshesAcross += !bed.shapeOf(a).isSphere() && !bed.shapeOf(b).isSphere();
+    }
+    EXPECT_GT(meshesAcross, 5u);
+    EXPECT_GT(across, bed.contacts.size() / 5);
+    EXPECT_LT(across, bed.contacts.size() / 2);
+    // Nothing says where the sides are: the bed is as dense beside them as in the middle.
+    ASSERT_TRUE(m.corePorosity.has_value());
+    EXPECT_NEAR(*m.corePorosity, m.porosity, 4 * m.coreError);
+    // Each copy against each, by no rule for periods at all.
+    Bed all;
+    all.shapes = bed.shapes;
+    auto wide = plan.container;
+    wide.periodic = {};
+    wide.base = {-1, -1, 0};
+    wide.length = wide.width = 3;
+    for (const double x : {0.0, 0.06})
+        for (const double y : {0.0, 0.06})
+            for (auto b : bed.bodies)
+            {
+                b.centre = b.centre + Vector<3>{x + 1, y + 1, 0};
+                all.bodies.push_back(b);
+            }
+    EXPECT_EQ(largestOverlap(wide, all), 0);
+}
+
 // A slender plate bent to a right angle, far from convex: what it collides as covers it, without closing the angle as its hull does.
 TEST(Bed, PartsCoverAnAngle)
 {
@@ -366,9 +409,9 @@ TEST(Bed, Mistakes)
     says(errorOf("count 5;\n" + box + "shapes ( { file \"bad.obj\"; } );\n" + size,
                  {{"constant/triSurface/bad.obj", "v 0 0 0\nf 1 2 3\n"}}),
          "constant/triSurface/bad.obj: line 2: the face has the vertex 2, and there are 1");
-    says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.1 0.1 0.1); periodic (x); }\nshapes ( { file \"flat.obj\"; } );\n" +
+    says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.025 0.1 0.1); periodic (x); }\nshapes ( { file \"flat.obj\"; } );\n" +
                  size),
-         file + "4: sides are periodic for spheres alone");
+         "a period of 0.025 m is shorter than two of the largest solid (constant/triSurface/flat.obj");
     says(errorOf("count 5;\ncontainer { type box; min (0 0 0); max (0.1 0.1 0.1); periodic (z); }\n" + size),
          "along gravity a bed that settles does not repeat");
     says(errorOf("count 5;\n" + box + size, {{"constant/g", "value (0 -7 -7);\n"}}),

@@ -51,6 +51,9 @@ std::string report(const sph::Geometry& g, const sph::GeometryReport& report, do
                            H, g.dimension, g.low.x, g.low.y, g.low.z, g.high.x, g.high.y, g.high.z, periodic, g.walls.size(),
                            g.originals.size(), g.patches.size(), report.fluidFraction, report.fluidFractionError);
     if (report.contacts > 0) out += fmt::format("Contacts: {}\n", report.contacts);
+    if (report.overlap > 0)
+        out += fmt::format("Largest overlap: {:.2g} of the smaller diameter, at ({:.6g} {:.6g} {:.6g})\n", report.overlap, report.overlapAt.x,
+                           report.overlapAt.y, report.overlapAt.z);
     if (g.walls.empty()) return out;
 
     Row head{"wall", "shape", "number", "fluid"};

@@ -1,0 +1,107 @@
+/// Crevices between walls, and particles that are put out of them.
+#include "geometry/Plane.hpp"
+#include "geometry/Sphere.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/crevice.hpp"
+#include "geometry/offWalls.hpp"
+#include "meshes.hpp"
+#include "wallsByHand.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace sph::test
+{
+namespace
+{
+
+Geometry scene(const std::vector<std::shared_ptr<const Shape>>& shapes)
+{
+    Geometry g;
+    g.low = {-10, -10, -10};
+    g.high = {10, 10, 10};
+    g.facetScale = {0.4, 1};
+    for (const auto& shape : shapes) g.originals.push_back({shape, 0});
+    g.walls.resize(1);
+    repeatPeriodically(g, 1.2);
+    return g;
+}
+
+auto sphere(const Vector<3>& centre, double R) { return std::make_shared<Sphere>(centre, R, FluidSide::outside); }
+
+// Two spheres of radius R that touch: at a distance r from the contact, in the middle, the width is 2 (sqrt(R^2 + r^2) - R), and it grows outwards.
+TEST(Crevice, OfTwoSpheresThatTouch)
+{
+    const double R = 3;
+    const auto g = scene({sphere({-R, 0, 0}, R), sphere({R, 0, 0}, R)});
+    const NearWalls walls(g, 1);
+    for (const double r : {0.2, 0.5, 0.9})
+    {
+        const double width = 2 * (std::hypot(R, r) - R);
+        const auto crevice = walls.crevice({0, r, 0}, 1);
+        EXPECT_NEAR(crevice.width, width, 1e-12);
+        EXPECT_NEAR(crevice.wider.y, 2 * r / std::hypot(R, r), 1e-12);
+        EXPECT_NEAR(crevice.wider.x, 0, 1e-12);
+        EXPECT_EQ(walls.crevice({0, r, 0}, width).width, Box::infinity);
+    }
+    // Nothing of a single wall, of a corner of a box, or beyond the spheres.
+    EXPECT_EQ(walls.crevice({-R, R + 0.05, 0}, 1).width, Box::infinity);
+    const auto corner =
+        scene({std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0})});
+    EXPECT_EQ(NearWalls(corner, 1).crevice({0.1, 0.1, 0}, 1).width, Box::infinity);
+}
+
+// The groove of one mesh and the wedge of a mesh on a plane are crevices as well: at r from the edge, on the bisector, 2 r sin(a/2) wide.
+TEST(Crevice, OfAWedge)
+{
+    const double a = std::numbers::pi / 6, r = 0.8;
+    const TriangleSurface block = prism({{0, 0, 0}, {8 * std::cos(a), 8 * std::sin(a), 0}, {-1, 8, 0}, {-4, 4, 0}}, -5, 5);
+    Geometry g;
+    g.low = {-10, -10, -10};
+    g.high = {10, 10, 10};
+    g.facetScale = {0.4, 1};
+    for (const auto& body : bodiesOf(ofOneRegion(block), g.facetScale)) g.originals.push_back({std::make_shared<TriangleMesh>(body), 0});
+    g.originals.push_back({std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0}), 0});
+    g.walls.resize(1);
+    repeatPeriodically(g, 1.2);
+    const NearWalls walls(g, 1);
+    const auto crevice = walls.crevice({r * std::cos(a / 2), r * std::sin(a / 2), 0}, 1);
+    EXPECT_NEAR(crevice.width, 2 * r * std::sin(a / 2), 1e-6);
+    EXPECT_NEAR(mag(crevice.wider), 2 * std::sin(a / 2), 1e-6);
+}
+
+// From anywhere in the crevice a particle is put where it is half a spacing wide, and loses its velocity inwards; in a slit it stays where it is.
+TEST(Crevice, IsLeft)
+{
+    const double R = 3, narrowest = 0.3;
+    const auto g = scene({sphere({-R, 0, 0}, R), sphere({R, 0, 0}, R)});
+    const NearWalls walls(g, 1);
+    for (const double r : {0.15, 0.4, 0.6, 0.9})
+        for (const double off : {-0.3, 0.0, 0.3})
+        {
+            const double half = std::hypot(R, r) - R;
+            HeldVelocity<3> velocity({0, -1, 0.5});
+            const auto x = offWalls(walls, Vector<3>{off * half, r * std::cos(0.4), r * std::sin(0.4)}, {0.02, narrowest}, 1,
+                                    [&](const Vector<3>& n) { velocity.touch(n, 0); });
+            EXPECT_GT(g.distance(x), 0.019);
+            EXPECT_EQ(walls.crevice(x, 0.99 * narrowest).width, Box::infinity) << r << " " << off;
+            // As near to where it was as the crevice's border is.
+            EXPECT_NEAR(std::atan2(x.z, x.y), 0.4, 1e-9);
+            if (const double least = std::sqrt(std::pow(R + narrowest / 2, 2) - R * R); r > least)
+            {
+                EXPECT_NEAR(std::hypot(x.y, x.z), r, 1e-12);
+            }
+            else
+            {
+                EXPECT_NEAR(std::hypot(x.y, x.z), least, 0.05 * least);
+                EXPECT_GT(Vector<3>(velocity).y * std::cos(0.4) + Vector<3>(velocity).z * std::sin(0.4), -0.05);
+            }
+        }
+    const auto slit = scene(
+        {std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{0.2, 0, 0}, Vector<3>{-1, 0, 0})});
+    const Vector<3> x{0.08, 1, 2};
+    EXPECT_EQ(offWalls(NearWalls(slit, 1), x, {0.02, narrowest}, 1, [](const Vector<3>&) { ADD_FAILURE(); }), x);
+}
+
+}
+}

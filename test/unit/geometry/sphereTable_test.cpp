@@ -1,0 +1,110 @@
+/// Beds of spheres that other codes have written: the same spheres from each form of table, and mistakes with file and line.
+#include "geometry/Geometry.hpp"
+#include "geometry/sphereTable.hpp"
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace sph
+{
+namespace
+{
+
+struct Table
+{
+    std::vector<TableSphere> spheres;
+    std::string errors;
+};
+
+std::string errorsOf(const Diagnostics& d)
+{
+    try
+    {
+        d.throwIfAny();
+    }
+    catch (const CaseError& e)
+    {
+        return e.what();
+    }
+    return "";
+}
+
+Table table(const std::string& text)
+{
+    Diagnostics d;
+    auto spheres = spheresInTable(text, "constant/bed.csv", d);
+    return {std::move(spheres), errorsOf(d)};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}
+
+// A spreadsheet, YADE's textExt, a dump of LIGGGHTS, and diameters in columns of another order.
+TEST(SphereTable, ReadsWhatOtherCodesWrite)
+{
+    for (const std::string text :
+         {"x,y,z,radius\n0.1,0.2,0.3,0.05\n0.4,0.5,0.6,0.04\n", "#format x_y_z_r\n0.1 0.2 0.3 0.05\n0.4\t0.5\t0.6\t0.04\n",
+          "ITEM: TIMESTEP\n1000\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 1\n0 1\n0 1\n"
+          "ITEM: ATOMS id x y z vx radius \n1 0.1 0.2 0.3 0 0.05 \n2 0.4 0.5 0.6 0 0.04 \n",
+          "\"Diameter\", Z, Y, X\r\n0.1, 0.3, 0.2, 0.1\r\n\r\n0.08, 0.6, 0.5, 0.4\r\n"})
+    {
+        const auto [spheres, errors] = table(text);
+        ASSERT_EQ(errors, "");
+        ASSERT_EQ(spheres.size(), 2u) << text;
+        EXPECT_EQ(spheres[0].centre, (Vector<3>{0.1, 0.2, 0.3})) << text;
+        EXPECT_EQ(spheres[0].radius, 0.05) << text;
+        EXPECT_EQ(spheres[1].centre, (Vector<3>{0.4, 0.5, 0.6})) << text;
+        EXPECT_EQ(spheres[1].radius, 0.04) << text;
+    }
+}
+
+TEST(SphereTable, SaysWhichRowIsWrong)
+{
+    for (const auto& [text, words] :
+         {std::pair{"x,y,z\n0,0,0\n",
+                    "constant/bed.csv:1: the columns \"x, y, z\" name no sphere: x, y, z and one of r, radius, d, diameter are needed"},
+          {"x,y,z,r\n0,0,0,1\n0,0,0\n", "constant/bed.csv:3: 3 cells under 4 columns"},
+          {"0 0 0 1\n0 0 0 -1\n", "constant/bed.csv:2: the sphere has the radius -1; it must be > 0"},
+          {"0 0 0 1\n0 0 nan 1\n", "constant/bed.csv:2: \"nan\" is no number"},
+          {"x,y,z,r\n0,0,0,\n", "constant/bed.csv:2: \"\" is no number"},
+          {"# nothing\n", "constant/bed.csv: there are no spheres in it"},
+          {"ITEM: TIMESTEP\n0\nITEM: ATOMS x y z radius\n0 0 0 1\nITEM: TIMESTEP\n1\n",
+           "constant/bed.csv:5: a second time of the dump begins here"}})
+        EXPECT_TRUE(contains(table(text).errors, words)) << text << "\n" << table(text).errors;
+    std::string many = "x,y,z,r\n";
+    for (int k = 0; k < 30; ++k) many += "0,0,0,0\n";
+    EXPECT_TRUE(contains(table(many).errors, "20 more rows are wrong")) << table(many).errors;
+}
+
+// As a wall: scaled and moved, touching neighbours and all; a unit that was forgotten.
+TEST(SphereTable, IsAWall)
+{
+    const auto folder = std::filesystem::path(testing::TempDir()) / "sphereTable";
+    std::filesystem::create_directories(folder / "constant");
+    std::ofstream(folder / "constant/bed.csv") << "x,y,z,r\n10,20,30,5\n20,20,30,5\n";
+    const auto read = [&](const std::string& entries)
+    {
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto dict =
+            Dictionary::parse("dimension 3; domain { min (0 0 0); max (0.05 0.05 0.05); }\nwalls { bed { type spheres; " + entries + " } }",
+                              "constant/geometry", diagnostics);
+        auto g = readGeometry(dict, Resolution{.spacing = 1e-3, .where = {}}, 1.5, folder);
+        dict.reportUnused();
+        return std::pair(std::move(g), errorsOf(*diagnostics));
+    };
+    const auto [g, errors] = read("file \"bed.csv\"; scale 1e-3; translation (0.001 0 0);");
+    EXPECT_EQ(errors, "");
+    ASSERT_EQ(g.originals.size(), 2u);
+    EXPECT_NEAR(g.distance({0.016, 0.02, 0.03}), 0, 1e-15);
+    EXPECT_NEAR(g.distance({0.031, 0.02, 0.03}), 0.005, 1e-15);
+    EXPECT_TRUE(contains(read("file \"bed.csv\";").second,
+                         "the spheres of constant/bed.csv take 400 times the extent of the domain: are they in mm? Then `scale 1e-3;`"))
+        << read("file \"bed.csv\";").second;
+    EXPECT_TRUE(contains(read("file \"none.csv\";").second, "cannot read constant/none.csv")) << read("file \"none.csv\";").second;
+    EXPECT_TRUE(contains(read("").second, "either a list `spheres` or a `file`")) << read("").second;
+    EXPECT_TRUE(contains(read("file \"bed.csv\"; spheres ((0 0 0 1));").second, "either a list `spheres` or a `file`"));
+    std::filesystem::remove_all(folder);
+}
+
+}
