@@ -24,23 +24,24 @@ template<int dim, class F>
 Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, const Clearance& clearance, double reach, const F& pushed)
 {
     constexpr double slit = 0.1, rounding = 1e-9; // slit: n_1 + n_2 of walls at 6 degrees
-    for (int turn = 0; turn < 8; ++turn)
+    for (int turn = 0; turn < 12; ++turn)
     {
         const Foot foot = walls.nearestFoot(in3D(x), reach).foot;
-        if (foot.distance < clearance.closest)
+        if (!(foot.distance < clearance.looked())) break;
+        const auto crevice = clearance.narrowest > 0 ? walls.crevice(in3D(x), (1 - rounding) * clearance.narrowest) : Crevice{};
+        const auto wider = in<dim>(crevice.wider);
+        if (const double slope = mag(wider); slope >= slit)
+        {
+            x += std::min((clearance.narrowest - crevice.width) / slope, 0.5 * clearance.narrowest) / slope * wider;
+            pushed(wider / slope);
+        }
+        else if (foot.distance < clearance.closest)
         {
             const auto n = in<dim>(foot.normal);
             x += (clearance.closest - foot.distance) * n;
             pushed(n);
-            continue;
         }
-        if (!(foot.distance < 0.5 * clearance.narrowest)) break;
-        const auto crevice = walls.crevice(in3D(x), (1 - rounding) * clearance.narrowest);
-        const auto wider = in<dim>(crevice.wider);
-        const double slope = mag(wider);
-        if (slope < slit) break;
-        x += std::min((clearance.narrowest - crevice.width) / slope, 0.5 * clearance.narrowest) / slope * wider;
-        pushed(wider / slope);
+        else break;
     }
     return x;
 }

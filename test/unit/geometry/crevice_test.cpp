@@ -42,7 +42,7 @@ TEST(Crevice, OfTwoSpheresThatTouch)
         EXPECT_NEAR(crevice.width, width, 1e-12);
         EXPECT_NEAR(crevice.wider.y, 2 * r / std::hypot(R, r), 1e-12);
         EXPECT_NEAR(crevice.wider.x, 0, 1e-12);
-        EXPECT_EQ(walls.crevice({0, r, 0}, width).width, Box::infinity);
+        EXPECT_EQ(walls.crevice({0, r, 0}, (1 - 1e-9) * width).width, Box::infinity);
     }
     // Nothing of a single wall, of a corner of a box, or beyond the spheres.
     EXPECT_EQ(walls.crevice({-R, R + 0.05, 0}, 1).width, Box::infinity);
