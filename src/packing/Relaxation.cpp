@@ -196,7 +196,7 @@ public:
                 const double length = mag(shift);
                 if (length > limit) shift *= limit / length;
                 const auto from = position(i), wanted = from + shift;
-                const auto reached = distance[i] - mag(shift) < wallInset * spacing_ ? intoFluid(from, wanted) : wanted;
+                const auto reached = distance[i] - mag(shift) < clearance().looked() ? intoFluid(from, wanted) : wanted;
                 place(i, reached);
                 return Shifts{std::min(length, limit), std::size_t(!(reached == wanted)), reached - from};
             },
@@ -330,13 +330,13 @@ private:
         return farthest > sqr(0.5 * skin * spacing_);
     }
 
+    Clearance clearance() const { return {wallInset * spacing_, narrowestCrevice * spacing_}; }
+
     /// `wanted`, put off the walls; `from` where they leave no room, as where spheres touch.
     Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
-        const double inset = wallInset * spacing_;
-        const auto reached =
-            offWalls(images_.nearWalls(), wanted, {inset, narrowestCrevice * spacing_}, Box::infinity, [](const Vector<dim>&) {});
-        return images_.nearWalls().nearestFoot(in3D(reached), Box::infinity).foot.distance > 0.5 * inset ? reached : from;
+        const auto reached = offWalls(images_.nearWalls(), wanted, clearance(), Box::infinity, [](const Vector<dim>&) {});
+        return images_.nearWalls().nearestFoot(in3D(reached), Box::infinity).foot.distance > 0.5 * clearance().closest ? reached : from;
     }
 
     KernelResidual measured() const

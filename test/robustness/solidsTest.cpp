@@ -97,6 +97,13 @@ auto inBox(double x0, double y0, double x1, double y1)
     return [=](double x, double y, double) { return y < 0 || x < 0 || (x > x0 && x < x1 && y > y0 && y < y1); };
 }
 
+/// Two balls on the floor and one on them.
+auto inBalls(double R, double high)
+{
+    return [=](double x, double y, double)
+    { return y < 0 || std::hypot(x - 0.35, y - 0.15) < R || std::hypot(x - 0.65, y - 0.15) < R || std::hypot(x - 0.5, y - high) < R; };
+}
+
 TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
 {
     const auto tank = ran(tankCase(""), inBox(0, 0, 0, 0));
@@ -109,6 +116,12 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
              [](double x, double y, double) { return inBox(0.3, 0.1, 0.6, 0.24)(x, y, 0) || inBox(0.44, 0.18, 0.76, 0.36)(x, y, 0); })},
         {"ball in a corner", ran(tankCase("    ball { type sphere; centre (0 0 0); radius 0.2; fluid outside; }\n"),
                                  [](double x, double y, double) { return y < 0 || x < 0 || std::hypot(x, y) < 0.2; })},
+        {"balls that touch one another and the floor",
+         ran(tankCase("    balls { type spheres; spheres ((0.35 0.15 0 0.15) (0.65 0.15 0 0.15) (0.5 0.4098 0 0.15)); }\n"),
+             inBalls(0.15, 0.4098))},
+        {"balls that overlap one another and the floor, by 1 % of a diameter",
+         ran(tankCase("    balls { type spheres; spheres ((0.35 0.15 0 0.153) (0.65 0.15 0 0.153) (0.5 0.4098 0 0.153)); }\n"),
+             inBalls(0.153, 0.4098))},
         {"step between floor and wall",
          ran(tankCase("    step { type box; min (0.6 0 0); max (1 0.1 0); fluid outside; }\n"), inBox(0.6, 0, 1, 0.1))},
     };
