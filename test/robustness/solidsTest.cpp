@@ -97,13 +97,6 @@ auto inBox(double x0, double y0, double x1, double y1)
     return [=](double x, double y, double) { return y < 0 || x < 0 || (x > x0 && x < x1 && y > y0 && y < y1); };
 }
 
-/// Two balls on the floor and one on them.
-auto inBalls(double R, double high)
-{
-    return [=](double x, double y, double)
-    { return y < 0 || std::hypot(x - 0.35, y - 0.15) < R || std::hypot(x - 0.65, y - 0.15) < R || std::hypot(x - 0.5, y - high) < R; };
-}
-
 TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
 {
     const auto tank = ran(tankCase(""), inBox(0, 0, 0, 0));
@@ -116,12 +109,6 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
              [](double x, double y, double) { return inBox(0.3, 0.1, 0.6, 0.24)(x, y, 0) || inBox(0.44, 0.18, 0.76, 0.36)(x, y, 0); })},
         {"ball in a corner", ran(tankCase("    ball { type sphere; centre (0 0 0); radius 0.2; fluid outside; }\n"),
                                  [](double x, double y, double) { return y < 0 || x < 0 || std::hypot(x, y) < 0.2; })},
-        {"balls that touch one another and the floor",
-         ran(tankCase("    balls { type spheres; spheres ((0.35 0.15 0 0.15) (0.65 0.15 0 0.15) (0.5 0.4098 0 0.15)); }\n"),
-             inBalls(0.15, 0.4098))},
-        {"balls that overlap one another and the floor, by 1 % of a diameter",
-         ran(tankCase("    balls { type spheres; spheres ((0.35 0.15 0 0.153) (0.65 0.15 0 0.153) (0.5 0.4098 0 0.153)); }\n"),
-             inBalls(0.153, 0.4098))},
         {"step between floor and wall",
          ran(tankCase("    step { type box; min (0.6 0 0); max (1 0.1 0); fluid outside; }\n"), inBox(0.6, 0, 1, 0.1))},
     };
@@ -132,6 +119,27 @@ TEST(Solids, OnAFloorOverlappingAndInACornerAreAtRest)
         EXPECT_EQ(scene.inSolid, 0);
         EXPECT_EQ(scene.leaked, 0);
         EXPECT_LT(scene.kineticEnergy, tank.kineticEnergy);
+    }
+}
+
+// Two balls on the floor and one on them, which touch, and which overlap by 2 % of their diameters: by the scheme that a free surface has by default the water comes to rest, monotonically but for some
+// mJ/m in the wedges between balls and floor: at the end it has 0.005 and 0.08 J/m of 1.5 kJ/m. By `wallVelocity reflected` and no relaxation of the density it goes on in and out of them, at up to 1 J/m.
+TEST(Solids, BallsThatTouchAndOverlapAreAtRest)
+{
+    for (const double R : {0.15, 0.153})
+    {
+        auto files =
+            tankCase(fmt::format("    balls {{ type spheres; spheres ((0.35 0.15 0 {0}) (0.65 0.15 0 {0}) (0.5 0.40981 0 {0})); }}\n", R));
+        files["system/sphSchemes"] = "resolution { spacing 0.02; support 3; kernel wendlandC2; }\n";
+        const auto inBalls = [R](double x, double y, double) {
+            return y < 0 || std::hypot(x - 0.35, y - 0.15) < R || std::hypot(x - 0.65, y - 0.15) < R ||
+                   std::hypot(x - 0.5, y - 0.40981) < R;
+        };
+        const auto scene = ran(files, inBalls);
+        EXPECT_GE(scene.written, 32);
+        EXPECT_EQ(scene.inSolid, 0) << R;
+        EXPECT_EQ(scene.leaked, 0) << R;
+        EXPECT_LT(scene.kineticEnergy, 0.15) << R;
     }
 }
 

