@@ -69,7 +69,7 @@ const Scalar theta{"theta", units::none, 1,
                     "of the limit by diffusion of scalars, h^2/D"},
     capillaryFactor{"capillaryFactor", units::none, byScene("0.5; half of it with maxSubSteps, and with verlet"), positive,
                     "of the limit by surface tension"},
-    forceFactor{"forceFactor", units::none, byScene("0.25; 0.5 with implicit"), positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
+    forceFactor{"forceFactor", units::none, 0.25, positive, "of the limit by acceleration, sqrt(h/|dv/dt|)"},
     stepFactor{"stepFactor", units::none, 1, positive, "of all limits"};
 }
 
@@ -198,8 +198,7 @@ void read(const Reading& reading)
     f.viscous = entry::viscousFactor(dict, f.viscous);
     f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
     f.capillary = entry::capillaryFactor(dict, f.capillary);
-    // From rest a step a dt^2 goes as far as flowFactor lets one that moves. Half of that damps less, by Euler's backward step, than noise in a light gas grows (README.md).
-    f.force = entry::forceFactor(dict, integration.solvesPressure ? 0.5 : f.force);
+    f.force = entry::forceFactor(dict, f.force);
     const double all = entry::stepFactor(dict);
     for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force})
         *factor *= all;
@@ -230,7 +229,7 @@ bool scalesALimit(const Reading& reading, double StepFactors::*factor)
     return false;
 }
 
-/// s sqrt(h/|dv/dt|)
+/// s sqrt(h/|dv/dt|), s = 0.25
 std::optional<StepLimit> forceLimit(const Settings& settings, const Measured& measured)
 {
     if (!(measured.maxAcceleration > 0)) return {};

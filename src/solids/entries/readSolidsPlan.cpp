@@ -309,8 +309,8 @@ SolidsPlan readSolidsPlan(const Case& c)
     const std::array<double, 3> lengths{box.length, box.width, box.height};
     for (std::size_t k = 0; k < 3; ++k)
         if (box.periodic[k] && lengths[k] < 2 * plan.size.high)
-            throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest solids ({:g} m each)",
-                                                   lengths[k], plan.size.high));
+            throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest solids ({:g} m each)", lengths[k],
+                                                   plan.size.high));
     // Sizes are those of spheres here; meshes are longer, and checked when they are read.
     if (plan.size.high > std::min(box.narrowest(), box.height))
         throw CaseError(plan.size.where, fmt::format("solids of {:g} m do not fit into a container of {:g} m", plan.size.high,

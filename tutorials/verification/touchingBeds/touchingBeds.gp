@@ -1,7 +1,7 @@
 # Error of the drag factor against the spacing: gnuplot touchingBeds.gp
 set terminal pngcairo size 640,440 font ',10'
 set output 'touchingBeds.png'
-of(gap) = "< awk -F, '$2 ~ /Van der Hoef/ && $1 ~ / gap ".gap."$/ { print $1 + 0, ($3 < 0 ? -$3 : $3) }' run/results.csv"
+of(gap) = "< awk -F, '$2 ~ /Van der Hoef/ && $1 ~ / gap ".gap."$/ { error[$1 + 0] = -$3 } END { for (n in error) print n, error[n] }' run/results.csv | sort -n"
 set xlabel 'spacings a sphere'
 set ylabel 'K too low by [%]'
 set logscale xy

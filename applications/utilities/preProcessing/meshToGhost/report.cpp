@@ -52,8 +52,8 @@ std::string report(const sph::Geometry& g, const sph::GeometryReport& report, do
                            g.originals.size(), g.patches.size(), report.fluidFraction, report.fluidFractionError);
     if (report.contacts > 0) out += fmt::format("Contacts: {}\n", report.contacts);
     if (report.overlap > 0)
-        out += fmt::format("Largest overlap: {:.2g} of the smaller diameter, at ({:.6g} {:.6g} {:.6g})\n", report.overlap, report.overlapAt.x,
-                           report.overlapAt.y, report.overlapAt.z);
+        out += fmt::format("Largest overlap: {:.2g} of the smaller diameter, at ({:.6g} {:.6g} {:.6g})\n", report.overlap,
+                           report.overlapAt.x, report.overlapAt.y, report.overlapAt.z);
     if (g.walls.empty()) return out;
 
     Row head{"wall", "shape", "number", "fluid"};
