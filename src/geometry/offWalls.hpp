@@ -18,21 +18,24 @@ struct Clearance
 /// x, put off the nearest wall in turn until none is nearer than `closest`: what is put off one solid may be put into the next. Calls
 /// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
 ///
-/// Out of crevices narrower than `narrowest` it is put likewise, to where they are as wide, as if a wall stood across them there; half as far as they are to be wide in each turn.
-/// In a slit it stays: there is no wider place to go to.
+/// Out of crevices narrower than `narrowest` it is put likewise, to where they are as wide, as if a wall stood across them there; by half of `narrowest` in all, since the way out of
+/// one that hardly widens may lead far, to where others are. In a slit it stays: there is no wider place to go to.
 template<int dim, class F>
 Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, const Clearance& clearance, double reach, const F& pushed)
 {
     constexpr double slit = 0.1, rounding = 1e-9; // slit: n_1 + n_2 of walls at 6 degrees
+    double left = 0.5 * clearance.narrowest;
     for (int turn = 0; turn < 12; ++turn)
     {
         const Foot foot = walls.nearestFoot(in3D(x), reach).foot;
         if (!(foot.distance < clearance.looked())) break;
         const auto crevice = clearance.narrowest > 0 ? walls.crevice(in3D(x), (1 - rounding) * clearance.narrowest) : Crevice{};
         const auto wider = in<dim>(crevice.wider);
-        if (const double slope = mag(wider); slope >= slit)
+        if (const double slope = mag(wider); slope >= slit && left > 0)
         {
-            x += std::min((clearance.narrowest - crevice.width) / slope, 0.5 * clearance.narrowest) / slope * wider;
+            const double way = std::min((clearance.narrowest - crevice.width) / slope, left);
+            x += way / slope * wider;
+            left -= way;
             pushed(wider / slope);
         }
         else if (foot.distance < clearance.closest)

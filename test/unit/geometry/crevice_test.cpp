@@ -70,32 +70,29 @@ TEST(Crevice, OfAWedge)
     EXPECT_NEAR(mag(crevice.wider), 2 * std::sin(a / 2), 1e-6);
 }
 
-// From anywhere in the crevice a particle is put where it is half a spacing wide, and loses its velocity inwards; in a slit it stays where it is.
+// From anywhere in the crevice a particle is put towards where it is half a spacing wide, as far as half of that in one go, and loses its velocity inwards; in a slit it stays where it is.
 TEST(Crevice, IsLeft)
 {
-    const double R = 3, narrowest = 0.3;
+    const double R = 3, narrowest = 0.3, least = std::sqrt(std::pow(R + narrowest / 2, 2) - R * R);
     const auto g = scene({sphere({-R, 0, 0}, R), sphere({R, 0, 0}, R)});
     const NearWalls walls(g, 1);
-    for (const double r : {0.15, 0.4, 0.6, 0.9})
+    const auto outwards = [](const Vector<3>& a) { return a.y * std::cos(0.4) + a.z * std::sin(0.4); };
+    for (const double r : {0.15, 0.4, 0.6, 0.9, 1.2})
         for (const double off : {-0.3, 0.0, 0.3})
         {
             const double half = std::hypot(R, r) - R;
             HeldVelocity<3> velocity({0, -1, 0.5});
-            const auto x = offWalls(walls, Vector<3>{off * half, r * std::cos(0.4), r * std::sin(0.4)}, {0.02, narrowest}, 1,
-                                    [&](const Vector<3>& n) { velocity.touch(n, 0); });
+            Vector<3> x{off * half, r * std::cos(0.4), r * std::sin(0.4)};
+            const auto before = outwards(x);
+            x = offWalls(walls, x, {0.02, narrowest}, 1, [&](const Vector<3>& n) { velocity.touch(n, 0); });
+            EXPECT_GT(g.distance(x), -1e-3);
+            EXPECT_NEAR(std::atan2(x.z, x.y), 0.4, 1e-9);
+            EXPECT_NEAR(outwards(x), std::max(before, std::min(before + 0.5 * narrowest, least)), 0.02) << r << " " << off;
+            if (before < least) { EXPECT_GT(outwards(velocity), -0.05); }
+            for (int again = 0; again < 8; ++again) x = offWalls(walls, x, {0.02, narrowest}, 1, [](const Vector<3>&) {});
             EXPECT_GT(g.distance(x), 0.019);
             EXPECT_EQ(walls.crevice(x, 0.99 * narrowest).width, Box::infinity) << r << " " << off;
-            // As near to where it was as the crevice's border is.
-            EXPECT_NEAR(std::atan2(x.z, x.y), 0.4, 1e-9);
-            if (const double least = std::sqrt(std::pow(R + narrowest / 2, 2) - R * R); r > least)
-            {
-                EXPECT_NEAR(std::hypot(x.y, x.z), r, 1e-12);
-            }
-            else
-            {
-                EXPECT_NEAR(std::hypot(x.y, x.z), least, 0.05 * least);
-                EXPECT_GT(Vector<3>(velocity).y * std::cos(0.4) + Vector<3>(velocity).z * std::sin(0.4), -0.05);
-            }
+            EXPECT_NEAR(outwards(x), std::max(before, least), 0.05 * least);
         }
     const auto slit = scene(
         {std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{0.2, 0, 0}, Vector<3>{-1, 0, 0})});
