@@ -12,7 +12,7 @@ struct Approach
     bool facing = false;             ///< the surfaces look at each other there, with fluid or solid between
     bool crossing = false;
     double wedge = 180; ///< sharpest angle of the fluid where they cross [degrees]
-    /// Of a ball, how far it reaches into the other, over its diameter; of two balls over the smaller one's.
+    /// The depth to which a ball reaches into the other solid, over its diameter; of two balls over the smaller diameter.
     double overlap = 0;
 };
 

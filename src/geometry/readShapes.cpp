@@ -215,7 +215,7 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
     return shapes;
 }
 
-/// The spheres of a table on disk, refused where none can touch the fluid: as a rule it is their unit.
+/// The spheres of a table on disk. Where they take hundreds of times the extent of the domain they are refused: as a rule it is their unit.
 Shapes spheresOfFile(const Dictionary& wall, const Geometry& g)
 {
     const std::string file = "constant/" + entry::file.needed(wall);

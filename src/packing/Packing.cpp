@@ -59,7 +59,7 @@ std::vector<CellRange> filledCells(const PackingPlan& plan, const Lattice& latti
     return filled;
 }
 
-/// What of the lattice holds particles: places between the walls that lie in no crevice narrower than they.
+/// Whether a place of the lattice lies in a solid, in a crevice that no particle fits into, or in the fluid.
 class Room
 {
     const Geometry& g_;
@@ -96,7 +96,7 @@ struct Places
     PlaceCount all; ///< wherever
 };
 
-/// Those of the points that have room for a particle; counts all.
+/// The points that have room for a particle. `count` grows by them, and by those in crevices.
 Points withRoom(const Room& room, const Points& points, PlaceCount& count)
 {
     const long n = long(points.size());

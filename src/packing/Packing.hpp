@@ -81,8 +81,8 @@ struct Packing
 
     FluidVolume volume;         ///< of the space between the walls
     double particleVolume = 0;  ///< the same for all: volume over places
-    std::size_t inCrevices = 0; ///< places that are none, since they lie in crevices (geometry/crevice.hpp)
-    double shareOfCrevices = 0; ///< of all places, and so of the fluid's volume, which the others have with it
+    std::size_t inCrevices = 0; ///< places in crevices, which hold no particle (geometry/crevice.hpp)
+    double shareOfCrevices = 0; ///< of all places, and so of the fluid's volume; the other places share it
     double porosity = 1;        ///< share of the fluid's box that walls leave to the fluid
     std::vector<Ball> balls;
     std::array<long, 3> layers{};
