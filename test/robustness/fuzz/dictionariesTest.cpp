@@ -3,6 +3,7 @@
 #include "Mutator.hpp"
 #include "case/TimeControls.hpp"
 #include "dictionary/DictionaryText.hpp"
+#include "messages.hpp"
 #include "smallCases.hpp"
 
 namespace sph::test
@@ -38,19 +39,6 @@ std::vector<std::string> seeds()
     return all;
 }
 
-std::string errorsOf(const Diagnostics& diagnostics)
-{
-    try
-    {
-        diagnostics.throwIfAny();
-    }
-    catch (const CaseError& e)
-    {
-        return e.what();
-    }
-    return "";
-}
-
 /// Asks each entry for everything.
 void lookUpAll(const Dictionary& d)
 {
@@ -84,7 +72,7 @@ TEST(Fuzz, Dictionaries)
                  const auto printed = entryText(d, "");
                  const auto again = std::make_shared<Diagnostics>();
                  EXPECT_EQ(entryText(Dictionary::parse(printed, "constant/d", again), ""), printed) << text;
-                 EXPECT_EQ(errorsOf(*again), "") << text << "\nprinted:\n" << printed;
+                 EXPECT_EQ(messages(*again), "") << text << "\nprinted:\n" << printed;
              }
              lookUpAll(d);
          });
@@ -116,7 +104,7 @@ TEST(Fuzz, Edits)
              }
              const auto after = std::make_shared<Diagnostics>();
              Dictionary::read(c.folder(), "d", after);
-             EXPECT_EQ(errorsOf(*after), "") << entry << " " << value << "\n" << c.read("d");
+             EXPECT_EQ(messages(*after), "") << entry << " " << value << "\n" << c.read("d");
              EXPECT_EQ(c.files(".").size(), 1u) << "nothing is left beside it";
          });
 }

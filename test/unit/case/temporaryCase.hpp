@@ -1,6 +1,7 @@
 /// A case folder of a test's own, removed at its end.
 #pragma once
 #include "base/CaseError.hpp"
+#include "messages.hpp"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -38,25 +39,5 @@ public:
         return {std::istreambuf_iterator<char>(in), {}};
     }
 };
-
-/// Message of the CaseError that the call throws; "" where it throws none.
-std::string messageOf(const auto& call)
-{
-    try
-    {
-        call();
-    }
-    catch (const CaseError& e)
-    {
-        return e.what();
-    }
-    return "";
-}
-
-/// All errors that were recorded.
-inline std::string messages(const Diagnostics& diagnostics)
-{
-    return messageOf([&] { diagnostics.throwIfAny(); });
-}
 
 }

@@ -15,12 +15,14 @@ namespace sph::test
 namespace
 {
 
+constexpr FacetScale facetScale{0.4, 1};
+
 Geometry scene(const std::vector<std::shared_ptr<const Shape>>& shapes)
 {
     Geometry g;
     g.low = {-10, -10, -10};
     g.high = {10, 10, 10};
-    g.facetScale = {0.4, 1};
+    g.facetScale = facetScale;
     for (const auto& shape : shapes) g.originals.push_back({shape, 0});
     g.walls.resize(1);
     repeatPeriodically(g, 1.2);
@@ -51,23 +53,26 @@ TEST(Crevice, OfTwoSpheresThatTouch)
     EXPECT_EQ(NearWalls(corner, 1).crevice({0.1, 0.1, 0}, 1).width, Box::infinity);
 }
 
-// The groove of one mesh and the wedge of a mesh on a plane are crevices as well: at r from the edge, on the bisector, 2 r sin(a/2) wide.
+// The wedge of a mesh on a plane, and the groove of one mesh, are crevices as well: at r from the edge, on the bisector, 2 r sin(a/2) wide.
 TEST(Crevice, OfAWedge)
 {
     const double a = std::numbers::pi / 6, r = 0.8;
     const TriangleSurface block = prism({{0, 0, 0}, {8 * std::cos(a), 8 * std::sin(a), 0}, {-1, 8, 0}, {-4, 4, 0}}, -5, 5);
-    Geometry g;
-    g.low = {-10, -10, -10};
-    g.high = {10, 10, 10};
-    g.facetScale = {0.4, 1};
-    for (const auto& body : bodiesOf(ofOneRegion(block), g.facetScale)) g.originals.push_back({std::make_shared<TriangleMesh>(body), 0});
-    g.originals.push_back({std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0}), 0});
-    g.walls.resize(1);
-    repeatPeriodically(g, 1.2);
-    const NearWalls walls(g, 1);
-    const auto crevice = walls.crevice({r * std::cos(a / 2), r * std::sin(a / 2), 0}, 1);
-    EXPECT_NEAR(crevice.width, 2 * r * std::sin(a / 2), 1e-6);
-    EXPECT_NEAR(mag(crevice.wider), 2 * std::sin(a / 2), 1e-6);
+    std::vector<std::shared_ptr<const Shape>> shapes{std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0})};
+    for (const auto& body : bodiesOf(ofOneRegion(block), facetScale)) shapes.push_back(std::make_shared<TriangleMesh>(body));
+    std::vector<Vector<3>> around{{0, 0, 0}};
+    for (int k = 0; k <= 8; ++k)
+    {
+        const double angle = a + k * (2 * std::numbers::pi - a) / 8;
+        around.push_back({8 * std::cos(angle), 8 * std::sin(angle), 0});
+    }
+    const auto groove = bodiesOf(ofOneRegion(prism(around, -5, 5)), facetScale);
+    for (const auto& g : {scene(shapes), scene({std::make_shared<TriangleMesh>(groove.at(0))})})
+    {
+        const auto crevice = NearWalls(g, 1).crevice({r * std::cos(a / 2), r * std::sin(a / 2), 0}, 1);
+        EXPECT_NEAR(crevice.width, 2 * r * std::sin(a / 2), 1e-6);
+        EXPECT_NEAR(mag(crevice.wider), 2 * std::sin(a / 2), 1e-6);
+    }
 }
 
 // From anywhere in the crevice a particle is put towards where it is half a spacing wide, as far as half of that in one go, and loses its velocity inwards; in a slit it stays where it is.

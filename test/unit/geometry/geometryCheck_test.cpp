@@ -22,18 +22,9 @@ Checked check(const std::string& text, double H)
     Diagnostics diagnostics;
     Checked result{checkGeometry(g, H, diagnostics), "", ""};
     for (const auto& w : diagnostics.warnings()) result.warnings += w + "\n";
-    try
-    {
-        diagnostics.throwIfAny();
-    }
-    catch (const CaseError& e)
-    {
-        result.errors = e.what();
-    }
+    result.errors = messages(diagnostics);
     return result;
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string open = "dimension 3; domain { min (-1 -1 -1); max (1 1 1); }\nwalls {\n";
 

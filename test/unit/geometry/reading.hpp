@@ -1,6 +1,7 @@
 /// Geometry from text, with the errors that the text deserves.
 #pragma once
 #include "geometry/Geometry.hpp"
+#include "messages.hpp"
 #include <string>
 
 namespace sph::test
@@ -12,20 +13,15 @@ struct Reading
     std::string errors;
 };
 
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 inline Reading read(const std::string& text, double reach = 0.1)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
     const auto dict = Dictionary::parse(text, "constant/geometry", diagnostics);
     Reading result{readGeometry(dict, reach), ""};
     dict.reportUnused();
-    try
-    {
-        diagnostics->throwIfAny();
-    }
-    catch (const CaseError& e)
-    {
-        result.errors = e.what();
-    }
+    result.errors = messages(*diagnostics);
     return result;
 }
 

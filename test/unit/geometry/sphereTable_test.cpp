@@ -1,11 +1,11 @@
 /// Beds of spheres that other codes have written: the same spheres from each form of table, and mistakes with file and line.
-#include "geometry/Geometry.hpp"
 #include "geometry/sphereTable.hpp"
+#include "reading.hpp"
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace sph
+namespace sph::test
 {
 namespace
 {
@@ -16,27 +16,12 @@ struct Table
     std::string errors;
 };
 
-std::string errorsOf(const Diagnostics& d)
-{
-    try
-    {
-        d.throwIfAny();
-    }
-    catch (const CaseError& e)
-    {
-        return e.what();
-    }
-    return "";
-}
-
 Table table(const std::string& text)
 {
     Diagnostics d;
     auto spheres = spheresInTable(text, "constant/bed.csv", d);
-    return {std::move(spheres), errorsOf(d)};
+    return {std::move(spheres), messages(d)};
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }
 
@@ -91,7 +76,7 @@ TEST(SphereTable, IsAWall)
                               "constant/geometry", diagnostics);
         auto g = readGeometry(dict, Resolution{.spacing = 1e-3, .where = {}}, 1.5, folder);
         dict.reportUnused();
-        return std::pair(std::move(g), errorsOf(*diagnostics));
+        return std::pair(std::move(g), messages(*diagnostics));
     };
     const auto [g, errors] = read("file \"bed.csv\"; scale 1e-3; translation (0.001 0 0);");
     EXPECT_EQ(errors, "");
