@@ -22,7 +22,7 @@ template<int dim> std::vector<Stage<dim>> WallContact<dim>::stages(JoinPoint pla
                  [this](Particles<dim>& p, const Substep&) { find(p); }}};
     // The stage stands behind all that moves particles; forces too are taken, and the leak guard looks, where drifts have led.
     if (place != JoinPoint::beforeEvaluation && place != JoinPoint::atEnd) return {};
-    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, v -= min(n.(v - v_w), 0) n",
+    return {{"hold off walls", "d < d_0: x += (d_0 - d) n, likewise out of crevices, v -= min(n.(v - v_w), 0) n",
              [this](Particles<dim>& p, const Substep&)
              {
                  if (near_.empty() && !ranks()) return;
