@@ -10,8 +10,8 @@ namespace sph
 {
 
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin, Halo<dim>* halo)
-    : walls_(geometry, reach, spacing, skin), halo_(halo)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin, Halo<dim>* halo, double reachOfWalls)
+    : walls_(geometry, reach, spacing, skin, reachOfWalls), halo_(halo)
 {}
 
 template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const

@@ -27,8 +27,8 @@ template<int dim> class Images
 {
 public:
     /// The geometry, and the halo where there is one, must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls: the kernel's
-    /// support and the `skin` [m] of the lists.
-    Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr);
+    /// support and the `skin` [m] of the lists; `nearWalls` knows walls within `reachOfWalls` [m], where that is more.
+    Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr, double reachOfWalls = 0);
 
     /// The walls around a place, as far as images reach.
     const NearWalls& nearWalls() const { return walls_.near(); }

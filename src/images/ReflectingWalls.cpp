@@ -15,8 +15,8 @@ Reflector reflectorOf(const Patch& patch)
 }
 }
 
-ReflectingWalls::ReflectingWalls(const Geometry& geometry, double reach, double spacing, double skin)
-    : geometry_(&geometry), near_(geometry, reach), reach_(reach), spacing_(spacing), skin_(skin)
+ReflectingWalls::ReflectingWalls(const Geometry& geometry, double reach, double spacing, double skin, double further)
+    : geometry_(&geometry), near_(geometry, std::max(reach, further)), reach_(reach), spacing_(spacing), skin_(skin)
 {
     std::ranges::transform(geometry.patches, std::back_inserter(reflectors_), reflectorOf);
 }

@@ -16,7 +16,8 @@ class ReflectingWalls
 
 public:
     /// Walls within `reach` [m] mirror: the kernel's support and the `skin` [m] of the lists. The geometry must outlive them.
-    ReflectingWalls(const Geometry&, double reach, double spacing, double skin);
+    /// `near` finds walls within `further` [m], where that is more.
+    ReflectingWalls(const Geometry&, double reach, double spacing, double skin, double further = 0);
 
     const Geometry& geometry() const { return *geometry_; }
     const NearWalls& near() const { return near_; }

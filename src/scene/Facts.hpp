@@ -131,6 +131,20 @@ struct CalmPhase
     int phase = -1; ///< none
 };
 
+/// How near particles come to walls, which hold them off (models/walls/WallContact.hpp).
+struct WallClearance
+{
+    static constexpr auto says = "how near particles come to walls";
+    double spacings = 0; ///< the least that walls keep anyway
+};
+
+/// How far walls act upon particles by laws of their own, beside images.
+struct WallReach
+{
+    static constexpr auto says = "how far walls act";
+    double supports = 1; ///< [kernel's support], 3/2 at most (Geometry.hpp)
+};
+
 /// The liquid is alone: the gas that it ends at is left out, and has a constant pressure, 0.
 struct GasLeftOut
 {

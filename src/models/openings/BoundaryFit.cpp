@@ -133,7 +133,7 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
     const double area = placed.section.area();
     const auto& ofAll = near[0];
     const auto ofPhase = [&](std::size_t k) -> const Sums& { return near[std::min(1 + k, near.size() - 1)]; };
-    double given = opening.inlet ? 0 : scene_.coefficients.backgroundPressure + *opening.pressure;
+    double given = opening.inlet ? 0 : scene_.coefficients.backgroundPressure + opening.pressure.value_or(0);
     if (opening.backflow)
     {
         const auto& back = ofPhase(opening.stream.phase);
@@ -151,6 +151,11 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
         placed.inflows[k] = ofAll.n > 0 ? area * own.of.v0 / ofAll.n : 0;
         placed.pressure[k] = used.pressure;
         placed.slope[k] = used.slope;
+        if (opening.letsFall())
+        {
+            placed.pressure[k] = scene_.coefficients.backgroundPressure;
+            placed.slope[k] = 0;
+        }
         if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.of.n == 0) continue;
         placed.slope[k] = gas.slope;
         placed.pressure[k] = (own.of.p0 - gas.slope * own.of.s1) / own.of.n;
@@ -161,6 +166,7 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
 /// the mean is by mass: liquid decides. Inwards goes what comes back in alone: a line along which another phase comes stands still.
 template<int dim> std::vector<double> BoundaryFit<dim>::velocities(const Opening& opening, std::span<const LineSums> lines) const
 {
+    if (opening.letsFall()) return std::vector<double>(lines.size(), std::numeric_limits<double>::infinity());
     std::vector<double> velocities;
     for (const auto& along : lines)
     {

@@ -187,7 +187,7 @@ template<int dim> void BufferZone<dim>::imposePressure(FieldStore<dim>& store, s
         equation.restDensity * equation.compression(std::max(least, p - scene_.coefficients.backgroundPressure));
 }
 
-template<int dim> void BufferZone<dim>::impose(FieldStore<dim>& store) const
+template<int dim> void BufferZone<dim>::impose(FieldStore<dim>& store, double deltaT) const
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double* const holder = store.component(Holder::info.name, 0);
@@ -195,7 +195,13 @@ template<int dim> void BufferZone<dim>::impose(FieldStore<dim>& store) const
     {
         const auto& placed = placed_[std::size_t(holder[i]) - 1];
         const auto x_i = in3D(valueAt<Vector<dim>>(x, std::size_t(i)));
-        if (const int line = placed.section.lineAt(x_i); line >= 0 && std::isfinite(placed.velocity[std::size_t(line)]))
+        if (placed.opening.letsFall())
+        {
+            const auto& n = placed.opening.normal;
+            const double inwards = dot(in3D(valueAt<Vector<dim>>(v, std::size_t(i))) + deltaT * scene_.coefficients.g, n);
+            sph::store(in<dim>(std::min(0.0, inwards) * n), [&](int c, double q) { v[c][i] = q; });
+        }
+        else if (const int line = placed.section.lineAt(x_i); line >= 0 && std::isfinite(placed.velocity[std::size_t(line)]))
             sph::store(in<dim>(placed.velocity[std::size_t(line)] * placed.opening.normal), [&](int c, double q) { v[c][i] = q; });
         imposePressure(store, std::size_t(i), x_i);
     }

@@ -28,8 +28,8 @@ public:
     void clearRates(FieldStore<dim>&) const;
     /// Sets the stiffness of those beyond outlets to 0.
     void soften(FieldStore<dim>&) const;
-    /// Prescribes velocities and pressures of the buffer particles.
-    void impose(FieldStore<dim>&) const;
+    /// Prescribes velocities and pressures of the buffer particles; `deltaT` [s]: what falls beyond an outlet has fallen for so long.
+    void impose(FieldStore<dim>&, double deltaT) const;
 
     /// Indices of the buffer particles.
     std::span<const int> held() const { return held_; }

@@ -27,7 +27,7 @@ struct Opening : OpenPlane
 {
     std::optional<double> velocity = {}; ///< mean over the section, along the normal [m/s]
     std::optional<double> flowRate = {}; ///< [m^3/s], per metre of depth [m^2/s] in 2-D
-    std::optional<double> pressure = {}; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is
+    std::optional<double> pressure = {}; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is; of an outlet of a liquid alone none where it is that of what comes
     bool developed = false;              ///< the velocity has the profile of developed flow; else it is the same everywhere
     Stream stream = {};                  ///< what comes in, through an outlet with `backflow` where the flow is inwards
     std::vector<Layer> layers = {};
@@ -35,6 +35,8 @@ struct Opening : OpenPlane
     std::optional<double> markFrom = {}; ///< what comes in from this time [s] on tells when it did
 
     bool brings(std::size_t phase) const;
+    /// An outlet of a liquid alone that gives no pressure: what has left falls freely.
+    bool letsFall() const { return !inlet && !pressure; }
     const Stream& streamAt(const Vector<3>& x, int dimension) const;
 };
 
@@ -56,9 +58,9 @@ struct EntryTime
 ///     drip { type drip; points ((0.2 1 0) (0.6 1 0)); radius 0.05; normal (0 -1 0); flowRate 1e-9; phase water; }
 ///
 /// Each point of a drip is an opening, drip1, drip2 ... Mistakes go to the case's Diagnostics. `absent`: what would come in with a model that the scene
-/// does not have, and what to say to it.
+/// does not have, and what to say to it. `alone`: the gas is left out.
 std::vector<Opening> readOpenings(const Case&, const Geometry&, const Coefficients&, const State&,
-                                  const std::map<std::string, std::string>& absent = {});
+                                  const std::map<std::string, std::string>& absent = {}, bool alone = false);
 EntryList openingEntries();
 
 }

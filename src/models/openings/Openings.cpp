@@ -55,7 +55,7 @@ template<int dim> void Openings<dim>::drive(FieldStore<dim>& store, double delta
 {
     account_.advance(deltaT, time);
     fit_.update(placed_, store, buffer_, deltaT);
-    buffer_.impose(store);
+    buffer_.impose(store, deltaT);
 }
 
 template<int dim> double Openings<dim>::power() const

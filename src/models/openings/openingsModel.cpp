@@ -44,7 +44,8 @@ Evolving mark()
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
-    const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state, settings.absent);
+    const auto openings = readOpenings(reading.theCase, reading.geometry, settings.coefficients, settings.state, settings.absent,
+                                       settings.facts.get<GasLeftOut>().isLeftOut);
     for (const auto& opening : openings)
         if (settings.integration.solvesPressure && opening.inlet && opening.pressure)
             reading.theCase.diagnostics().error(

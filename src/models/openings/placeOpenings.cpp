@@ -157,7 +157,7 @@ std::vector<PlacedOpening> placeOpenings(const std::vector<Opening>& openings, c
         checkStream(opening, section, scene);
         const auto asked = rateOf(opening, section);
         const double most = asked.value_or(std::numeric_limits<double>::infinity()) / section.carried();
-        const double pressure = c.backgroundPressure + (opening.inlet ? 0 : *opening.pressure);
+        const double pressure = c.backgroundPressure + (opening.inlet ? 0 : opening.pressure.value_or(0));
         all.push_back({opening, plane.value_or(opening), section, asked, most, opening.inlet && !opening.pressure ? most : 0,
                        std::vector(scene.phases(), pressure), none, densityOf(opening, section, c), 0, none,
                        std::vector(section.lines().size(), 0.0)});

@@ -16,7 +16,7 @@ const Choice profile{"profile",
 const Scalar velocity{"velocity", units::mPerS, notGiven, positive, "mean over the section: of a flux the superficial velocity"},
     flowRate{"flowRate", units::m3 / units::s, notGiven, positive, "in place of velocity; of a drip at each point; in 2-D [m^2/s]"},
     pressure{"pressure", units::pressure, notGiven, "alone: drives the flow; beside velocity or flowRate: the most that they may need"},
-    pressureOutside{"pressure", units::pressure, 0, "at the plane"},
+    pressureOutside{"pressure", units::pressure, byScene("0; with `gas none;` that of the liquid as it comes"), "at the plane"},
     markFrom{"markFrom", units::s, notGiven, nonNegative,
              "what comes in from this time on is marked by it: the log tells how long it takes to each outlet"};
 const Word phase{"phase", byScene("the only one; with several required"), "that comes in"},
@@ -44,6 +44,7 @@ struct Reader
 {
     const Coefficients& coefficients;
     const State& state;
+    bool alone;
 
     void readDrive(const Dictionary&, Opening&) const;
     void readStream(const Dictionary&, Opening&) const;
@@ -97,7 +98,8 @@ Opening Reader::operator()(const Dictionary& d, const OpenPlane& plane) const
     Opening opening{plane};
     if (!opening.inlet)
     {
-        opening.pressure = entry::pressureOutside(d);
+        opening.pressure = entry::pressureOutside.ifGiven(d);
+        if (!alone) opening.pressure = opening.pressure.value_or(0);
         opening.backflow = entry::backflow.given(d);
         if (opening.backflow) opening.stream = streamOf(d, phaseOf(d, entry::backflow));
         return opening;
@@ -132,11 +134,11 @@ EntryList openingEntries()
 }
 
 std::vector<Opening> readOpenings(const Case& theCase, const Geometry& geometry, const Coefficients& coefficients, const State& state,
-                                  const std::map<std::string, std::string>& absent)
+                                  const std::map<std::string, std::string>& absent, bool alone)
 {
     if (!theCase.has("constant/openings")) return {};
     const auto dict = theCase.dictionary("constant/openings");
-    const Reader read{coefficients, state};
+    const Reader read{coefficients, state, alone};
     std::vector<Opening> openings;
     for (const auto& d : openingDictionaries(dict))
     {

@@ -48,6 +48,7 @@ template<int dim> void FreeBodies<dim>::find(const Particles<dim>& particles)
         body_[i] = body;
         if (ghosts[i] > 0) touches_[std::size_t(body)] = 1;
     }
+    for (const int i : particles.held()) touches_[std::size_t(body_[std::size_t(i)])] = 1;
     isFound_ = true;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 #include "fields/freeSurfaceTags.hpp"
 #include "models/tension/Tensions.hpp"
+#include "models/tension/WallWetting.hpp"
 #include "plan/Coefficients.hpp"
 
 namespace sph
@@ -85,6 +86,16 @@ struct FreeSurfaceSmoothing
     }
 };
 
+/// The same with what walls add to it (WallWetting.hpp).
+struct WettedSurfaceSmoothing : FreeSurfaceSmoothing
+{
+    using ReadsOwn = Fields<WettingCurvature>;
+    auto finish(const auto& i, Vector<2> sum) const
+    {
+        return FreeSurfaceSmoothing::finish(i, sum) + std::fmax(0.0, std::fmin(1.0, (sum.y - none) / (whole - none))) * i.k_w;
+    }
+};
+
 /// A force at the surface, and the slope of the curvature along it, of one loop.
 template<int dim> struct ForceAndSlope
 {
@@ -109,9 +120,10 @@ struct FreeSurfaceForce
     using Reads = Fields<Volume, Curvature, LiquidNormal, SurfaceDepth, SurfaceShare>;
     using ReadsOwn = Fields<Mass, SurfaceLack>;
     static constexpr bool readsKernel = true;
-    double gamma; ///< [N/m]
+    static constexpr double leastDeterminant = 1e-3; ///< of B over the power of its trace: a particle in a corner sees its own images alone
+    double gamma, most; ///< [N/m]; of the slope [1/m^2]
 
-    explicit FreeSurfaceForce(const Coefficients& c) : gamma(tensionsOf(c).largest()) {}
+    explicit FreeSurfaceForce(const Coefficients& c) : gamma(tensionsOf(c).largest()), most(1 / sqr(c.spacing)) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
@@ -121,9 +133,11 @@ struct FreeSurfaceForce
     }
     auto finish(const auto& i, const auto& sum) const
     {
+        constexpr int dim = dimensions(decltype(sum.force){});
         const auto B = sum.B + trace(sum.B) * outer(i.n_l);
         const double det = determinant(B), tiny = 1e-300;
-        const auto slope = (det > tiny ? 1 / det : 0.0) * (adjugate(B) * sum.b);
+        const auto fitted = (det > leastDeterminant * std::pow(trace(B), dim) + tiny ? 1 / det : 0.0) * (adjugate(B) * sum.b);
+        const auto slope = std::fmin(1.0, most / (mag(fitted) + tiny)) * fitted;
         return -gamma / i.m * (i.kappa * sum.force - 2 * i.lack * i.V * slope);
     }
 };

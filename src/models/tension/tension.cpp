@@ -6,6 +6,7 @@
 #include "models/tension/InterfaceArea.hpp"
 #include "models/tension/Tensions.hpp"
 #include "models/tension/WallTension.hpp"
+#include "models/tension/WallWetting.hpp"
 #include "models/tension/WettingAngles.hpp"
 #include "models/tension/YoungsLaw.hpp"
 #include "models/tension/depthBias.hpp"
@@ -62,6 +63,9 @@ void declare(const Reading& reading)
     c.set(std::move(tensions));
 }
 
+/// Of a liquid alone [degrees]: a half ball comes to rest at 122 for 120, and leaves a wall of 135 and 150.
+constexpr double largestAngle = 120;
+
 /// An angle is one of an interface that has a tension.
 void refuseAngles(const Reading& reading, const std::string& why)
 {
@@ -72,18 +76,27 @@ void refuseAngles(const Reading& reading, const std::string& why)
                                                 fmt::format("the contact angle of wall \"{}\" does nothing here: {}", wall.name, why));
 }
 
-/// Walls that mirror a free surface hold it at 90 degrees, and at no other angle.
-void refuseOtherAngles(const Reading& reading)
+/// The angles at which walls hold a free surface.
+void setAnglesOfLiquidAlone(const Reading& reading, Coefficients& c)
 {
+    WettingAngles angles;
+    bool neutral = true;
     for (const auto& wall : reading.geometry.walls)
-        if (wall.wets &&
-            (wall.contactAngle != 90 || std::ranges::any_of(wall.contactAngles, [](const auto& pair) { return pair.angle != 90; })))
+    {
+        const double angle = wall.wets ? wall.contactAngle : 90;
+        neutral = neutral && angle == 90;
+        angles.cosine.push_back(angle == 90 ? 0 : std::cos(angle * std::numbers::pi / 180));
+        if (!wall.contactAngles.empty())
+            reading.theCase.diagnostics().error(wall.anglesAt,
+                                                fmt::format("wall \"{}\": contactAngles are of pairs of phases, and with `gas none;` of system/sphSchemes there is one: give contactAngle",
+                                                            wall.name));
+        else if (angle > largestAngle)
             reading.theCase.diagnostics().error(
                 wall.anglesAt,
-                fmt::format(
-                    "wall \"{}\": with `gas none;` of system/sphSchemes walls mirror the free surface, which meets them at 90 degrees. Take "
-                    "`gas band;` or `gas whole;` for other contact angles, with the gas as a phase",
-                    wall.name));
+                fmt::format("wall \"{}\": {} degrees are more than the {} that a wall holds without gas: drops leave it. Take `gas band;` or `gas whole;` of system/sphSchemes, with the gas as a phase",
+                            wall.name, angle, largestAngle));
+    }
+    if (!neutral) c.set(angles);
 }
 
 /// gamma_sk of each wall, by Young's law from its contact angles. None where every angle is 90 degrees.
@@ -91,7 +104,7 @@ void setContactAngles(const Reading& reading, Coefficients& c)
 {
     const std::size_t n = c.phases.size();
     if (!reading.geometry.wets()) return;
-    if (isLiquidAlone(reading.settings)) return refuseOtherAngles(reading);
+    if (isLiquidAlone(reading.settings)) return setAnglesOfLiquidAlone(reading, c);
     if (n < 2)
         return refuseAngles(reading,
                             "it is one of two phases, and constant/phaseProperties lists one, whose free surface has no tension. Add the "
@@ -153,7 +166,7 @@ void readAngles(const Reading& reading)
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
     if (isLiquidAlone(settings))
-        return reading.doesNothing(entry::contactAngle, "with `gas none;` walls mirror the free surface, which meets them at 90 degrees");
+        return reading.doesNothing(entry::contactAngle, "with `gas none;` it is by the curvature of the free surface (src/models/tension/WallWetting.hpp)");
     const bool byCurvature = settings.has(entry::surfaceTension, "curvature"),
                byStress = settings.has(entry::surfaceTension, "interfaceStress");
     const auto& form = reading.choose(entry::contactAngle, byCurvature                   ? "wallPotential"
@@ -193,7 +206,14 @@ void readFreeSurface(const Reading& reading)
     settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
                                           [beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension)](
                                               const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
-    settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
+    if (settings.coefficients.has<WettingAngles>())
+    {
+        const double closest = settings.facts.get<WallClearance>().spacings * settings.coefficients.spacing;
+        settings.define<WallWetting>("wallWetting", [closest](const Coefficients& c) { return WallWetting(c, closest); });
+        settings.facts.give(WallReach{WallWetting::reachInSupports}, "contactAngle of constant/geometry");
+        settings.define<WettedSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return WettedSurfaceSmoothing{}; });
+    }
+    else settings.define<FreeSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return FreeSurfaceSmoothing{}; });
     settings.define<FreeSurfaceForce>("freeSurfaceForce", [](const Coefficients& c) { return FreeSurfaceForce(c); });
     settings.define<AddTension>(
         "addTension", [](const Coefficients&) { return AddTension{}; }, settings.separateSums);

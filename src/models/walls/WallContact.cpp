@@ -11,7 +11,8 @@ namespace
 template<int dim> Clearance clearanceOf(const Particles<dim>& p)
 {
     const double spacing = p.coefficients().spacing;
-    return {LeakGuard<dim>::closestInSpacings * spacing, narrowestCrevice * spacing};
+    const double closest = std::max(LeakGuard<dim>::closestInSpacings, p.settings().facts.template get<WallClearance>().spacings);
+    return {closest * spacing, narrowestCrevice * spacing};
 }
 }
 
