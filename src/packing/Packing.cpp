@@ -219,7 +219,7 @@ void share(Saturation saturation, const Geometry& g, const Points& places, Occup
     for (std::size_t i = 0; i < places.size(); ++i)
     {
         if (shared(o.phase[i])) filled.add(places[i]);
-        all += o.phase[i] != FillRule::noPhase;
+        all += o.phase[i] != FillRule::noPhase || saturation.gas == Saturation::noGas;
     }
     const double left = double(filled.size()) / double(std::max<std::size_t>(1, all));
     if (saturation.value > left)
@@ -241,7 +241,7 @@ void checkPhases(const PackingPlan& plan, const Packing& packing)
                                                            "anywhere. If that is meant, write there: allowEmpty yes;",
                                                            plan.phases[k].name));
     errors.throwIfAny();
-    if (packing.points.size() == 0) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
+    if (packing.points.size() == 0 && !plan.allowEmpty) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
 }
 }
 
@@ -296,7 +296,11 @@ Packing pack(const PackingPlan& plan)
             return PackedPhase{1, packing.mass[i]};
         });
     checkPhases(plan, packing);
-    if (plan.saturation) packing.saturation = double(packing.phases[plan.saturation->phase].particles) / double(packing.points.size());
+    if (plan.saturation)
+    {
+        const std::size_t empty = plan.saturation->gas == Saturation::noGas ? packing.leftEmpty : 0;
+        packing.saturation = double(packing.phases[plan.saturation->phase].particles) / double(packing.points.size() + empty);
+    }
     return packing;
 }
 

@@ -14,7 +14,7 @@ namespace sph
 namespace entry
 {
 const Word phase{"phase", required, "phase that is given"},
-    gas{"gas", required, "phase that is left in the rest; what holds a third phase keeps it"};
+    gas{"gas", required, "phase that is left in the rest, or none: no particles; what holds a third phase keeps it"};
 const Scalar value{"value", units::none, required, between(0, 1).saying("a saturation of {:g} is not between 0 and 1"),
                    "share of the void space"};
 const Count seed{"seed", 1, anyNumber, "of chance"},
@@ -72,10 +72,13 @@ Saturation readSaturation(const Dictionary& dict, std::span<const std::string> p
 {
     Saturation s;
     s.where = entry::value.where(dict);
+    std::vector<std::string> words(phases.begin(), phases.end());
     const auto indexOf = [&](const Word& key)
-    { return int(std::find(phases.begin(), phases.end(), key.among(dict, phases)) - phases.begin()) % std::max(1, int(phases.size())); };
+    { return int(std::find(words.begin(), words.end(), key.among(dict, words)) - words.begin()) % std::max(1, int(words.size())); };
     s.phase = indexOf(entry::phase);
+    words.push_back("none");
     s.gas = indexOf(entry::gas);
+    if (s.gas == int(phases.size())) s.gas = Saturation::noGas;
     if (s.phase == s.gas && entry::gas.given(dict)) entry::gas.error(dict, "phase and gas are the same");
     s.value = entry::value(dict);
     s.placement = entry::placement(dict);

@@ -19,6 +19,7 @@ namespace sph
 ///     random     noise of `seed`
 struct Saturation
 {
+    static constexpr int noGas = -1; ///< `gas none`: no particle in the rest
     int phase = 0, gas = 0;
     double value = 0; ///< of the particles, i.e. of the void space
     std::string placement = "contacts";
