@@ -36,7 +36,12 @@ bool Geometry::inFluid(const Vector<3>& x) const
 {
     if (!grid) return nearest(*this, x).distance > 0;
     const auto near = grid->near(x);
-    return std::all_of(near.begin(), near.end(), [&](int p) { return patches[p].shape->foot(x).distance > 0; });
+    return std::all_of(near.begin(), near.end(),
+                       [&](int p)
+                       {
+                           const auto& patch = patches[std::size_t(p)];
+                           return (patch.mesh && patch.mesh->body().isBeyond(patch.mesh->local(x), 0)) || patch.shape->foot(x).distance > 0;
+                       });
 }
 
 Vector<3> Geometry::wallVelocity(int wall, const Vector<3>& x) const

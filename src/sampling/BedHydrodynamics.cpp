@@ -1,11 +1,9 @@
 #include "sampling/BedHydrodynamics.hpp"
 #include "base/words.hpp"
-#include "geometry/forEachFoot.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/Measurement.hpp"
 #include "sampling/SampledField.hpp"
 #include "sampling/VolumeMean.hpp"
-#include "sampling/WettedWalls.hpp"
 #include "sampling/readBox.hpp"
 #include "sampling/surfaceTensionOf.hpp"
 #include <algorithm>
@@ -125,7 +123,7 @@ double BedHydrodynamics::sampledPorosity() const
                                   const double i = double(at % n), j = double(at / n % n), k = double(at / (n * n));
                                   const Vector<3> x{low_.x + (i + 0.5) * size.x / samples_, low_.y + (j + 0.5) * size.y / samples_,
                                                     flat ? 0 : low_.z + (k + 0.5) * size.z / samples_};
-                                  return nearestFoot(context_.geometry, x).foot.distance > 0;
+                                  return context_.geometry.inFluid(x);
                               });
     return double(inPore) / double(all);
 }
@@ -198,7 +196,8 @@ void BedHydrodynamics::execute(const ParticleView& view)
         columns.push_back(name);
         cells.push_back(cell(value));
     };
-    const auto walls = wettedWalls(view, liquid_, {low_, high_});
+    if (!wettedWalls_) wettedWalls_.emplace(view, Box{low_, high_});
+    const auto walls = (*wettedWalls_)(view, liquid_);
     WettedWall grains;
     for (std::size_t w = 0; w < walls.size(); ++w)
         if (std::ranges::find(grains_, view.geometry->walls[w].name) != grains_.end()) grains += walls[w];

@@ -1,6 +1,7 @@
 /// Function object `bedHydrodynamics`: saturation, hold-up, flow and wetting of a packed bed.
 #pragma once
 #include "sampling/FunctionContext.hpp"
+#include "sampling/WettedWalls.hpp"
 #include <optional>
 
 namespace sph
@@ -42,6 +43,7 @@ class BedHydrodynamics : public FunctionObject
     std::vector<std::string> grains_; ///< walls
     std::string drain_;
     Location where_;
+    std::optional<WettedWalls> wettedWalls_; ///< from the first row on
     std::optional<OutputTable> table_;
     std::string report_;
 

@@ -1,11 +1,12 @@
 #include "sampling/WettedWalls.hpp"
 #include "geometry/components.hpp"
-#include "geometry/forEachFoot.hpp"
 #include "geometry/wallSurfaces.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/Interpolator.hpp"
 #include "sampling/SampledField.hpp"
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace sph
@@ -54,102 +55,122 @@ double positiveShare(std::array<double, 3> values)
     return mid > 0 ? 1 - low * low / ((mid - low) * (high - low)) : high * high / ((high - low) * (high - mid));
 }
 
-/// The part of the kernel's sphere about x that lies in the domain and outside of solids, by points within it that carry equal weights.
-class FluidPart
+/// The flat scene's points lie in the plane z = 0.
+Vector<3> inScene(Vector<3> x, bool flat)
 {
-    const Geometry& geometry_;
-    std::vector<Vector<3>> offsets_;
-    std::vector<double> weights_;
-
-public:
-    explicit FluidPart(const ParticleView& view) : geometry_(*view.geometry)
-    {
-        constexpr int steps = 4; // to the radius of the sphere
-        const bool flat = view.dimension == 2;
-        const auto W = [&](double r)
-        { return flat ? Kernel<2>(view.kernel, view.support).W(r) : Kernel<3>(view.kernel, view.support).W(r); };
-        double whole = 0;
-        for (int k = flat ? 0 : -steps; k < (flat ? 1 : steps); ++k)
-            for (int j = -steps; j < steps; ++j)
-                for (int i = -steps; i < steps; ++i)
-                {
-                    const Vector<3> r = view.support / steps * Vector<3>{i + 0.5, j + 0.5, flat ? 0 : k + 0.5};
-                    if (mag(r) >= view.support) continue;
-                    offsets_.push_back(r);
-                    weights_.push_back(W(mag(r)));
-                    whole += weights_.back();
-                }
-        for (auto& w : weights_) w /= whole;
-    }
-
-    double operator()(const Vector<3>& x) const
-    {
-        const auto inDomain = [&](const Vector<3>& y)
-        {
-            for (int k = 0; k < geometry_.dimension; ++k)
-                if (const auto c = component(k);
-                    !geometry_.periodic[std::size_t(k)] && (y.*c < geometry_.low.*c || y.*c > geometry_.high.*c))
-                    return false;
-            return true;
-        };
-        double part = 0;
-        for (std::size_t k = 0; k < offsets_.size(); ++k)
-            if (const auto y = x + offsets_[k]; inDomain(y) && nearestFoot(geometry_, y).foot.distance > 0) part += weights_[k];
-        return part;
-    }
-};
+    if (flat) x.z = 0;
+    return x;
+}
 
 }
 
-std::vector<WettedWall> wettedWalls(const ParticleView& view, std::size_t liquid, const Box& region)
+WettedWalls::WettedWalls(const ParticleView& view, const Box& region) : region_(region), spacing_(view.spacing), flat_(view.dimension == 2)
+{
+    constexpr int steps = 4; // to the radius of the sphere
+    const auto W = [&](double r) { return flat_ ? Kernel<2>(view.kernel, view.support).W(r) : Kernel<3>(view.kernel, view.support).W(r); };
+    double whole = 0;
+    for (int k = flat_ ? 0 : -steps; k < (flat_ ? 1 : steps); ++k)
+        for (int j = -steps; j < steps; ++j)
+            for (int i = -steps; i < steps; ++i)
+            {
+                const Vector<3> r = view.support / steps * Vector<3>{i + 0.5, j + 0.5, flat_ ? 0 : k + 0.5};
+                if (mag(r) >= view.support) continue;
+                sphere_.push_back({r, W(mag(r))});
+                whole += sphere_.back().weight;
+            }
+    for (auto& part : sphere_) part.weight /= whole;
+    triangulate(*view.geometry);
+}
+
+bool WettedWalls::areOf(const Geometry& geometry) const { return std::ranges::equal(shapes_, geometry.patches, {}, {}, &Patch::shape); }
+
+void WettedWalls::triangulate(const Geometry& geometry)
+{
+    shapes_.clear();
+    for (const auto& patch : geometry.patches) shapes_.push_back(patch.shape);
+    auto within = region_;
+    if (flat_)
+    {
+        within.low.z = -0.5 * size();
+        within.high.z = 0.5 * size();
+    }
+    walls_.clear();
+    for (const auto& surface : wallSurfaces(geometry, 0, size()))
+    {
+        Wall wall{cropped(surface, within), {}, {}};
+        auto& s = wall.surface;
+        refine(s, size());
+        wall.fluidParts.assign(s.points.size(), std::numeric_limits<double>::quiet_NaN());
+        wall.areas.assign(s.triangles.size(), 0);
+#pragma omp parallel for schedule(dynamic, 64)
+        for (std::size_t f = 0; f < s.triangles.size(); ++f)
+        {
+            const auto& [a, b, c] = s.triangles[f];
+            const auto &p = s.points[std::size_t(a)], &q = s.points[std::size_t(b)], &r = s.points[std::size_t(c)];
+            const auto n = cross(q - p, r - p);
+            const double area = 0.5 * mag(n) / (flat_ ? size() : 1);
+            // The place before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
+            if (area > 0 && geometry.inFluid(inScene((p + q + r) / 3 + narrowestGap * spacing_ * unitVector(n), flat_)))
+                wall.areas[f] = area;
+        }
+        walls_.push_back(std::move(wall));
+    }
+}
+
+/// The part of the kernel's sphere about x that lies in the domain and outside of solids, by points within it that carry equal weights.
+double WettedWalls::fluidPart(const Vector<3>& x, const Geometry& geometry) const
+{
+    const auto inDomain = [&](const Vector<3>& y)
+    {
+        for (int k = 0; k < geometry.dimension; ++k)
+            if (const auto c = component(k); !geometry.periodic[std::size_t(k)] && (y.*c < geometry.low.*c || y.*c > geometry.high.*c))
+                return false;
+        return true;
+    };
+    double part = 0;
+    for (const auto& [offset, weight] : sphere_)
+        if (const auto y = x + offset; inDomain(y) && geometry.inFluid(y)) part += weight;
+    return part;
+}
+
+std::vector<WettedWall> WettedWalls::operator()(const ParticleView& view, std::size_t liquid)
 {
     const auto& geometry = *view.geometry;
-    const bool flat = view.dimension == 2;
-    const double size = 0.5 * view.spacing;
-    auto within = region;
-    if (flat)
-    {
-        within.low.z = -0.5 * size;
-        within.high.z = 0.5 * size;
-    }
+    if (!areOf(geometry)) triangulate(geometry);
     std::vector<double> isLiquid(view.n);
     for (std::size_t i = 0; i < view.n; ++i) isLiquid[i] = phaseOf(view, i) == liquid;
 
     const Interpolator interpolator(view);
-    const FluidPart fluidPart(view);
-    std::vector<WettedWall> walls;
-    for (const auto& surface : wallSurfaces(geometry, 0, size))
+    std::vector<WettedWall> wetted;
+    for (auto& wall : walls_)
     {
-        auto s = cropped(surface, within);
-        refine(s, size);
+        const auto& s = wall.surface;
         std::vector<double> above(s.points.size()); // C - 1/2
 #pragma omp parallel for schedule(dynamic, 64)
         for (std::size_t p = 0; p < s.points.size(); ++p)
         {
-            auto x = s.points[p];
-            if (flat) x.z = 0;
+            const auto x = inScene(s.points[p], flat_);
             const auto weights = interpolator.weights(x);
             double C = weights.empty() ? 0 : weights(isLiquid.data());
-            if (C > 0 && weights.coverage < surelyFilled) C *= weights.coverage / std::max(fluidPart(x), weights.coverage);
+            if (C > 0 && weights.coverage < surelyFilled)
+            {
+                auto& part = wall.fluidParts[p];
+                if (std::isnan(part)) part = fluidPart(x, geometry);
+                C *= weights.coverage / std::max(part, weights.coverage);
+            }
             above[p] = C - 0.5;
         }
-        walls.push_back(
+        wetted.push_back(
             sum(s.triangles.size(),
                 [&](std::size_t f)
                 {
                     const auto& [a, b, c] = s.triangles[f];
-                    const auto &p = s.points[std::size_t(a)], &q = s.points[std::size_t(b)], &r = s.points[std::size_t(c)];
-                    const auto n = cross(q - p, r - p);
-                    const double area = 0.5 * mag(n) / (flat ? size : 1);
+                    const double area = wall.areas[f];
                     if (!(area > 0)) return WettedWall{};
-                    // The place before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
-                    auto x = (p + q + r) / 3 + narrowestGap * view.spacing * unitVector(n);
-                    if (flat) x.z = 0;
-                    if (!(nearestFoot(geometry, x).foot.distance > 0)) return WettedWall{};
                     return WettedWall{area, area * positiveShare({above[std::size_t(a)], above[std::size_t(b)], above[std::size_t(c)]})};
                 }));
     }
-    return walls;
+    return wetted;
 }
 
 }

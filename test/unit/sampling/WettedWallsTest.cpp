@@ -33,7 +33,7 @@ std::vector<WettedWall> aroundASphere(double level, bool gas, double dx)
         if (const auto x = lattice.position(i); sphere.foot(x).distance > 0 && (gas || x.y < level)) particles.add(x);
     if (gas) particles.setPhase([&](Vector<3> x) { return x.y < level ? 0 : 1; });
     addWall(particles.geometry, std::make_shared<Sphere>(sphere));
-    return wettedWalls(particles.view(), 0, {low, high});
+    return WettedWalls(particles.view(), {low, high})(particles.view(), 0);
 }
 
 }
@@ -56,7 +56,7 @@ TEST(WettedWalls, ofABox)
         addWall(g, std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{1, 0, 0}));
         addWall(g, std::make_shared<Plane>(Vector<3>{0, 0, 1}, Vector<3>{0, 0, -1}));
         addWall(g, std::make_shared<Plane>(Vector<3>{0, 1, 0}, Vector<3>{0, -1, 0}));
-        const auto walls = wettedWalls(particles.view(), 0, {g.low, g.high});
+        const auto walls = WettedWalls(particles.view(), {g.low, g.high})(particles.view(), 0);
         const double share[] = {1, 0.4, 0.4, 0};
         for (std::size_t w = 0; w < 4; ++w)
         {
@@ -97,7 +97,45 @@ TEST(WettedWalls, leaveOutWhatAnotherSolidCovers)
     auto& g = particles.geometry;
     addWall(g, std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}));
     addWall(g, std::make_shared<SolidBox>(Vector<3>{0.3, 0, 0.3}, Vector<3>{0.7, 0.4, 0.7}));
-    const auto walls = wettedWalls(particles.view(), 0, {g.low, g.high});
+    const auto walls = WettedWalls(particles.view(), {g.low, g.high})(particles.view(), 0);
     EXPECT_NEAR(walls[0].area, 1 - 0.16, 0.02);
     EXPECT_NEAR(walls[1].area, 0.16 + 4 * 0.16, 0.02);
+}
+
+// Water that falls from 0.8 to the equator of a sphere in a box, and a floor that then rises by 0.25 into the sphere: walls that were made before the water
+// fell give the same numbers to the bit as walls made anew, also where the floor has moved.
+TEST(WettedWalls, areMadeOnceAndAgainWhereOneHasMoved)
+{
+    const Box box{{0, 0, 0}, {1, 1, 1}};
+    const auto sphere = std::make_shared<Sphere>(Vector<3>{0.5, 0.4, 0.5}, 0.3, FluidSide::outside);
+    Geometry g = Particles(3, box.low, box.high, 1).geometry;
+    addWall(g, std::make_shared<Plane>(box.low, Vector<3>{0, 1, 0}));
+    addWall(g, sphere);
+    const auto below = [&](double level)
+    {
+        const Particles lattice(3, box.low, {1, level, 1}, 0.05);
+        Particles particles(3, box.low, box.low, 0.05);
+        for (std::size_t i = 0; i < lattice.size(); ++i)
+            if (sphere->foot(lattice.position(i)).distance > 0) particles.add(lattice.position(i));
+        particles.geometry = g;
+        return particles;
+    };
+    const auto full = below(0.8);
+    auto half = below(0.4);
+    WettedWalls kept(full.view(), box);
+    const auto wallsOf = [&](const Particles& particles)
+    {
+        const auto walls = kept(particles.view(), 0), anew = WettedWalls(particles.view(), box)(particles.view(), 0);
+        for (std::size_t w = 0; w < 2; ++w)
+        {
+            EXPECT_EQ(walls.at(w).area, anew.at(w).area) << w;
+            EXPECT_EQ(walls.at(w).wetted, anew.at(w).wetted) << w;
+        }
+        return walls;
+    };
+    EXPECT_NEAR(wallsOf(full)[1].share(), 1, 0.01);
+    EXPECT_NEAR(wallsOf(half)[1].share(), 0.5, 0.02);
+    EXPECT_NEAR(wallsOf(half)[0].area, 1, 1e-12);
+    half.geometry.patches[0].shape = half.geometry.patches[0].shape->shifted({0, 0.25, 0});
+    EXPECT_NEAR(wallsOf(half)[0].area, 1 - std::numbers::pi * (0.3 * 0.3 - 0.15 * 0.15), 0.02);
 }
