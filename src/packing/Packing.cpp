@@ -241,7 +241,8 @@ void checkPhases(const PackingPlan& plan, const Packing& packing)
                                                            "anywhere. If that is meant, write there: allowEmpty yes;",
                                                            plan.phases[k].name));
     errors.throwIfAny();
-    if (packing.points.size() == 0 && !plan.allowEmpty) throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
+    if (packing.points.size() == 0 && !plan.allowEmpty)
+        throw CaseError({"system/packParticlesDict", 0}, "all regions together hold no particles");
 }
 }
 

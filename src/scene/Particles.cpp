@@ -20,7 +20,8 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
       halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.searchReach() + skinInSpacings * settings.resolution.spacing)
                     : nullptr),
       images_(geometry_, settings.searchReach() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
-              skinInSpacings * settings.resolution.spacing, halo_.get(), settings.facts.get<WallReach>().supports * settings.resolution.H()),
+              skinInSpacings * settings.resolution.spacing, halo_.get(),
+              settings.facts.get<WallReach>().supports * settings.resolution.H()),
       leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.facts.get<LeakedParticles>().action),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
       owned_(cloud.size()),

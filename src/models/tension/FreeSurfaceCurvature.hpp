@@ -121,7 +121,7 @@ struct FreeSurfaceForce
     using ReadsOwn = Fields<Mass, SurfaceLack>;
     static constexpr bool readsKernel = true;
     static constexpr double leastDeterminant = 1e-3; ///< of B over the power of its trace: a particle in a corner sees its own images alone
-    double gamma, most; ///< [N/m]; of the slope [1/m^2]
+    double gamma, most;                              ///< [N/m]; of the slope [1/m^2]
 
     explicit FreeSurfaceForce(const Coefficients& c) : gamma(tensionsOf(c).largest()), most(1 / sqr(c.spacing)) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const

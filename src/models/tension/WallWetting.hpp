@@ -36,7 +36,7 @@ struct WallWetting
     static constexpr double reachInSupports = 1.5;
     using Provides = WettingCurvature;
     const double* cosTheta; ///< of each wall
-    double R, rows = 0; ///< [m]; sum of Phi dx over rows of particles
+    double R, rows = 0;     ///< [m]; sum of Phi dx over rows of particles
 
     /// `closest`: d_0 [m].
     WallWetting(const Coefficients& c, double closest) : cosTheta(c.of<WettingAngles>().cosine.data()), R(reachInSupports * c.support)

@@ -87,14 +87,17 @@ void setAnglesOfLiquidAlone(const Reading& reading, Coefficients& c)
         neutral = neutral && angle == 90;
         angles.cosine.push_back(angle == 90 ? 0 : std::cos(angle * std::numbers::pi / 180));
         if (!wall.contactAngles.empty())
-            reading.theCase.diagnostics().error(wall.anglesAt,
-                                                fmt::format("wall \"{}\": contactAngles are of pairs of phases, and with `gas none;` of system/sphSchemes there is one: give contactAngle",
-                                                            wall.name));
+            reading.theCase.diagnostics().error(
+                wall.anglesAt,
+                fmt::format(
+                    "wall \"{}\": contactAngles are of pairs of phases, and with `gas none;` of system/sphSchemes there is one: give contactAngle",
+                    wall.name));
         else if (angle > largestAngle)
             reading.theCase.diagnostics().error(
                 wall.anglesAt,
-                fmt::format("wall \"{}\": {} degrees are more than the {} that a wall holds without gas: drops leave it. Take `gas band;` or `gas whole;` of system/sphSchemes, with the gas as a phase",
-                            wall.name, angle, largestAngle));
+                fmt::format(
+                    "wall \"{}\": {} degrees are more than the {} that a wall holds without gas: drops leave it. Take `gas band;` or `gas whole;` of system/sphSchemes, with the gas as a phase",
+                    wall.name, angle, largestAngle));
     }
     if (!neutral) c.set(angles);
 }
@@ -166,7 +169,8 @@ void readAngles(const Reading& reading)
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
     if (isLiquidAlone(settings))
-        return reading.doesNothing(entry::contactAngle, "with `gas none;` it is by the curvature of the free surface (src/models/tension/WallWetting.hpp)");
+        return reading.doesNothing(entry::contactAngle,
+                                   "with `gas none;` it is by the curvature of the free surface (src/models/tension/WallWetting.hpp)");
     const bool byCurvature = settings.has(entry::surfaceTension, "curvature"),
                byStress = settings.has(entry::surfaceTension, "interfaceStress");
     const auto& form = reading.choose(entry::contactAngle, byCurvature                   ? "wallPotential"
