@@ -28,8 +28,8 @@ struct WettedWall
 /// particles to the wall itself, half a spacing and more away from them, so that it does not depend on the spacing where the liquid's surface
 /// meets the wall. D is the part of the kernel's sphere that lies in the fluid's space: beyond the surface of a liquid whose gas is left out C
 /// falls to 0. The walls are triangles no longer than half a spacing, C varies linearly over each, and its area is cut at 1/2.
-/// The triangles, what other solids cover of them, and D of each point hang on the shapes alone: they are found once, D where a point first asks for it, and
-/// again where a wall has moved (MovingWalls).
+/// The triangles, what other solids cover of them, and D of each point hang on the shapes alone: they are found once, D when it is first
+/// asked for, and all again where a wall has moved (MovingWalls).
 /// Verified by WettedWalls of test/unit/sampling, on planes, boxes and spheres, at three resolutions.
 class WettedWalls
 {
@@ -52,6 +52,7 @@ class WettedWalls
     std::vector<Wall> walls_;
 
     double size() const { return 0.5 * spacing_; } ///< of triangles, at most [m]
+    /// Whether the geometry still has the shapes of the triangles: a wall that moves gets another.
     bool areOf(const Geometry&) const;
     void triangulate(const Geometry&);
     double fluidPart(const Vector<3>& x, const Geometry&) const;
