@@ -40,7 +40,7 @@ bool Geometry::inFluid(const Vector<3>& x) const
                        [&](int p)
                        {
                            const auto& patch = patches[std::size_t(p)];
-                           // Of most places a mesh knows without a search that they lie before it.
+                           // A mesh knows of most places without a search that they lie before it.
                            return (patch.mesh && patch.mesh->body().isBeyond(patch.mesh->local(x), 0)) || patch.shape->foot(x).distance > 0;
                        });
 }

@@ -138,7 +138,7 @@ struct WallClearance
     double spacings = 0; ///< the least that walls keep anyway
 };
 
-/// How far walls act upon particles by laws of their own, beside images.
+/// The distance over which walls act upon particles by laws of their own, beside images.
 struct WallReach
 {
     static constexpr auto says = "how far walls act";

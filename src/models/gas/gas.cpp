@@ -32,7 +32,7 @@ const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
 
 namespace
 {
-/// Of a liquid alone [spacings]: suction, which no gas's pressure outweighs, draws a particle to its own image, from which nothing but such a distance keeps it. Rows at a line of contact lay 0.02 spacings off the wall,
+/// The distance from walls at which a liquid alone is held [spacings]: suction, which no gas's pressure outweighs, draws a particle to its own image, from which nothing but such a distance keeps it. Rows at a line of contact lay 0.02 spacings off the wall,
 /// where viscosity holds them: a half ball of 24 spacings stayed at 80 degrees for 60 (README.md).
 constexpr double closestToWalls = 0.4;
 

@@ -63,7 +63,7 @@ void declare(const Reading& reading)
     c.set(std::move(tensions));
 }
 
-/// Of a liquid alone [degrees]: a half ball comes to rest at 122 for 120, and leaves a wall of 135 and 150.
+/// The largest contact angle of a liquid alone [degrees]: a half ball comes to rest at 122 for 120, and leaves a wall of 150.
 constexpr double largestAngle = 120;
 
 /// An angle is one of an interface that has a tension.
