@@ -14,6 +14,8 @@ template<int dim> class FreeSurfaceArea final : public RunningModel<dim>
 public:
     FreeSurfaceArea(Particles<dim>&, const Numbers&) {}
     std::optional<StoredEnergy> energy(const Particles<dim>&) const override;
+    /// Twice what wetting has given at the start: the energy may begin near 0, where water lies between grains, and what is held against it is then that of both areas.
+    double supply(const Particles<dim>&, const std::vector<double>& mass) const override;
 };
 
 }
