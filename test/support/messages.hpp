@@ -20,6 +20,9 @@ std::string messageOf(const auto& call)
     return "";
 }
 
+/// Whether a text holds a part, for EXPECT_PRED2.
+inline bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// All errors that were recorded.
 inline std::string messages(const Diagnostics& diagnostics)
 {

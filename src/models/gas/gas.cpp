@@ -162,7 +162,7 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<VaryingViscosity>().exists; },
           "none has not been measured with a suspension"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.has(entry::walls, "layers"); },
-          "none goes with `walls reflected`: the free surface meets them at 90 degrees, by their mirror images"},
+          "none goes with `walls reflected`: the free surface goes on in their mirror images"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.coefficients.backgroundPressure != 0; },
           "none leaves out the gas, and with it the backgroundPressure: the free surface has the pressure 0"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && shifts(s); },

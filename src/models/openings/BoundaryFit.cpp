@@ -150,12 +150,7 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
         const auto& used = own.enough ? own : all;
         placed.inflows[k] = ofAll.n > 0 ? area * own.of.v0 / ofAll.n : 0;
         placed.pressure[k] = used.pressure;
-        placed.slope[k] = used.slope;
-        if (opening.letsFall())
-        {
-            placed.pressure[k] = scene_.coefficients.backgroundPressure;
-            placed.slope[k] = 0;
-        }
+        placed.slope[k] = opening.letsFall() ? 0 : used.slope;
         if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.of.n == 0) continue;
         placed.slope[k] = gas.slope;
         placed.pressure[k] = (own.of.p0 - gas.slope * own.of.s1) / own.of.n;

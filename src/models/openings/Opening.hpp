@@ -27,10 +27,9 @@ struct Opening : OpenPlane
 {
     std::optional<double> velocity = {}; ///< mean over the section, along the normal [m/s]
     std::optional<double> flowRate = {}; ///< [m^3/s], per metre of depth [m^2/s] in 2-D
-    std::optional<double> pressure =
-        {}; ///< at the plane [Pa], without the background pressure; of an inlet, the most there is; of an outlet of a liquid alone none where it is that of what comes
-    bool developed = false; ///< the velocity has the profile of developed flow; else it is the same everywhere
-    Stream stream = {};     ///< what comes in, through an outlet with `backflow` where the flow is inwards
+    std::optional<double> pressure = {}; ///< at the plane [Pa], beside the background's; of an inlet the most; none where it lets fall
+    bool developed = false;              ///< the velocity has the profile of developed flow; else it is the same everywhere
+    Stream stream = {};                  ///< what comes in, through an outlet with `backflow` where the flow is inwards
     std::vector<Layer> layers = {};
     bool backflow = false;
     std::optional<double> markFrom = {}; ///< what comes in from this time [s] on tells when it did

@@ -16,7 +16,7 @@ const Choice profile{"profile",
 const Scalar velocity{"velocity", units::mPerS, notGiven, positive, "mean over the section: of a flux the superficial velocity"},
     flowRate{"flowRate", units::m3 / units::s, notGiven, positive, "in place of velocity; of a drip at each point; in 2-D [m^2/s]"},
     pressure{"pressure", units::pressure, notGiven, "alone: drives the flow; beside velocity or flowRate: the most that they may need"},
-    pressureOutside{"pressure", units::pressure, byScene("0; with `gas none;` that of the liquid as it comes"), "at the plane"},
+    pressureOutside{"pressure", units::pressure, byScene("0; with `gas none;` what has left falls freely"), "at the plane"},
     markFrom{"markFrom", units::s, notGiven, nonNegative,
              "what comes in from this time on is marked by it: the log tells how long it takes to each outlet"};
 const Word phase{"phase", byScene("the only one; with several required"), "that comes in"},

@@ -1,7 +1,7 @@
 /// Contact angle as a potential of the wall, the same energy as WallTension's but felt along the normal:
 ///
 ///   dv_i/dt += -1/rho_k sum_(walls within H of i) gamma_sk/N dPhi/dd n
-///   Phi(d) = 35/(16 H) (1 - (d/H)^2)^3,    N = int_0^H Phi (1 - k_1 d)(1 - k_2 d) dd = 1 - 35/128 H (k_1 + k_2) + H^2/9 k_1 k_2
+///   Phi, N = int_0^H Phi (1 - k_1 d)(1 - k_2 d) dd of a layer as deep as H (wallLayer.hpp)
 ///
 /// n [-] normal and d [m] distance of the wall, gamma_sk [N/m] its tension with the particle's phase k, rho_k [kg/m^3] that phase's rest
 /// density. Phi [1/m] integrates to 1 over the fluid's side of a plane, Phi/N over that of spheres and cylinders of the curvatures k_1 and k_2 [1/m]
@@ -17,6 +17,7 @@
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "models/tension/Tensions.hpp"
+#include "models/tension/wallLayer.hpp"
 #include "plan/Coefficients.hpp"
 #include <cmath>
 
@@ -31,18 +32,16 @@ struct WallPotential
     using ReadsOwn = Fields<Phase>;
     const double *tension, *restDensity; ///< [N/m], walls x phases; [kg/m^3]
     std::size_t phases;
-    double H;
+    WallLayer layer;
 
     explicit WallPotential(const Coefficients& c)
-        : tension(tensionsOf(c).ofWalls.data()), restDensity(c.restDensity.data()), phases(c.phases.size()), H(c.support)
+        : tension(tensionsOf(c).ofWalls.data()), restDensity(c.restDensity.data()), phases(c.phases.size()), layer{c.support}
     {}
     /// dPhi/dd/N [1/m^2] at the distance d [m] from a surface of the given principal curvatures [1/m]
     double slope(double d, double k1, double k2) const
     {
-        const double s = d / H, left = 1 - sqr(s), least = 0.1; // nearer to a centre of curvature there is no image either
-        if (left <= 0 || 1 - k1 * d < least || 1 - k2 * d < least) return 0;
-        const double N = 1 - 35.0 / 128 * H * (k1 + k2) + sqr(H) / 9 * k1 * k2;
-        return -105.0 / 8 / sqr(H) * s * sqr(left) / std::fmax(N, least);
+        if (std::fabs(d) >= layer.R || 1 - k1 * d < WallLayer::least || 1 - k2 * d < WallLayer::least) return 0;
+        return layer.slope(d) / layer.integral(k1, k2);
     }
     auto operator()(auto dvdt, const auto& i, const auto& foot) const
     {

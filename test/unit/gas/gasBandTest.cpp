@@ -1,5 +1,6 @@
 /// Gas in a band beside a layer of liquid: what joins and goes, what stands still, and what the liquid feels of it.
 #include "CaseScene.hpp"
+#include "messages.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include <gtest/gtest.h>
 
@@ -182,7 +183,6 @@ TEST(GasFriction, RefusesWhatItCannotGoWith)
 
 TEST(CalmGas, RefusesWhatItCannotGoWith)
 {
-    const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
     EXPECT_PRED2(says, CaseScene(layer("gas calm; backgroundPressure 0;\n", "(0 0 0)", true)).errors,
                  "calm leaves out a backgroundPressure");
     EXPECT_PRED2(says, CaseScene(layer("gas calm; pressureGradient densityWeighted;\n", "(0 0 0)", true)).errors,
@@ -192,7 +192,6 @@ TEST(CalmGas, RefusesWhatItCannotGoWith)
 TEST(GasBand, RefusesWhatItCannotGoWith)
 {
     const auto errors = [](const std::string& schemes) { return CaseScene(layer(schemes, "(0 0 0)", true)).errors; };
-    const auto says = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
     EXPECT_PRED2(says, errors("gas band; gasBand 2;\n"), "gasBand");
     EXPECT_PRED2(says, errors("gasBand 3;\n"), "is the width of `gas band;`");
     EXPECT_PRED2(says, errors("gas band; backgroundPressure 0;\n"), "needs a backgroundPressure above 0");
