@@ -1,5 +1,5 @@
 #include "integrators/ImplicitSolve.hpp"
-#include "base/DivergedError.hpp"
+#include "base/StepTooLong.hpp"
 #include "integrators/averageInBoxes.hpp"
 #include "parallel/conjugateGradients.hpp"
 #include <algorithm>
@@ -21,6 +21,9 @@ constexpr long stepsBetween = 6;
 
 /// Growth of the mean square of the accelerations from one solve to the next beyond which the tolerance is a share of what it was, down to the least; and by what it goes back.
 constexpr double mostGrowth = 2.25, tightening = 3, leastShare = 0.03, relaxation = 1.1;
+
+/// dt |dv| of a particle at most [h], for the linear response to hold.
+constexpr double furthestLeap = 0.5;
 
 constexpr const char *toleranceShare = "toleranceShare", *forcesOfSolve = "meanSquareAcceleration";
 constexpr const char* wallRateNames[] = {"wallRateX", "wallRateY", "wallRateZ"};
@@ -82,6 +85,51 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
 }
 }
 
+/// A = inertia - theta dt L - theta^2 dt^2 K and its diagonal, of the direction p that VelocityChange holds; 0 at what is held: buffer particles have a residual of 0 and keep it, and the equations of the
+/// others remain, with a symmetric matrix.
+template<int dim> class ImplicitSolve<dim>::Matrix
+{
+public:
+    Matrix(Particles<dim>& particles, bool viscous, bool withPressure, double inertia, double deltaT)
+        : p(particles.store().pointers(VelocityChange{})), inertia_(inertia), implicit_(particles.settings().integration.theta * deltaT)
+    {
+        auto& store = particles.store();
+        if (viscous)
+        {
+            lambda_ = store.component(ViscousRate::info.name, 0);
+            Lp_ = store.pointers(ViscousResponse{});
+        }
+        if (!withPressure) return;
+        kappa_ = store.component(StiffRate::info.name, 0);
+        Kp_ = store.pointers(StiffResponse{});
+    }
+    std::array<double*, dim> p;
+
+    double diagonal(std::size_t i) const
+    {
+        return inertia_ + (lambda_ ? implicit_ * lambda_[i] : 0) + (kappa_ ? sqr(implicit_) * kappa_[i] : 0);
+    }
+    /// Readies `applied`, by a pass over all pairs.
+    void apply(Particles<dim>& particles) const
+    {
+        particles.evaluate(ofSolver);
+        for (const auto& response : {Lp_, Kp_})
+            for (double* component : response)
+                if (component)
+                    for (const int i : particles.held()) component[i] = 0;
+    }
+    /// (A p)_i
+    double applied(int c, std::size_t i) const
+    {
+        return inertia_ * p[c][i] - (lambda_ ? implicit_ * Lp_[c][i] : 0) - (kappa_ ? sqr(implicit_) * Kp_[c][i] : 0);
+    }
+
+private:
+    double inertia_, implicit_;
+    const double *lambda_ = nullptr, *kappa_ = nullptr;
+    std::array<double*, dim> Lp_{}, Kp_{};
+};
+
 template<int dim>
 ImplicitSolve<dim>::ImplicitSolve(Particles<dim>& particles, const Numbers& restored)
     : withPressure_(particles.settings().integration.solvesPressure),
@@ -104,14 +152,16 @@ template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(JoinPoint p
     if (place != JoinPoint::solve) return {};
     const std::string equation =
         withPressure_ ? "(1 - theta dt L - theta^2 dt^2 K) dv = dt a + what the last step has left" : "(1 - theta dt L) dv = dt a";
-    return {{"solve",
-             equation + ", conjugate gradients",
-             [this](Particles<dim>& p, const Substep& s)
-             {
-                 if (p.settings().integration.moves) solve(p, s.deltaT);
-                 else solveSteady(p);
-             },
-             {ofSolver}}};
+    Stage<dim> stage{"solve",
+                     equation + ", conjugate gradients",
+                     [this](Particles<dim>& p, const Substep& s)
+                     {
+                         if (p.settings().integration.moves) solve(p, s.deltaT);
+                         else solveSteady(p);
+                     },
+                     {ofSolver}};
+    if (withPressure_) stage.undo = [this](Particles<dim>& p, const Substep& s) { takeBack(p, s.deltaT); };
+    return {stage};
 }
 
 template<int dim> std::string ImplicitSolve<dim>::note() const
@@ -140,11 +190,49 @@ template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, doub
     if (followsForces_) followForces(particles);
     solveForChange(particles, 1, deltaT);
     if (!withPressure_) addResidual(particles);
-    else delayResidual(particles, deltaT);
+    else
+    {
+        refuseLeaps(particles, deltaT);
+        delayResidual(particles, deltaT);
+    }
     const auto a = particles.store().pointers(Acceleration{});
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
         for (int c = 0; c < dim; ++c) a[c][i] = change_[c][i] / deltaT;
+}
+
+template<int dim> void ImplicitSolve<dim>::refuseLeaps(const Particles<dim>& particles, double deltaT) const
+{
+    const double square = reduce(
+        particles.size(), 0.0,
+        [&](std::size_t i)
+        {
+            double dv2 = 0;
+            for (int c = 0; c < dim; ++c) dv2 += sqr(change_[c][i]);
+            return dv2;
+        },
+        Larger{});
+    const double leap = deltaT * std::sqrt(square), h = 0.5 * particles.coefficients().support;
+    if (leap > furthestLeap * h)
+        throw StepTooLong(fmt::format(
+            "the implicit pressure throws a particle {:.3g} h in a step of {:.3g} s, with h = {:.3g} m, and linear responses hold to {:.3g} h. "
+            "Choose a smaller step",
+            leap / h, deltaT, h, furthestLeap));
+}
+
+template<int dim> void ImplicitSolve<dim>::takeBack(Particles<dim>& particles, double deltaT)
+{
+    const Matrix A(particles, viscous_, withPressure_, 1, deltaT);
+    const std::size_t n = particles.size();
+    const auto a = particles.store().pointers(Acceleration{}), r = particles.store().pointers(DelayedImpulse{});
+    for (int c = 0; c < dim; ++c) std::copy_n(change_[c].data(), n, A.p[c]);
+    A.apply(particles);
+    for (int c = 0; c < dim; ++c)
+    {
+#pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < n; ++i) r[c][i] += A.applied(c, i) - deltaT * a[c][i];
+        for (const int i : particles.held()) r[c][i] = 0;
+    }
 }
 
 template<int dim> void ImplicitSolve<dim>::addResidual(const Particles<dim>& particles)
@@ -218,12 +306,8 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
     const auto& settings = particles.settings().integration;
     const std::size_t n = particles.size();
     const double* const m = store.component(Mass::info.name, 0);
-    const double* const lambda = viscous_ ? store.component(ViscousRate::info.name, 0) : nullptr;
-    const double* const kappa = withPressure_ ? store.component(StiffRate::info.name, 0) : nullptr;
-    const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{}), p = store.pointers(VelocityChange{});
-    const auto Lp = viscous_ ? store.pointers(ViscousResponse{}) : decltype(v){},
-               Kp = withPressure_ ? store.pointers(StiffResponse{}) : decltype(v){};
-    const double implicit = settings.theta * deltaT, stiff = sqr(implicit);
+    const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{});
+    const Matrix A(particles, viscous_, withPressure_, inertia, deltaT);
     std::array<double*, dim> dv, r;
     for (int c = 0; c < dim; ++c)
     {
@@ -235,9 +319,8 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         for (std::size_t i = 0; i < n; ++i) r[c][i] = (withPressure_ ? r[c][i] : 0) + deltaT * a[c][i];
         for (const int i : particles.held()) r[c][i] = 0;
     }
-    const auto diagonal = [=](std::size_t i) { return inertia + (lambda ? implicit * lambda[i] : 0) + (kappa ? stiff * kappa[i] : 0); };
-    const auto applied = [=](int c, std::size_t i)
-    { return inertia * p[c][i] - (lambda ? implicit * Lp[c][i] : 0) - (kappa ? stiff * Kp[c][i] : 0); };
+    const auto diagonal = [A](std::size_t i) { return A.diagonal(i); };
+    const auto applied = [A](int c, std::size_t i) { return A.applied(c, i); };
     const auto norms = [=](std::size_t i)
     {
         double r2 = 0, v2 = 0;
@@ -248,15 +331,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         }
         return Norms{m[i] * r2 / (inertia > 0 ? 1 : sqr(diagonal(i))), m[i] * v2};
     };
-    const auto apply = [&]
-    {
-        particles.evaluate(ofSolver);
-        // Buffer particles have a residual of 0 and keep it: the equations of the others remain, with a symmetric matrix.
-        for (const auto& response : {Lp, Kp})
-            for (double* component : response)
-                if (component)
-                    for (const int i : particles.held()) component[i] = 0;
-    };
+    const auto apply = [&] { A.apply(particles); };
     const char* const name = withPressure_ ? "the implicit pressure" : "the implicit viscosity";
     const double tolerance = share_ * settings.tolerance;
     double start = 0;
@@ -274,7 +349,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         if (withPressure_ ? now.rz <= sqr(tolerance) * start : rr <= sqr(tolerance) * vv) return true;
         const double residual = withPressure_ ? std::sqrt(now.rz / start) : std::sqrt(rr / vv);
         if (iterations == settings.maxIter)
-            throw DivergedError(
+            throw StepTooLong(
                 fmt::format("{} has not converged in {} iterations: the residual is {:.3g} of the {}, the tolerance {:.3g}{}. Choose a "
                             "smaller step, or a larger `maxIter` or `tolerance` in `integration`",
                             name, iterations, residual, withPressure_ ? "forces" : "velocity", tolerance, history));
@@ -282,7 +357,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
             history += fmt::format("; after {} it was {:.3g}", iterations, residual);
         return false;
     };
-    iterations_ = conjugateGradients(LinearSystem<dim>{name, n, m, dv, r, p}, diagonal, apply, applied, norms, done);
+    iterations_ = conjugateGradients(LinearSystem<dim>{name, n, m, dv, r, A.p}, diagonal, apply, applied, norms, done);
 }
 
 template<int dim> void ImplicitSolve<dim>::save(Numbers& numbers) const

@@ -34,6 +34,12 @@
 /// drag (tutorials/verification/facetedSphere). None of it added is a step's delay for a drop that falls in a vessel: it was 0.9905 of g t in place of 0.9950
 /// (test/accuracy fallingDrop). gamma varies as slowly as the particles move: it is asked for every few steps, and kept in between and over restarts.
 ///
+/// A step is refused (StepTooLong) where the iteration does not end, and with pressure where dt |dv| is more than half of h of any particle: it is thrown farther than forces that are linear in dv know.
+/// The forces of the step before had allowed for a sixteenth to a quarter (the limit by acceleration). The state is then taken back, the impulse by one more product, and the step made in halves.
+///
+/// A step is refused (StepTooLong) where the iteration does not end, and with pressure where dt |dv| of any particle exceeds h/2, the limit by acceleration having
+/// allowed for h/16 at the forces of the step before: farther than that no response is linear. The state is taken back, the impulse of the step before by one more product, and the step made in halves.
+///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
 #include "scene/Particles.hpp"
@@ -54,6 +60,8 @@ public:
     std::size_t bytes() const override;
 
 private:
+    class Matrix;
+
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
     const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;
@@ -66,9 +74,14 @@ private:
     void followForces(const Particles<dim>&);
     /// Replaces dU/dt = a by (v_1 - v_0)/dt, for positions and pairs as of the last evaluation. It iterates until |r| <= tolerance |v_1|, both in
     /// the norm sqrt(sum_i m_i r_i^2), or with pressure until |r| <= tolerance times |dt a|, both in sqrt(sum_i m_i r_i^2/diagonal_i): forces that
-    /// balance one another are larger than any velocity. Throws DivergedError after `maxIter` iterations and where nothing is finite. Particles
+    /// balance one another are larger than any velocity. Throws StepTooLong after `maxIter` iterations and where
+    /// a particle is thrown too far, DivergedError where nothing is finite. Particles
     /// in a buffer, whose dU/dt is 0, keep their velocities.
     void solve(Particles<dim>&, double deltaT);
+    /// Throws StepTooLong where dv carries a particle farther than a linear response knows.
+    void refuseLeaps(const Particles<dim>&, double deltaT) const;
+    /// Sets r, which is dt a + the impulse of the step before - A dv by now, to that impulse.
+    void takeBack(Particles<dim>&, double deltaT);
     /// Replaces v_0 by v_1 of creeping flow. It iterates until |r/lambda| <= tolerance |v_1|.
     void solveSteady(Particles<dim>&);
     /// Adds the remaining residual to dv: all forces are then those at dv, in pairs that cancel.

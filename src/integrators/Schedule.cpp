@@ -1,6 +1,9 @@
 #include "integrators/Schedule.hpp"
+#include "base/StepTooLong.hpp"
 #include "integrators/moves.hpp"
+#include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <ostream>
 
 namespace sph
@@ -48,13 +51,15 @@ template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftByTheta()
 {
-    return then({"drift", "x += theta dt v",
-                 [](Particles<dim>& p, const Substep& s)
-                 {
-                     const double theta = p.settings().integration.theta;
-                     sph::drift(p, theta * s.deltaT);
-                     p.moved(theta * s.deltaT * p.maxSpeed());
-                 }});
+    const auto driftBy = [](Particles<dim>& p, double deltaT)
+    {
+        sph::drift(p, deltaT);
+        p.moved(std::fabs(deltaT) * p.maxSpeed());
+    };
+    return then(Stage<dim>{
+        "drift", "x += theta dt v", [driftBy](Particles<dim>& p, const Substep& s) {
+            driftBy(p, p.settings().integration.theta * s.deltaT);
+        }}.undoneBy([driftBy](Particles<dim>& p, const Substep& s) { driftBy(p, -p.settings().integration.theta * s.deltaT); }));
 }
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftOnByTheta()
@@ -113,11 +118,21 @@ template<int dim> Schedule<dim>& Schedule<dim>::measure()
 
 template<int dim> void Schedule<dim>::run(const Substep& substep, bool middle)
 {
-    for (const auto& stage : stages_)
+    auto stage = stages_.begin();
+    try
     {
-        if (stage.onceAStep && !middle) continue;
-        stage.run(particles_, substep);
-        ++counts_[stage.name];
+        for (; stage != stages_.end(); ++stage)
+        {
+            if (stage->onceAStep && !middle) continue;
+            stage->run(particles_, substep);
+            ++counts_[stage->name];
+        }
+    }
+    catch (const StepTooLong&)
+    {
+        for (auto done = std::make_reverse_iterator(stage + 1); done != stages_.rend(); ++done)
+            if (done->undo) done->undo(particles_, substep);
+        throw;
     }
 }
 

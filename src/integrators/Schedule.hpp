@@ -25,7 +25,7 @@ public:
     /// dt/2; the second one ends the step, and `measure` says how far it may have gone.
     Schedule& drift();
     Schedule& driftOn();
-    /// A share theta of a step, with the velocity at its start; and on to x_0 + dt ((1 - theta) v_0 + theta v_1).
+    /// A share theta of a step, with the velocity at its start, which can be taken back; and on to x_0 + dt ((1 - theta) v_0 + theta v_1).
     Schedule& driftByTheta();
     Schedule& driftOnByTheta();
     Schedule& predict();
@@ -37,6 +37,7 @@ public:
     /// The largest speed, the account of energy; how far particles may have moved in the last drift.
     Schedule& measure();
 
+    /// Runs the stages. Where one throws StepTooLong the state is as it was before, to round-off, and the exception goes on; what was held off walls stays so.
     void run(const Substep&, bool middle);
     /// Stages with the passes and operations of the groups that they evaluate, numbered through.
     void print(std::ostream&) const;

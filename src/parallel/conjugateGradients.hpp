@@ -1,7 +1,7 @@
 /// Conjugate gradients for A x = b, with A symmetric and positive in the inner product sum_i w_i a_i.b_i, preconditioned by a diagonal. Nothing of A is
 /// stored: who solves says what it makes of a direction.
 #pragma once
-#include "base/DivergedError.hpp"
+#include "base/StepTooLong.hpp"
 #include "parallel/reduce.hpp"
 #include <array>
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ template<class Further> struct ResidualSums
 /// Iterates from x = 0 until `done(sums, iterations)`, which throws where it gives up. `diagonal(i)` is that of A; `apply()` readies `applied(c, i)`, (A p)_i;
 /// `further(i)` is summed over i for `done`. Returns the number of iterations.
 ///
-/// Throws DivergedError where A is not positive along a direction: a step along it leads away from the solution. To go on along the preconditioned residual, in
+/// Throws StepTooLong where A is not positive along a direction: a step along it leads away from the solution. To go on along the preconditioned residual, in
 /// its place, was tried on indefinite matrices: the residual grew without bound.
 template<int components>
 int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, const auto& apply, const auto& applied, const auto& further,
@@ -70,7 +70,7 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                                    return s.weight[i] * product;
                                });
         if (!(pAp > 0))
-            throw DivergedError(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} with a "
+            throw StepTooLong(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} with a "
                                             "direction p, and should be positive along all. Choose a smaller step",
                                             s.name, iterations, pAp));
         const double alpha = now.rz / pAp;

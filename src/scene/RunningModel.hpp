@@ -44,11 +44,18 @@ template<int dim> struct Stage
     std::function<void(Particles<dim>&, const Substep&)> run;
     std::vector<std::string> groups;
     bool onceAStep; ///< the stage runs in the middle one of several substeps alone
+    /// Takes back what the stage has done to the state, if it has done anything, where it or a later one throws StepTooLong.
+    std::function<void(Particles<dim>&, const Substep&)> undo;
 
     Stage(std::string called, std::string does, std::function<void(Particles<dim>&, const Substep&)> f,
           std::vector<std::string> evaluates = {}, bool once = false)
         : name(std::move(called)), equation(std::move(does)), run(std::move(f)), groups(std::move(evaluates)), onceAStep(once)
     {}
+    Stage undoneBy(std::function<void(Particles<dim>&, const Substep&)> f) &&
+    {
+        undo = std::move(f);
+        return std::move(*this);
+    }
 };
 
 /// Points of a step, and of what is done within its stages, at which stages of models join those of an integrator.

@@ -1,5 +1,6 @@
 #include "solver/Simulation.hpp"
 #include "base/CaseError.hpp"
+#include "base/StepTooLong.hpp"
 #include "integrators/Integrator.hpp"
 #include "parallel/reduce.hpp"
 #include "solver/EnergyBalance.hpp"
@@ -23,6 +24,9 @@ std::string lastName(std::string name)
     return "last" + name;
 }
 
+/// Parts of an implicit step at most: one that is refused at a 64th of its length is so for another reason than its length.
+constexpr int mostParts = 64;
+
 template<int dim> class Simulation final : public AnySimulation
 {
     const Settings& settings_;
@@ -33,6 +37,7 @@ template<int dim> class Simulation final : public AnySimulation
     Summary summary_;
     EnergyBalance<dim> energy_;
     typename Plan<dim>::Counts operations_;
+    long inParts_ = 0; ///< steps that were made in parts, since their whole was refused
 
     /// Terms of all models, and those that the scene defines under names of their own.
     static Catalogue<dim> termsOf(const Settings& settings)
@@ -104,6 +109,7 @@ public:
     /// part: the impulse method of Tuckerman, Berne & Martyna (1992), reversible in time where forces depend on positions.
     void step(double time, double deltaT) override
     {
+        if (settings_.integration.solvesPressure) return stepInHalves(time, deltaT);
         const int parts = settings_.integration.maxSubSteps > 1 ? partsOf(deltaT, settings_, stepLimits()) : 1;
         for (int part = 0; part < parts; ++part)
             schedule_.run({time + part * deltaT / parts, deltaT / parts, deltaT}, 2 * part + 1 == parts);
@@ -191,7 +197,8 @@ public:
     }
     std::string note() const override
     {
-        return ofRunningModels([](const auto& model) { return model.note(); });
+        const auto ofModels = ofRunningModels([](const auto& model) { return model.note(); });
+        return inParts_ > 0 ? fmt::format("{}  steps in parts {}", ofModels, inParts_) : ofModels;
     }
     std::vector<std::string> warnings() override
     {
@@ -243,6 +250,27 @@ public:
     double bytesPerParticle() const override { return double(particles_.bytes()) / double(std::max<std::size_t>(1, size())); }
 
 private:
+    /// A step that its solve refuses has been taken back, and is made in twice as many parts.
+    void stepInHalves(double time, double deltaT)
+    {
+        int parts = 1;
+        for (int made = 0; made < parts;)
+        {
+            try
+            {
+                schedule_.run({time + made * deltaT / parts, deltaT / parts, deltaT / parts}, true);
+                ++made;
+            }
+            catch (const StepTooLong&)
+            {
+                if (parts == mostParts) throw;
+                parts *= 2;
+                made *= 2;
+            }
+        }
+        inParts_ += parts > 1;
+    }
+
     std::string ofRunningModels(const auto& words) const
     {
         std::string all;
