@@ -14,7 +14,9 @@ namespace entry
 const VectorParameter bodyForce{"bodyForce", units::forcePerVolume, Vector<3>{}, "on all phases alike"};
 const Scalar mu{"mu", units::viscosity, 0, nonNegative, "dynamic viscosity"},
     exponent{"exponent", units::none, 7, positive, "of Tait's equation of state"};
-const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS, byScene("automatic: 10 times the largest velocity that `expected` implies"),
+const AutomaticScalar soundSpeed{"soundSpeed", units::mPerS,
+                                 byScene("automatic: 10 times the largest velocity that `expected` implies; with `gas none` less where the "
+                                         "tension of the surface does not bear it, down to 3 times"),
                                  positive, "speed of sound, the same for all phases or not"};
 const SubDictionary expected{"expected", byScene("needed for soundSpeed automatic"), "what the scene is expected to see"};
 const Scalar depth{"depth", units::m, 0, nonNegative, "of the liquid: v = sqrt(g depth)"},
@@ -51,6 +53,56 @@ Expected expectedVelocity(const Dictionary& dict, const Coefficients& c, double 
     most.consider(std::sqrt(entry::pressure(expected) / rho), "the expected pressure difference");
     if (radius > 0) most.consider(std::sqrt(interfaceEnergy / (rho * radius)), "the capillary pressure at the expected radius");
     return most;
+}
+
+/// The density at the free surface of a liquid alone is 1 % off (src/models/gas): rho c^2 as pressures of the surface, gamma/spacing, that it may be. The first is what an automatic sound speed takes, half of what bodies of few
+/// spacings bear; at four times that their drips leave several times too fast, and jumps across curved surfaces are slow to settle.
+constexpr double stiffnessOfLiquidAlone = 50, mostOfLiquidAlone = 200;
+
+/// Sound speed over the largest velocity: densities within 1 % as the rule, and within a tenth where a free surface asks for a soft liquid.
+constexpr double soundOverVelocity = 10, leastSoundOverVelocity = 3;
+
+/// The speed at which rho c^2 is `pressures` times gamma/spacing, of a liquid alone with a tension.
+std::optional<double> boundOfLiquidAlone(const Settings& settings, double rho, double pressures)
+{
+    const double interfaceEnergy = settings.facts.get<InterfaceEnergy>().largest;
+    if (!settings.facts.get<GasLeftOut>().isLeftOut || !(interfaceEnergy > 0)) return {};
+    return std::sqrt(pressures * interfaceEnergy / (rho * settings.coefficients.spacing));
+}
+
+void warnOfStiffLiquidAlone(const Case& theCase, const Dictionary& phase, const Settings& settings, double rho, double sound)
+{
+    const auto most = boundOfLiquidAlone(settings, rho, mostOfLiquidAlone),
+               good = boundOfLiquidAlone(settings, rho, stiffnessOfLiquidAlone);
+    if (!most || sound <= *most) return;
+    theCase.diagnostics().warning(
+        entry::soundSpeed.where(phase),
+        fmt::format(
+            "soundSpeed {:.4g} m/s makes rho c^2 {:.3g} times sigma/spacing, and without gas the density of a free surface is some 1 % off: "
+            "drops of few spacings are driven by that, at many times their speed. Take three times the largest velocity, or {:.3g} m/s if that is more; "
+            "`automatic` does so by what `expected` gives",
+            sound, stiffnessOfLiquidAlone * sqr(sound / *good), *good));
+}
+
+/// The sound speed that `expected` implies, with its reason for the log; 0 where it implies none.
+double automaticSoundSpeed(const Dictionary& dict, Settings& settings, const std::string& phase, double rho)
+{
+    const auto most = expectedVelocity(dict, settings.coefficients, rho, settings.facts.get<InterfaceEnergy>().largest);
+    if (!(most.velocity > 0)) return 0;
+    double sound = soundOverVelocity * most.velocity;
+    std::string why;
+    if (const auto bound = boundOfLiquidAlone(settings, rho, stiffnessOfLiquidAlone); bound && *bound < sound)
+    {
+        sound = std::max(*bound, leastSoundOverVelocity * most.velocity);
+        why = fmt::format(
+            ", in place of {:.3g}, since a free surface without gas bears some {:.3g} sigma/spacing of rho c^2, and these are {:.3g}",
+            soundOverVelocity, stiffnessOfLiquidAlone, stiffnessOfLiquidAlone * sqr(sound / *bound));
+    }
+    settings.reasons.push_back(
+        fmt::format("sound speed of {} {:.4g} m/s: {:.4g} x {:.4g} m/s by {}{}{}", phase, sound, sound / most.velocity, most.velocity,
+                    most.by, why,
+                    settings.shaking.empty() ? "" : "; `shaking` of constant/g is not in it: `expected` is to have what it does"));
+    return sound;
 }
 
 /// Lengths from which no velocity follows.
@@ -134,7 +186,7 @@ void readScene(const Case& theCase, const Dictionary& dict, Settings& settings)
     entry::bodyForce.checkPlane(dict, c.bodyForce, c.dimension);
 }
 
-void readPhases(const Dictionary& dict, Settings& settings)
+void readPhases(const Case& theCase, const Dictionary& dict, Settings& settings)
 {
     auto& c = settings.coefficients;
     const double interfaceEnergy = settings.facts.get<InterfaceEnergy>().largest;
@@ -153,18 +205,16 @@ void readPhases(const Dictionary& dict, Settings& settings)
         }
         c.viscosity.push_back(entry::mu(phase));
         double sound = 1;
-        if (const auto given = entry::soundSpeed(phase)) sound = *given;
+        if (const auto given = entry::soundSpeed(phase))
+        {
+            sound = *given;
+            warnOfStiffLiquidAlone(theCase, phase, settings, rho, sound);
+        }
         else
         {
             settings.automaticSound.back() = entry::soundSpeed.given(phase) ? entry::soundSpeed.where(phase) : phase.location();
-            const auto most = expectedVelocity(dict, c, rho, interfaceEnergy);
-            sound = 10 * most.velocity;
-            if (most.velocity > 0)
-                settings.reasons.push_back(
-                    fmt::format("sound speed of {} {:.4g} m/s: 10 x {:.4g} m/s by {}{}", name, sound, most.velocity, most.by,
-                                settings.shaking.empty() ? ""
-                                                         : "; `shaking` of constant/g is not in it: `expected` is to have what it does"));
-            else
+            sound = automaticSoundSpeed(dict, settings, name, rho);
+            if (!(sound > 0))
                 entry::soundSpeed.error(
                     phase,
                     fmt::format(

@@ -11,8 +11,8 @@ namespace sph
 ///     air   { ... }
 ///
 /// `soundSpeed automatic;` takes 10 times the largest of the velocities that `expected { velocity; depth; pressure; radius; }` implies, and
-/// says why.
-void readPhases(const Dictionary& phaseProperties, Settings&);
+/// says why; with `gas none;` 3 to 10 times, as its free surface bears. A given one that this surface does not bear is warned of.
+void readPhases(const Case&, const Dictionary& phaseProperties, Settings&);
 /// Names of the phases, gravity and body force: what models may declare facts by.
 void readScene(const Case&, const Dictionary& phaseProperties, Settings&);
 /// Warns of a phase whose sound speed is too low for the pressures of an interface; to be called once all models have read.

@@ -99,7 +99,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
     const Reading reading{theCase, geometry, dict, phases, settings, [](const Settings& s, const Measured& m) { return stepLimits(s, m); }};
     for (const auto* model : models())
         if (model->declare) model->declare(reading);
-    readPhases(phases, settings);
+    readPhases(theCase, phases, settings);
     phases.reportUnused();
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);

@@ -341,6 +341,34 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplaceAndStaysWhereItIs)
     }
 }
 
+// rho c^2 of 50 gamma/spacing is 40 m/s here, of 200 it is 80: the surface bounds an automatic sound speed of ten times the flow's, but not below three times, and one that is given and above the latter is warned of.
+TEST(LiquidAlone, TakesASoundSpeedThatItsSurfaceBears)
+{
+    const auto with = [](const std::string& sound, const std::string& expected)
+    {
+        auto files = discAlone();
+        files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.06; soundSpeed " + sound + "; sigma 1; }\n" + expected;
+        return CaseScene(files);
+    };
+    const auto automatic = [&](const std::string& velocity)
+    {
+        const auto scene = with("automatic", "expected { velocity " + velocity + "; }\n");
+        EXPECT_EQ(scene.errors, "");
+        EXPECT_TRUE(scene.theCase.diagnostics().warnings().empty());
+        return scene.settings.coefficients.soundSpeed[0];
+    };
+    EXPECT_EQ(automatic("1"), 10);
+    EXPECT_NEAR(automatic("5"), 40, 1e-12);
+    EXPECT_NEAR(automatic("20"), 60, 1e-12);
+
+    EXPECT_TRUE(with("75", "").theCase.diagnostics().warnings().empty());
+    const auto stiff = with("100", "");
+    const auto& warnings = stiff.theCase.diagnostics().warnings();
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_PRED2(says, warnings[0], "constant/phaseProperties:2: soundSpeed 100 m/s makes rho c^2 312 times sigma/spacing");
+    EXPECT_PRED2(says, warnings[0], "or 40 m/s if that is more");
+}
+
 TEST(LiquidAlone, RefusesWhatItCannotGoWith)
 {
     const auto with = [](const std::string& schemes) { return CaseScene(discAlone("gas none;\n" + schemes)).errors; };
