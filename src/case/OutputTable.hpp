@@ -1,5 +1,6 @@
-/// The .dat file of a function object, laid out as OpenFOAM's: header lines from `#`, the column `# Time` first, tabs between columns.
+/// The .dat file of a function object, laid out as OpenFOAM's: header lines from `#`, among them one for each column, the column `# Time` first, tabs between columns.
 #pragma once
+#include "base/Column.hpp"
 #include "base/OutputFile.hpp"
 #include "base/Vector.hpp"
 #include <span>
@@ -9,14 +10,25 @@
 namespace sph
 {
 
+/// A row as it is made: cells, each with its column.
+struct TableRow
+{
+    std::vector<Column> columns;
+    std::vector<std::string> cells;
+
+    void add(const Column&, std::string);
+    void add(const Column&, double);
+    void add(const Column&, Vector<3>);
+};
+
 class OutputTable
 {
     OutputFile file_;
     std::size_t columns_;
 
 public:
-    /// `header`: lines above the names of the columns, without their `#`. `columns`: names without `Time`.
-    OutputTable(const std::filesystem::path&, const std::vector<std::string>& header, const std::vector<std::string>& columns);
+    /// `header`: lines above those of the columns, without their `#`. `columns`: those behind `Time`; one without a meaning has no line of its own.
+    OutputTable(const std::filesystem::path&, const std::vector<std::string>& header, const std::vector<Column>& columns);
 
     /// Each row reaches the disk before the call returns: what a killed run has computed can still be plotted. Throws CaseError on a
     /// full disk.

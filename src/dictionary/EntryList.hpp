@@ -2,6 +2,7 @@
 ///
 ///     EntryList entries() { return {nPoints, bins, {region, {min, max}}, {type, {{"line", {start, end}}, {"plane", planeEntries()}}}}; }
 #pragma once
+#include "base/Column.hpp"
 #include "dictionary/Parameter.hpp"
 
 namespace sph
@@ -36,7 +37,7 @@ Cases operator+(Cases, const Cases&);
 /// The words alone, for the choice itself.
 ChoiceWords wordsOf(const Cases&);
 
-/// A list by file. Several parts of the suite may add to one file; entries of one keyword are merged.
+/// A list by file. Several parts of the suite may add to one file; entries of one keyword are merged. Beside what is read it has the tables that are written.
 class EntryRegistry
 {
 public:
@@ -48,12 +49,15 @@ public:
 
 private:
     std::vector<File> files_;
+    std::vector<TableInfo> tables_;
 
 public:
     /// `meaning` of a file is said once, by whoever comes first.
     void add(const std::string& file, const EntryList&, const std::string& meaning = "");
     const std::vector<File>& files() const { return files_; }
     const File* find(const std::string& file) const;
+    void add(const TableInfo& table) { tables_.push_back(table); }
+    const std::vector<TableInfo>& tables() const { return tables_; }
 };
 
 }

@@ -25,12 +25,33 @@ const char* wordOf(StressState state)
 
 }
 
+TableInfo elementTestTable()
+{
+    return {"elementTest",
+            "<test>.csv",
+            "a row a state of the element; tension and extension are positive, but in p, q",
+            {{"path", "", "strain [-] or angle [degrees] that the test is driven by"},
+             {"strain.<xx>", "-", "component of the strain, the sum of D dt"},
+             {"stress.<xx>", "Pa", "component of the effective stress"},
+             {"volumeStrain", "-", "trace of the strain"},
+             {"p", "Pa", "mean pressure, -tr(stress)/3"},
+             {"q", "Pa", "deviator stress, (3 J2)^1/2"},
+             {"K", "-", "stress.xx over stress.zz"},
+             {"state", "", "regular, or what the law could not do: stressFree, inadmissible, unresolved"},
+             {"subSteps", "", "substeps since the row before"},
+             {"rejected", "", "substeps of these that were made again, shorter"}}};
+}
+
 void writeElementTable(const std::filesystem::path& file, const std::vector<ElementRow>& rows)
 {
-    std::string text = "path,";
-    for (const auto& [field, unit] : {std::pair("strain", "[-]"), std::pair("stress", "[Pa]")})
-        for (const auto component : SymmTensor<3>::names) text += fmt::format("{}.{} {},", field, component, unit);
-    text += "volumeStrain [-],p [Pa],q [Pa],K [-],state,subSteps,rejected\n";
+    std::string text;
+    const auto add = [&](const Column& column)
+    { text += (text.empty() ? "" : ",") + column.name + (column.unit.empty() ? "" : fmt::format(" [{}]", column.unit)); };
+    for (const auto& column : elementTestTable().columns)
+        if (column.name.find('<') == std::string::npos) add(column);
+        else
+            for (const auto component : SymmTensor<3>::names) add(column.of(std::string(component)));
+    text += "\n";
     for (const auto& row : rows)
     {
         text += shortestText(row.path) + ",";

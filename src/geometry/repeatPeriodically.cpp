@@ -30,6 +30,8 @@ std::array<int, 2> shifts(const Geometry& g, const Shape& shape, int direction, 
     const auto c = component(direction);
     const auto b = shape.bounds();
     if (std::isinf(b.low.*c) || std::isinf(b.high.*c)) return {0, 0};
+    // A body that goes on through the domain has been continued as far as is seen (src/meshes, continuePeriodically).
+    if (b.low.*c <= g.low.*c - reach && b.high.*c >= g.high.*c + reach) return {0, 0};
     const double L = g.length(direction);
     return {int(std::ceil((g.low.*c - reach - b.high.*c) / L - 1e-9)), int(std::floor((g.high.*c + reach - b.low.*c) / L + 1e-9))};
 }

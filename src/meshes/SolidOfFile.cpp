@@ -1,5 +1,6 @@
 #include "meshes/SolidOfFile.hpp"
 #include "meshes/cleanSoup.hpp"
+#include "meshes/continuePeriodically.hpp"
 #include "meshes/orientShells.hpp"
 #include "meshes/placeMesh.hpp"
 #include "meshes/readers/importMesh.hpp"
@@ -24,7 +25,8 @@ struct SolidOfFile::Shells
     int outside;           ///< 1: solid beyond all of them
 };
 
-SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurface& t) : shells_(std::make_unique<Shells>())
+SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurface& t, const MeshSpace& space)
+    : shells_(std::make_unique<Shells>())
 {
     if (t.wrap) throw UnusableMesh("it is to be wrapped: by itself it bounds no solid");
     std::vector<std::string> notes;
@@ -32,6 +34,7 @@ SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurfa
     place(m, t);
     const double weld = weldOf(boundingBox(m));
     weldPoints(m, t.weld.value_or(weld), notes);
+    continuePeriodically(m, space, t.weld.value_or(weld), notes);
     removeDuplicates(m, notes);
     if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);

@@ -14,24 +14,6 @@ namespace sph
 namespace
 {
 
-/// Keeps the facets for which `keep(facet)` holds; their number.
-std::size_t dropFacets(NumberedMesh& m, const auto& keep)
-{
-    std::size_t kept = 0;
-    const auto before = m.triangles.size();
-    for (std::size_t f = 0; f < before; ++f)
-    {
-        if (!keep(f)) continue;
-        m.triangles[kept] = m.triangles[f];
-        m.region[kept] = m.region[f];
-        m.number[kept++] = m.number[f];
-    }
-    m.triangles.resize(kept);
-    m.region.resize(kept);
-    m.number.resize(kept);
-    return before - kept;
-}
-
 void turn(NumberedMesh& m, std::size_t facet) { std::swap(m.triangles[facet][1], m.triangles[facet][2]); }
 
 /// Points in which parts meet become one point for each of them; corners that facets of a pair share belong together. Their number.

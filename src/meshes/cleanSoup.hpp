@@ -27,6 +27,24 @@ void orientFacets(NumberedMesh&, std::vector<std::string>& repairs);
 /// A point in which parts meet that share no edge there becomes one point for each of them.
 void splitPoints(NumberedMesh&, std::vector<std::string>& repairs);
 
+/// Keeps the facets for which `keep(facet)` holds; their number.
+std::size_t dropFacets(NumberedMesh& m, const auto& keep)
+{
+    std::size_t kept = 0;
+    const auto before = m.triangles.size();
+    for (std::size_t f = 0; f < before; ++f)
+    {
+        if (!keep(f)) continue;
+        m.triangles[kept] = m.triangles[f];
+        m.region[kept] = m.region[f];
+        m.number[kept++] = m.number[f];
+    }
+    m.triangles.resize(kept);
+    m.region.resize(kept);
+    m.number.resize(kept);
+    return before - kept;
+}
+
 /// Drops points of no facet.
 void removeUnusedPoints(NumberedMesh&);
 

@@ -2,6 +2,7 @@
 #include "base/words.hpp"
 #include "geometry/components.hpp"
 #include "meshes/cleanSoup.hpp"
+#include "meshes/continuePeriodically.hpp"
 #include "meshes/meshFiles.hpp"
 #include "meshes/orientShells.hpp"
 #include "meshes/placeMesh.hpp"
@@ -125,6 +126,7 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         weldPoints(m, tolerance, result.repairs);
         if (m.triangles.empty()) throw UnusableMesh("no facet is left after welding: all are smaller than the entry weld");
         result.asRead = meshStatistics(m);
+        continuePeriodically(m, space, tolerance, result.repairs);
         repair(m, t, tolerance, result);
 
         result.prepared = meshStatistics(m);

@@ -1,18 +1,11 @@
 /// Preparation of a wall from a file of triangles: read, put in its place, checked, repaired as far as the dictionary asks for it, and measured.
 #pragma once
 #include "geometry/triSurface.hpp"
+#include "meshes/MeshSpace.hpp"
 #include "meshes/meshStatistics.hpp"
 
 namespace sph
 {
-
-/// Part of the scene into which a mesh must fit.
-struct MeshSpace
-{
-    Vector<3> low, high; ///< the domain
-    std::array<bool, 3> periodic{};
-    double spacing = 0, H = 0; ///< [m]
-};
 
 struct PreparedMesh
 {

@@ -160,8 +160,12 @@ std::string asTemplate(const Entries& entries, int depth)
 
 }
 
+std::string pathOf(const TableInfo& table) { return "postProcessing/" + table.writer; }
+
 ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
 {
+    for (const auto& table : registry.tables())
+        if (path == pathOf(table)) return {path, table.file + ", " + table.meaning, {}, table.columns};
     const EntryRegistry::File* file = nullptr;
     for (const auto& f : registry.files())
         if (path == f.name || path.starts_with(f.name + ".")) file = &f;
@@ -169,10 +173,11 @@ ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
     {
         std::vector<std::string> names;
         for (const auto& f : registry.files()) names.push_back(f.name);
+        for (const auto& table : registry.tables()) names.push_back(pathOf(table));
         throw CaseError(
             fmt::format("There is no reference of \"{0}\". {1}", path, suggestion(path.substr(0, path.find('.')), "files", names)));
     }
-    ReferencePart part{path, path == file->name ? file->meaning : "", file->entries};
+    ReferencePart part{path, path == file->name ? file->meaning : "", file->entries, {}};
     for (std::size_t at = file->name.size(); at < path.size();)
     {
         const auto end = std::min(path.find('.', at + 1), path.size());
@@ -198,18 +203,29 @@ std::vector<std::string> wordsBelow(const ReferencePart& part)
 
 std::string listText(const ReferencePart& part)
 {
-    return fmt::format("{}{}\n\n{}", part.path, part.meaning.empty() ? "" : ": " + part.meaning, inText(part.entries, 0));
+    std::string columns;
+    for (const auto& column : part.columns) columns += fmt::format("{:<24} {}\n{:24} {}\n", column.name, column.unit, "", column.meaning);
+    return fmt::format("{}{}\n\n{}{}", part.path, part.meaning.empty() ? "" : ": " + part.meaning, columns, inText(part.entries, 0));
 }
 
 std::string markdownText(const ReferencePart& part)
 {
     std::string page;
+    if (!part.columns.empty())
+    {
+        page = fmt::format("## `{}`\n\n{}\n\n| column | unit | meaning |\n|---|---|---|\n", part.path, part.meaning);
+        for (const auto& column : part.columns)
+            page += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, cellText(column.meaning));
+        return page;
+    }
     addTables(part.entries, part.path, "", part.meaning, page);
     return page;
 }
 
 std::string templateText(const ReferencePart& part)
 {
+    if (!part.columns.empty())
+        throw CaseError(fmt::format("{} is written by the suite, and not to be filled in; its columns: -list {}", part.path, part.path));
     const auto slash = part.path.rfind('/');
     return fmt::format("FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n//- {}\n\n{}",
                        part.path.substr(slash == std::string::npos ? 0 : slash + 1), part.meaning, asTemplate(part.entries, 0));

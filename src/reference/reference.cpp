@@ -2,6 +2,7 @@
 #include "case/RunTime.hpp"
 #include "decomposition/readDecomposition.hpp"
 #include "elementTests/readElementTests.hpp"
+#include "elementTests/writeElementTests.hpp"
 #include "kernels/resolutionEntries.hpp"
 #include "packing/Packing.hpp"
 #include "sampling/FunctionObject.hpp"
@@ -11,6 +12,7 @@
 #include "solver/readPhases.hpp"
 #include "solver/readSettings.hpp"
 #include "surfaces/entries/surfaceEntries.hpp"
+#include "sweeps/ResultTable.hpp"
 #include "sweeps/SweepPlan.hpp"
 
 namespace sph
@@ -40,6 +42,8 @@ EntryRegistry collect()
         for (const auto& each : model->entries) all.add(each.file, each.entries, each.meaning);
     all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
+    for (const auto& table : functionTables()) all.add(table);
+    for (const auto& table : {surfaceTable(), resultTable(), elementTestTable()}) all.add(table);
     return all;
 }
 

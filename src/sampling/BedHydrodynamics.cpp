@@ -31,6 +31,26 @@ const Word drain{"drain", byScene("none"), "outlet by which the way of marked li
 const SubDictionary region{"region", byScene("the domain"), "the bed"};
 }
 
+namespace column
+{
+const Column porosity{"porosity", "-", "share of the bed outside of the walls"},
+    saturation{"saturation", "-", "volume of the liquid over that of the pores"},
+    holdUp{"holdUp", "-", "volume of the liquid over that of the bed"},
+    superficial{"superficial_<phase>", "m/s", "velocity over the bed, sum V U/V_bed; a vector"},
+    interstitial{"interstitial_<phase>", "m/s", "mean velocity of the phase, sum V U/sum V; a vector"},
+    wettedFraction{"wettedFraction", "-", "wetted share of the area of the grains"},
+    bond{"Bo", "-", "Bond number of the liquid, rho g length^2/sigma"},
+    capillary{"Ca", "-", "capillary number, mu |U|/sigma, U superficial"},
+    reynolds{"Re", "-", "Reynolds number, rho |U| length/mu, U superficial"},
+    section{"section<n>_<phase>", "m/s", "superficial velocity along `direction` through the n-th plane of `sections`"},
+    residenceTime{"residenceTime", "s", "liquid in the bed over its flow along `direction`; nan where it does not flow that way"},
+    markedLeft{"markedLeft", "kg", "marked liquid that has left through the drain"},
+    transitTime{"transitTime", "s", "mean time that the marked liquid which has left took"},
+    transitDeviation{"transitDeviation", "s", "standard deviation of that time"},
+    wallWettedArea{"wettedArea_<wall>", "m^2", "wetted area of the wall in the region; in 2-D a length [m]"},
+    wallWettedFraction{"wettedFraction_<wall>", "-", "wetted share of the wall's area in the region"};
+}
+
 namespace
 {
 
@@ -104,6 +124,17 @@ EntryList BedHydrodynamics::entries()
 {
     return {entry::liquid, entry::length, entry::porosity, {entry::region, {entry::min, entry::max}}, entry::samples, entry::sections,
             entry::along,  entry::grains, entry::drain};
+}
+
+TableInfo BedHydrodynamics::table()
+{
+    using namespace column;
+    return {
+        "bedHydrodynamics",
+        "bedHydrodynamics.dat",
+        "saturation, flow and wetting of a bed; a column of each wall, of each phase where there are several, of each section, and of what leaves through `drain`",
+        {porosity, saturation, holdUp, superficial, interstitial, wettedFraction, bond, capillary, reynolds, section, residenceTime,
+         markedLeft, transitTime, transitDeviation, wallWettedArea, wallWettedFraction}};
 }
 
 bool BedHydrodynamics::inBed(const Vector<3>& x) const
@@ -180,63 +211,57 @@ void BedHydrodynamics::execute(const ParticleView& view)
     const auto& liquid = content.at(liquid_);
     const double rho = view.restDensity.at(liquid_), mu = view.viscosity.at(liquid_), gamma = surfaceTensionOf(view);
     const auto superficial = liquid.amount / bed;
-    std::vector<std::string> columns{"porosity", "saturation", "holdUp"};
-    std::vector<double> scalars{*porosity_, liquid.volume / (*porosity_ * bed), liquid.volume / bed};
-    std::vector<std::string> cells;
-    for (const double s : scalars) cells.push_back(cell(s));
+    const double saturation = liquid.volume / (*porosity_ * bed), holdUp = liquid.volume / bed;
+    TableRow row;
+    row.add(column::porosity, *porosity_);
+    row.add(column::saturation, saturation);
+    row.add(column::holdUp, holdUp);
+    const auto nameOf = [&](std::size_t k) { return k < phases_.size() ? phases_[k] : std::string(); };
     for (std::size_t k = 0; k < phases; ++k)
     {
         const auto& u = content[k];
-        const auto phase = k < phases_.size() ? "_" + phases_[k] : std::string();
-        columns.insert(columns.end(), {"superficial" + phase, "interstitial" + phase});
-        cells.insert(cells.end(), {cell(u.amount / bed), cell(u.particles > 0 ? u.value() : Vector<3>{})});
+        row.add(column::superficial.of(nameOf(k)), u.amount / bed);
+        row.add(column::interstitial.of(nameOf(k)), u.particles > 0 ? u.value() : Vector<3>{});
     }
-    const auto add = [&](const std::string& name, double value)
-    {
-        columns.push_back(name);
-        cells.push_back(cell(value));
-    };
     if (!wettedWalls_) wettedWalls_.emplace(view, Box{low_, high_});
     const auto walls = (*wettedWalls_)(view, liquid_);
     WettedWall grains;
     for (std::size_t w = 0; w < walls.size(); ++w)
         if (std::ranges::find(grains_, view.geometry->walls[w].name) != grains_.end()) grains += walls[w];
-    if (!walls.empty()) add("wettedFraction", grains.share());
+    if (!walls.empty()) row.add(column::wettedFraction, grains.share());
     if (gamma > 0)
     {
-        add("Bo", rho * mag(view.g) * length_ * length_ / gamma);
-        add("Ca", mu * mag(superficial) / gamma);
+        row.add(column::bond, rho * mag(view.g) * length_ * length_ / gamma);
+        row.add(column::capillary, mu * mag(superficial) / gamma);
     }
-    if (mu > 0) add("Re", rho * mag(superficial) * length_ / mu);
+    if (mu > 0) row.add(column::reynolds, rho * mag(superficial) * length_ / mu);
 
     for (std::size_t s = 0; s < sections_.size(); ++s)
     {
         const auto through = superficialAt(sections_[s], view, U, phases);
-        for (std::size_t k = 0; k < phases; ++k)
-            add(fmt::format("section{}{}", s + 1, k < phases_.size() ? "_" + phases_[k] : ""), through[k]);
+        for (std::size_t k = 0; k < phases; ++k) row.add(column::section.of(fmt::format("{}", s + 1)).of(nameOf(k)), through[k]);
     }
     const auto n = flowDirection(view);
     const double along = std::abs(dot(size, n)), throughput = dot(superficial, n);
-    add("residenceTime", throughput > 0 ? liquid.volume / bed * along / throughput : std::numeric_limits<double>::quiet_NaN());
+    row.add(column::residenceTime, throughput > 0 ? holdUp * along / throughput : std::numeric_limits<double>::quiet_NaN());
     if (!drain_.empty())
     {
-        add("markedLeft", numberOf("marked", view));
-        add("transitTime", numberOf("transitTime", view));
-        add("transitDeviation", numberOf("transitDeviation", view));
+        row.add(column::markedLeft, numberOf("marked", view));
+        row.add(column::transitTime, numberOf("transitTime", view));
+        row.add(column::transitDeviation, numberOf("transitDeviation", view));
     }
     for (std::size_t w = 0; w < walls.size(); ++w)
     {
-        add("wettedArea_" + view.geometry->walls[w].name, walls[w].wetted);
-        add("wettedFraction_" + view.geometry->walls[w].name, walls[w].share());
+        const auto& name = view.geometry->walls[w].name;
+        row.add(column::wallWettedArea.of(name), walls[w].wetted);
+        row.add(column::wallWettedFraction.of(name), walls[w].share());
     }
 
     if (!table_)
         table_.emplace(context_.file("bedHydrodynamics.dat"),
-                       std::vector<std::string>{fmt::format("velocities [m/s], areas [m^2], times [s]; liquid {}; length {} m",
-                                                            liquid_ < phases_.size() ? phases_[liquid_] : "", cell(length_))},
-                       columns);
-    table_->row(view.time, cells);
-    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, scalars[1], scalars[2],
+                       std::vector<std::string>{fmt::format("liquid {}; length {} m", nameOf(liquid_), cell(length_))}, row.columns);
+    table_->row(view.time, row.cells);
+    report_ = fmt::format("{}: saturation {:.4g}, hold-up {:.4g}, superficial velocity {:.4g} m/s", context_.name, saturation, holdUp,
                           mag(superficial));
 }
 

@@ -57,6 +57,7 @@ class BedHydrodynamics : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     BedHydrodynamics(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override { return report_; }

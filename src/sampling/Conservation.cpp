@@ -16,6 +16,14 @@ namespace entry
 const Switch angularMomentum{"angularMomentum", false, "the angular momentum as well"};
 }
 
+namespace column
+{
+const Column mass{"mass_<phase>", "kg", "mass of the phase"}, momentum{"momentum", "kg m/s", "sum m U; a vector"},
+    kineticEnergy{"kineticEnergy", "J", "sum m U^2/2"},
+    potentialEnergy{"potentialEnergy", "J", "-sum m g.x, and of the body force; not along periodic directions"},
+    angularMomentum{"angularMomentum", "kg m^2/s", "sum m (x - origin) x U; a vector"};
+}
+
 Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       phases_(context.phases),
@@ -32,6 +40,15 @@ Conservation::Conservation(const Dictionary& d, const FunctionContext& context)
 }
 
 EntryList Conservation::entries() { return {entry::angularMomentum, entry::origin}; }
+
+TableInfo Conservation::table()
+{
+    using namespace column;
+    return {"conservation",
+            "conservation.dat",
+            "mass, momentum and energy of what is in the scene; in 2-D per metre of depth",
+            {mass, momentum, kineticEnergy, potentialEnergy, angularMomentum}};
+}
 
 Conservation::Sums Conservation::sums(const ParticleView& view, const Vector<3>& origin, const Location& where)
 {
@@ -80,22 +97,16 @@ void Conservation::execute(const ParticleView& view)
     const auto since = given();
     mostMomentum_ = std::max({mostMomentum_, last_.momentumScale, mag(since.impulse)});
     mostEnergy_ = std::max({mostEnergy_, last_.kineticEnergy, std::abs(since.work), std::abs(since.stored)});
+    TableRow row;
+    for (std::size_t k = 0; k < last_.mass.size(); ++k) row.add(column::mass.of(k < phases_.size() ? phases_[k] : ""), last_.mass[k]);
+    row.add(column::momentum, last_.momentum);
+    row.add(column::kineticEnergy, last_.kineticEnergy);
+    row.add(column::potentialEnergy, last_.potentialEnergy);
+    if (angular_) row.add(column::angularMomentum, last_.angularMomentum);
     if (!table_)
-    {
-        std::vector<std::string> columns;
-        for (std::size_t k = 0; k < last_.mass.size(); ++k) columns.push_back(k < phases_.size() ? "mass_" + phases_[k] : "mass");
-        columns.insert(columns.end(), {"momentum", "kineticEnergy", "potentialEnergy"});
-        if (angular_) columns.push_back("angularMomentum");
         table_.emplace(context_.file("conservation.dat"),
-                       std::vector<std::string>{
-                           "mass [kg], momentum [kg m/s], energy [J], angular momentum [kg m^2/s]; per metre of depth in 2-D"},
-                       columns);
-    }
-    std::vector<std::string> cells;
-    for (const double m : last_.mass) cells.push_back(cell(m));
-    cells.insert(cells.end(), {cell(last_.momentum), cell(last_.kineticEnergy), cell(last_.potentialEnergy)});
-    if (angular_) cells.push_back(cell(last_.angularMomentum));
-    table_->row(view.time, cells);
+                       view.dimension == 2 ? std::vector<std::string>{"per metre of depth"} : std::vector<std::string>{}, row.columns);
+    table_->row(view.time, row.cells);
 }
 
 /// Supply since the first sample.

@@ -52,6 +52,7 @@ public:
     static Sums sums(const ParticleView&, const Vector<3>& origin, const Location& where);
 
     static EntryList entries();
+    static TableInfo table();
     Conservation(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;

@@ -29,6 +29,18 @@ static const Choice& name()
 }
 }
 
+namespace column
+{
+const Column field{"field", "", "field, with its component, or measure that the row is of"},
+    L1{"L1", "of the field", "mean of the absolute difference, weighed by volume; with `norm relative` over that of the reference [-]"},
+    L2{"L2", "of the field", "root of the mean square difference, likewise"}, Linf{"Linf", "of the field", "largest difference, likewise"},
+    compared{"nParticles", "-", "particles, or rows of a table, that were compared"},
+    executionTime{"executionTime", "s", "processor time of the run until then"},
+    value{"value", "of the field", "L2 norm of the field; of a measure its value"},
+    referenceValue{"reference", "of the field", "L2 norm of the reference, or `scale`; of a measure the value that is right"};
+const std::vector<Column> ofErrors{field, L1, L2, Linf, compared, executionTime, value, referenceValue};
+}
+
 namespace
 {
 
@@ -56,6 +68,11 @@ EntryList Errors::entries()
                                                       {"csv", CsvReference::entries(CsvReference::Over::space)},
                                                       {"expression", expressionReferenceEntries()}}}}},
                                                   entry::comparisons};
+}
+
+TableInfo Errors::table()
+{
+    return {"errors", "errors.dat", "errors against exact solutions, tables and measures; a row a time and comparison", column::ofErrors};
 }
 
 void Errors::readComparison(const Dictionary& d)
@@ -148,9 +165,7 @@ void Errors::execute(const ParticleView& view)
     {
         const auto row = comparison(view);
         if (!row) continue;
-        if (!table_)
-            table_.emplace(context_.file("errors.dat"), std::vector<std::string>{},
-                           std::vector<std::string>{"field", "L1", "L2", "Linf", "nParticles", "executionTime", "value", "reference"});
+        if (!table_) table_.emplace(context_.file("errors.dat"), std::vector<std::string>{}, column::ofErrors);
         table_->row(view.time, std::vector<std::string>{row->field, cell(row->error.L1), cell(row->error.L2), cell(row->error.Linf),
                                                         fmt::format("{}", row->particles), cell(view.executionTime), cell(row->value),
                                                         cell(row->reference)});

@@ -39,6 +39,7 @@ class Errors : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     Errors(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override { return report_; }

@@ -17,11 +17,27 @@ const Scalar level{"level", units::none, 0.99, positiveUpTo(1).saying("{} is no 
                    "share of the cavity reached at the fill time"};
 }
 
+namespace column
+{
+const Column filled{"filled", "-", "volume of the fluid in the box, at its density at rest, over that of the cavity"},
+    reached{"reached", "-", "share of the cavity's points that a particle has within a spacing"},
+    minPhi{"minPhi", "-", "least powder fraction of a particle in the box"},
+    maxPhi{"maxPhi", "-", "largest powder fraction of a particle in the box"};
+}
+
 Filling::Filling(const Dictionary& d, const FunctionContext& context)
     : context_(context), box_(readBox(d, context.geometry)), level_(entry::level(d))
 {}
 
 EntryList Filling::entries() { return {entry::min, entry::max, entry::level}; }
+
+TableInfo Filling::table()
+{
+    return {"filling",
+            "filling.dat",
+            "how far a cavity is filled; the powder where there is some",
+            {column::filled, column::reached, column::minPhi, column::maxPhi}};
+}
 
 Vector<3> Filling::centre(int i, int k, int l, double spacing) const
 {
@@ -77,16 +93,18 @@ void Filling::execute(const ParticleView& view)
     filled_ = volume / (samples_ * std::pow(view.spacing, context_.geometry.dimension));
     reached_ = shareReached(view);
     if (!fillTime_ && reached_ >= level_) fillTime_ = view.time;
-    std::vector<std::string> columns{"filled", "reached"}, cells{cell(filled_), cell(reached_)};
+    TableRow row;
+    row.add(column::filled, filled_);
+    row.add(column::reached, reached_);
     if (phi)
     {
-        columns.insert(columns.end(), {"minPhi", "maxPhi"});
-        cells.insert(cells.end(), {cell(leastPhi_), cell(mostPhi_)});
+        row.add(column::minPhi, leastPhi_);
+        row.add(column::maxPhi, mostPhi_);
     }
     if (!table_)
-        table_.emplace(context_.file("filling.dat"), std::vector<std::string>{fmt::format("share of the cavity, {:.6g} samples", samples_)},
-                       columns);
-    table_->row(view.time, cells);
+        table_.emplace(context_.file("filling.dat"),
+                       std::vector<std::string>{fmt::format("cavity of {:.6g} points, a spacing apart", samples_)}, row.columns);
+    table_->row(view.time, row.cells);
 }
 
 std::string Filling::report() const

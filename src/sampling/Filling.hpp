@@ -33,6 +33,7 @@ class Filling : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     Filling(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;

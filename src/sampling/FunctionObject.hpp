@@ -1,5 +1,6 @@
 /// Function objects of controlDict's `functions` sub-dictionary: they look at the run and write below postProcessing/.
 #pragma once
+#include "base/Column.hpp"
 #include "case/RunTime.hpp"
 #include "dictionary/EntryList.hpp"
 #include "sampling/OutputPlace.hpp"
@@ -26,6 +27,8 @@ public:
 
 /// Entries of each function object: the sub-dictionaries of controlDict's `functions`.
 EntryList functionEntries();
+/// What each type writes below postProcessing, and its columns behind `Time`.
+std::vector<TableInfo> functionTables();
 
 /// All function objects of a case; reads `functions`, records every mistake in its Diagnostics. Geometry and run time must
 /// outlive it.

@@ -22,6 +22,7 @@ struct Type
     ChoiceWord name;
     std::unique_ptr<FunctionObject> (*make)(const Dictionary&, const FunctionContext&);
     EntryList (*entries)();
+    TableInfo (*table)();
 };
 
 template<class Object> Type type(const char* name, const char* meaning)
@@ -29,7 +30,8 @@ template<class Object> Type type(const char* name, const char* meaning)
     return {{name, meaning},
             [](const Dictionary& d, const FunctionContext& context) -> std::unique_ptr<FunctionObject>
             { return std::make_unique<Object>(d, context); },
-            Object::entries};
+            Object::entries,
+            Object::table};
 }
 
 const std::vector<Type>& catalogue()
@@ -72,6 +74,13 @@ static const Choice& type()
     static const Choice choice{"type", wordsOf(types()), required, "what it measures"};
     return choice;
 }
+}
+
+std::vector<TableInfo> functionTables()
+{
+    std::vector<TableInfo> tables;
+    for (const auto& t : catalogue()) tables.push_back(t.table());
+    return tables;
 }
 
 EntryList functionEntries()

@@ -25,6 +25,11 @@ bool inside(const Geometry& g, const Vector<3>& x)
 
 }
 
+namespace column
+{
+const Column probe{"<k>", "of the field", "the field at the k-th point; (x y z) of a vector"};
+}
+
 Probes::Probes(const Dictionary& d, const FunctionContext& context)
     : context_(context), fields_(entry::fields(d)), locations_(entry::probeLocations(d)), fieldsWhere_(entry::fields.where(d))
 {
@@ -35,6 +40,8 @@ Probes::Probes(const Dictionary& d, const FunctionContext& context)
 }
 
 EntryList Probes::entries() { return {entry::fields, entry::probeLocations}; }
+
+TableInfo Probes::table() { return {"probes", "<field>", "a field at points, one file a field", {column::probe}}; }
 
 void Probes::execute(const ParticleView& view)
 {
@@ -47,11 +54,12 @@ void Probes::execute(const ParticleView& view)
         const SampledField field(view, name, fieldsWhere_);
         if (!files_.contains(name))
         {
-            std::vector<std::string> header, columns;
+            std::vector<std::string> header;
+            std::vector<Column> columns;
             for (std::size_t k = 0; k < locations_.size(); ++k)
             {
                 header.push_back(fmt::format("Probe {} {}", k, cell(locations_[k])));
-                columns.push_back(fmt::format("{}", k));
+                columns.push_back({fmt::format("{}", k), "", ""}); // OpenFOAM's layout has the line above alone
             }
             files_.try_emplace(name, context_.file(name), header, columns);
         }

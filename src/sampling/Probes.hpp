@@ -22,6 +22,7 @@ class Probes : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     Probes(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
 };

@@ -17,6 +17,14 @@ const Count nPoints{"nPoints", notGiven, atLeast(2), "number of points at which 
     bins{"bins", notGiven, atLeast(1), "in place of nPoints: number of slabs across the line whose means are taken"};
 }
 
+namespace column
+{
+const Column distance{"distance", "m", "from `start`; with `bins` to the middle of the slab"},
+    onLine{"<field>", "of the field",
+           "its value there, or with `bins` the mean of the slab; of a vector or tensor one column a component, U_x"},
+    particles{"nParticles", "-", "with `bins`: particles in the slab"};
+}
+
 Profile::Profile(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       start_(entry::start(d)),
@@ -32,12 +40,20 @@ Profile::Profile(const Dictionary& d, const FunctionContext& context)
 
 EntryList Profile::entries() { return {entry::start, entry::end, entry::fields, entry::nPoints, entry::bins}; }
 
+TableInfo Profile::table()
+{
+    return {"profile",
+            "line_<fields>.xy, bins_<fields>.xy",
+            "fields along a line, one file a time, in the folder of that time",
+            {column::distance, column::onLine, column::particles}};
+}
+
 void Profile::execute(const ParticleView& view)
 {
-    std::vector<std::string> columns{"distance"};
+    std::vector<std::string> columns{column::distance.name};
     for (const auto& name : fields_)
-        for (auto& column : columnNames(SampledField(view, name, fieldsWhere_))) columns.push_back(std::move(column));
-    if (bins_ > 0) columns.push_back("nParticles");
+        for (const auto& component : columnNames(SampledField(view, name, fieldsWhere_))) columns.push_back(component);
+    if (bins_ > 0) columns.push_back(column::particles.name);
     writeFile(context_.fileOfTime(fmt::format("{}_{}.xy", bins_ > 0 ? "bins" : "line", fmt::join(fields_, "_"))),
               fmt::format("# {}\n{}", fmt::join(columns, "\t"), bins_ > 0 ? binRows(view) : pointRows(view)));
 }

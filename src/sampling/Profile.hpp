@@ -26,6 +26,7 @@ class Profile : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     Profile(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
 };

@@ -16,6 +16,12 @@ namespace entry
 const Choice operation{"operation", {{"volAverage", "sum V f/sum V"}, "min", "max"}, required, "what is taken of the particles in the box"};
 }
 
+namespace column
+{
+const Column valueInBox{"<field>", "of the field",
+                        "its mean, least or largest value in the box, by `operation`; of a vector or tensor one column a component, U_x"};
+}
+
 VolFieldValue::VolFieldValue(const Dictionary& d, const FunctionContext& context)
     : context_(context),
       box_(readBox(d, context.geometry)),
@@ -25,6 +31,11 @@ VolFieldValue::VolFieldValue(const Dictionary& d, const FunctionContext& context
 {}
 
 EntryList VolFieldValue::entries() { return {entry::fields, entry::operation, entry::min, entry::max}; }
+
+TableInfo VolFieldValue::table()
+{
+    return {"volFieldValue", "volFieldValue.dat", "means, least or largest values in a box", {column::valueInBox}};
+}
 
 double VolFieldValue::value(const ParticleView& view, const double* field) const
 {
@@ -47,7 +58,7 @@ void VolFieldValue::execute(const ParticleView& view)
         for (int c = 0; c < field.components(); ++c)
         {
             if (!field.array(c)) continue; // z in 2-D
-            columns_.push_back(names[std::size_t(c)]);
+            columns_.push_back(column::valueInBox.of(names[std::size_t(c)]));
             values_.push_back(value(view, field.array(c)));
         }
     }
@@ -58,7 +69,7 @@ void VolFieldValue::execute(const ParticleView& view)
 std::string VolFieldValue::report() const
 {
     auto line = fmt::format("{}: {}", context_.name, operation_);
-    for (std::size_t k = 0; k < columns_.size(); ++k) line += fmt::format("{} {} {:.6g}", k ? "," : "", columns_[k], values_[k]);
+    for (std::size_t k = 0; k < columns_.size(); ++k) line += fmt::format("{} {} {:.6g}", k ? "," : "", columns_[k].name, values_[k]);
     return line;
 }
 

@@ -19,7 +19,7 @@ class VolFieldValue : public FunctionObject
     std::vector<std::string> fields_;
     Location fieldsWhere_;
     std::string operation_;
-    std::vector<std::string> columns_;
+    std::vector<Column> columns_;
     std::vector<double> values_;
     std::optional<OutputTable> table_;
 
@@ -27,6 +27,7 @@ class VolFieldValue : public FunctionObject
 
 public:
     static EntryList entries();
+    static TableInfo table();
     VolFieldValue(const Dictionary&, const FunctionContext&);
     void execute(const ParticleView&) override;
     std::string report() const override;

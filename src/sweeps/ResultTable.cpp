@@ -39,9 +39,12 @@ struct WordColumn
 /// Names of the columns, in the order of the file.
 const std::vector<std::string>& columnNames()
 {
-    static const std::vector<std::string> names{"variant",    "resolution",  "spacing",    "nParticles", "steps",
-                                                "cpuSeconds", "wallSeconds", "peakMemory", "time",       "field",
-                                                "norm",       "error",       "order",      "status",     "inputs"};
+    static const auto names = []
+    {
+        std::vector<std::string> all;
+        for (const auto& column : resultTable().columns) all.push_back(column.name);
+        return all;
+    }();
     return names;
 }
 
@@ -188,6 +191,28 @@ std::vector<ResultRow> readResultTable(const std::filesystem::path& folder, cons
     if (header.empty()) diagnostics.error({file, 0}, fmt::format("has no line of column names: {}", list(columnNames())));
     else if (!any && wanted == Completeness::wholeRows) diagnostics.error({file, 0}, "has no rows");
     return rows;
+}
+
+TableInfo resultTable()
+{
+    return {"workPrecision",
+            "results.csv",
+            "a row an error of a run; cells of what is not known are empty",
+            {{"variant", "", "variant of the case"},
+             {"resolution", "-", "number that the sweep varies, spacings to a length"},
+             {"spacing", "m", "spacing of the particles, or size of the cells of a grid"},
+             {"nParticles", "-", "particles that the error rests on, or cells"},
+             {"steps", "-", "time steps"},
+             {"cpuSeconds", "s", "processor time of the solver"},
+             {"wallSeconds", "s", "clock time of the solver"},
+             {"peakMemory", "byte", "largest resident memory of the solver"},
+             {"time", "s", "time that the error belongs to"},
+             {"field", "", "field or measure"},
+             {"norm", "", "L1, L2, Linf, or mean and rms over time"},
+             {"error", "of the field", "or a share, as `norm` of the function object says"},
+             {"order", "-", "observed, between the next coarser resolution of the variant and this one"},
+             {"status", "", "ok, failed, timeLimit or diverged"},
+             {"inputs", "", "stamp of all that the run was made from"}}};
 }
 
 std::string resultTableText(const std::vector<ResultRow>& rows)

@@ -1,6 +1,7 @@
 /// Errors and costs of runs as comma-separated values: what workPrecision measures, and what other codes have measured.
 #pragma once
 #include "base/CaseError.hpp"
+#include "base/Column.hpp"
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -33,6 +34,8 @@ struct ResultRow
     bool drawable() const { return status == "ok" && error > 0 && cpuSeconds > 0 && spacing > 0; }
 };
 
+/// The columns, in the order of the file.
+TableInfo resultTable();
 const std::vector<std::string>& resultStatuses();
 const std::vector<std::string>& errorNorms();
 

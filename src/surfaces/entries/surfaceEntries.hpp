@@ -54,5 +54,7 @@ const Switch showTime{"showTime", true, "write the time into the picture"};
 }
 
 EntryList surfaceEntries();
+/// surfaces.dat, in the order of SurfaceReport's numbers for each phase.
+TableInfo surfaceTable(int dimension = 3);
 
 }

@@ -15,7 +15,7 @@ struct Prepared
     std::string errors, warnings, repairs;
 
     /// `entries` after `fluid outside;`, which a second `fluid` replaces.
-    Prepared(const std::string& file, const std::string& text, const std::string& entries = "")
+    Prepared(const std::string& file, const std::string& text, const std::string& entries = "", const std::array<bool, 3>& periodic = {})
     {
         scene.write("constant/triSurface/" + file, text);
         const auto walls =
@@ -26,7 +26,8 @@ struct Prepared
         const auto source = readTriSurface(wall);
         walls.reportUnused();
         if (diagnostics->ok())
-            mesh = prepareMesh(scene.folder(), source, {.low = {-2, -2, -2}, .high = {2, 2, 2}, .spacing = 0.01, .H = 0.026}, *diagnostics);
+            mesh = prepareMesh(scene.folder(), source,
+                               {.low = {-2, -2, -2}, .high = {2, 2, 2}, .periodic = periodic, .spacing = 0.01, .H = 0.026}, *diagnostics);
         errors = messages(*diagnostics);
         for (const auto& w : diagnostics->warnings()) warnings += w + "\n";
         for (const auto& r : mesh.repairs) repairs += r + "\n";

@@ -21,7 +21,7 @@ struct OfFile
         wall.file = file;
         wall.fluid = fluid;
     }
-    SolidOfFile solid() const { return {scene.folder(), wall}; }
+    SolidOfFile solid() const { return {scene.folder(), wall, {.low = {-2, -2, -2}, .high = {2, 2, 2}, .spacing = 0.01, .H = 0.026}}; }
 };
 
 }

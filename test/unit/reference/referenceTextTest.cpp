@@ -1,6 +1,7 @@
 /// The reference names what there is, in words and as a file that can be read.
 #include "reference/ReferenceText.hpp"
 #include "dictionary/DictionaryText.hpp"
+#include "messages.hpp"
 #include "reference/reference.hpp"
 #include <gtest/gtest.h>
 #include <regex>
@@ -73,6 +74,21 @@ TEST(Reference, partsByPath)
             e.what(),
             "system/sphSchemes.resolution has no entry \"spacin\". Did you mean \"spacing\"? Known entries: kernel, spacing, support.");
     }
+}
+
+// The tables that are written stand beside the files that are read; nothing of them is to be filled in.
+TEST(Reference, knowsTheColumnsOfTables)
+{
+    const auto part = findPart(reference(), "postProcessing/bedHydrodynamics");
+    const auto text = listText(part);
+    for (const auto* says : {"postProcessing/bedHydrodynamics: bedHydrodynamics.dat, ", "superficial_<phase>      m/s\n",
+                             "volume of the liquid over that of the pores"})
+        EXPECT_PRED2(sph::says, text, says);
+    EXPECT_PRED2(says, markdownText(findPart(reference(), "postProcessing/errors")), "| `executionTime` | s | processor time");
+    EXPECT_PRED2(says, messageOf([&] { templateText(part); }), "postProcessing/bedHydrodynamics is written by the suite");
+    EXPECT_PRED2(says, messageOf([] { findPart(reference(), "postProcessing/erors"); }), "Did you mean \"postProcessing/errors\"?");
+    for (const auto& table : reference().tables())
+        for (const auto& column : table.columns) EXPECT_NE(column.meaning, "") << table.writer << " " << column.name;
 }
 
 // Each entry is told whole: type, unit, range, default, choices with their meaning, meaning.

@@ -250,8 +250,8 @@ TEST(Errors, headerNamesTheColumns)
 {
     ErrorsCase c;
     c.rowsOf(two(), "field U; reference { type formula; name couette; nu 1; width 2; velocity (1 0 0); }");
-    EXPECT_EQ(c.folder.read("postProcessing/errors/0/errors.dat").substr(0, 69),
-              "# Time\tfield\tL1\tL2\tLinf\tnParticles\texecutionTime\tvalue\treference\n0\tU\t");
+    const auto text = c.folder.read("postProcessing/errors/0/errors.dat");
+    EXPECT_NE(text.find("\n# Time\tfield\tL1\tL2\tLinf\tnParticles\texecutionTime\tvalue\treference\n0\tU\t"), std::string::npos) << text;
 }
 
 TEST(Errors, ofMeasuresAreThoseOfTheirValue)

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <omp.h>
 #include <random>
+#include <set>
+#include <sstream>
 
 using namespace sph;
 
@@ -336,6 +338,25 @@ TEST(Conservation, saysWhatInterfacesAndWallsGave)
     }
 }
 
+/// Units and meanings of the columns that a .dat file says, "[m/s]: velocity", in order.
+std::vector<std::string> meaningsIn(const std::string& text)
+{
+    std::vector<std::string> meanings;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line) && !line.starts_with("# Time");)
+        if (line.find(": ") != std::string::npos) meanings.push_back(line.substr(line.find(' ', 2) + 1));
+    return meanings;
+}
+/// The same of all columns that a type is said to write.
+std::set<std::string> meaningsOf(const std::string& type)
+{
+    std::set<std::string> meanings;
+    for (const auto& table : functionTables())
+        if (table.writer == type)
+            for (const auto& column : table.columns) meanings.insert(column.text().substr(column.name.size() + 1));
+    return meanings;
+}
+
 TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
 {
     // A box of height 1 between plates at y = 0.25 and 0.75: porosity 1/2. The lower half of the pore is water (saturation 1/2,
@@ -361,6 +382,9 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
                         "wettedFraction\tBo\tCa\tRe\tresidenceTime\twettedArea_plates\twettedFraction_plates\n"),
               std::string::npos)
         << text;
+    const auto meanings = meaningsIn(text);
+    EXPECT_EQ(meanings.size(), 13u) << "of each column";
+    for (const auto& meaning : meanings) EXPECT_TRUE(meaningsOf("bedHydrodynamics").contains(meaning)) << meaning;
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     const auto number = [&](std::size_t k) { return std::stod(row.at(k)); };
     EXPECT_NEAR(number(1), 0.5, 1e-12);

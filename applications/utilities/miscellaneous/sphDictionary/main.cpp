@@ -26,6 +26,8 @@ void list(const Options& o)
     if (o.listed.empty())
     {
         for (const auto& file : sph::reference().files()) fmt::print("{:<32} {}\n", file.name, o.keywords ? "" : file.meaning);
+        for (const auto& table : sph::reference().tables())
+            fmt::print("{:<32} {}\n", sph::pathOf(table), o.keywords ? "" : table.file + ", " + table.meaning);
         return;
     }
     const auto part = sph::findPart(sph::reference(), o.listed);
@@ -56,7 +58,8 @@ int main(int argc, char** argv)
         o.set =
             app.add_option("--set", o.newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
         o.list = app.add_option("--list", o.listed,
-                                "Say which entries a file may have: system/controlDict.functions.errors; without a file: which files")
+                                "Say which entries a file may have: system/controlDict.functions.errors; which columns a table has: "
+                                "postProcessing/errors; without a file: which files")
                      ->type_name("<file.a.b>")
                      ->expected(0, 1);
         auto* markdown = app.add_flag("--markdown", o.markdown, "List as a page in Markdown")->needs(o.list);

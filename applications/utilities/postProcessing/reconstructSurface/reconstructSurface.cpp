@@ -30,13 +30,12 @@ std::vector<std::string> chosenTimes(const sph::Case& folder, const sph::Surface
 }
 
 /// Columns of surfaces.dat; the phase is part of a column's name where there are several.
-std::vector<std::string> columns(const std::vector<std::string>& phases)
+std::vector<sph::Column> columns(const std::vector<std::string>& phases, int dimension)
 {
-    std::vector<std::string> names;
+    std::vector<sph::Column> all;
     for (const auto& phase : phases)
-        for (const auto* name : {"area", "volume", "particleVolume", "difference%", "pieces"})
-            names.push_back(phases.size() > 1 ? fmt::format("{}.{}", phase, name) : name);
-    return names;
+        for (const auto& column : sph::surfaceTable(dimension).columns) all.push_back(column.of(phases.size() > 1 ? phase : ""));
+    return all;
 }
 
 std::vector<double> row(const std::vector<sph::SurfaceReport>& surfaces)
@@ -71,9 +70,8 @@ int run(const std::filesystem::path& path, const Options& options)
     {
         const auto dat = folder.folder() / "postProcessing" / "reconstructSurface" / times.front() / "surfaces.dat";
         std::filesystem::create_directories(dat.parent_path());
-        const auto header = fmt::format("Surfaces of {}: area is {}, volume {}; connected pieces", sph::list(surfaceRun.phaseNames()),
-                                        words.area, words.volume);
-        table.emplace(dat, std::vector<std::string>{header}, columns(surfaceRun.phaseNames()));
+        const auto header = "Surfaces of " + sph::list(surfaceRun.phaseNames());
+        table.emplace(dat, std::vector<std::string>{header}, columns(surfaceRun.phaseNames(), surfaceRun.geometry().dimension));
     }
     for (const auto& time : times)
     {

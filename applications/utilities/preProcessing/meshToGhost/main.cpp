@@ -31,6 +31,11 @@ std::vector<sph::Dictionary> meshWalls(const sph::Dictionary& source)
     return meshes;
 }
 
+sph::MeshSpace spaceOf(const sph::Geometry& g, const sph::Resolution& resolution)
+{
+    return {.low = g.low, .high = g.high, .periodic = g.periodic, .spacing = resolution.spacing, .H = resolution.H()};
+}
+
 /// Before the geometry is read, which takes meshes from what is written here. The names of the files.
 std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dictionary& source, const sph::Resolution& resolution,
                                        bool full)
@@ -48,10 +53,7 @@ std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dict
         const auto before = theCase.diagnostics().errors();
         const auto mesh = sph::readTriSurface(wall);
         if (theCase.diagnostics().errors() > before) continue;
-        const auto prepared = sph::prepareMesh(
-            theCase.folder(), mesh,
-            {.low = space.low, .high = space.high, .periodic = space.periodic, .spacing = resolution.spacing, .H = resolution.H()},
-            theCase.diagnostics());
+        const auto prepared = sph::prepareMesh(theCase.folder(), mesh, spaceOf(space, resolution), theCase.diagnostics());
         fmt::print("{}\n", sph::meshReport(prepared, resolution.H(), full));
         std::fflush(stdout);
         if (!prepared.usable) continue;
@@ -118,7 +120,7 @@ int countInSolids(const std::filesystem::path& folder)
         const auto mesh = sph::readTriSurface(wall);
         try
         {
-            solids.push_back(solidOfFile(wall.keyword(), sph::SolidOfFile(folder, mesh), geometry));
+            solids.push_back(solidOfFile(wall.keyword(), sph::SolidOfFile(folder, mesh, spaceOf(geometry, resolution)), geometry));
         }
         catch (const sph::UnusableMesh& e)
         {
