@@ -213,7 +213,7 @@ std::string markdownText(const ReferencePart& part)
     std::string page;
     if (!part.columns.empty())
     {
-        page = fmt::format("## `{}`\n\n{}\n\n| column | unit | meaning |\n|---|---|---|\n", part.path, part.meaning);
+        page = fmt::format("\n## `{}`\n\n{}\n\n| column | unit | meaning |\n|---|---|---|\n", part.path, part.meaning);
         for (const auto& column : part.columns)
             page += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, cellText(column.meaning));
         return page;

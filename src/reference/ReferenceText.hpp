@@ -13,7 +13,7 @@ struct ReferencePart
     std::vector<ListedEntry> entries;
     std::vector<Column> columns; ///< of a table, which has no entries
 };
-/// What `findPart` finds the table of a writer by: "postProcessing/errors".
+/// The path by which `findPart` finds the table of a writer: "postProcessing/errors".
 std::string pathOf(const TableInfo&);
 /// Throws CaseError with what was meant and what is possible.
 ReferencePart findPart(const EntryRegistry&, const std::string& path);

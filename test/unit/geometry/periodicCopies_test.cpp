@@ -1,4 +1,6 @@
 #include "geometry/Sphere.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "meshes.hpp"
 #include "reading.hpp"
 #include <gtest/gtest.h>
 #include <set>
@@ -35,6 +37,24 @@ TEST(PeriodicCopies, ofSpheresGivenTwiceAreOne)
         read(cube + "walls { grains { type spheres; spheres ((0 0 0 0.3) (1 1 0 0.3) (1 1 1 0.3) (0.5 0.5 0.5 0.3)); } }");
     EXPECT_EQ(errors, "");
     EXPECT_EQ(g.patches.size(), 9u);
+}
+
+// A mesh that has been continued through the domain stays one body along it (src/meshes, continuePeriodically), and repeats across: a bar from -1 to 2 of a period 1, beside a face of the other direction.
+TEST(PeriodicCopies, ofWhatGoesOnThroughAreNone)
+{
+    Geometry g;
+    g.high = {1, 1, 1};
+    g.periodic = {true, true, false};
+    g.walls.resize(1);
+    for (const auto& body : bodiesOf(ofOneRegion(block({-1, 0.05, 0.4}, {2, 0.25, 0.6})), {0.05, 0.15}))
+        g.originals.push_back({std::make_shared<TriangleMesh>(body), 0});
+    repeatPeriodically(g, 0.2);
+    ASSERT_EQ(g.patches.size(), 2u);
+    for (const double x : {0.0, 0.5, 1.0})
+    {
+        EXPECT_NEAR(g.distance({x, 0.35, 0.5}), 0.1, 1e-12);
+        EXPECT_NEAR(g.distance({x, 0.95, 0.5}), 0.1, 1e-12);
+    }
 }
 
 // The lattice must fit the domain; rounding of its length in the dictionary (1e-7) is taken out.
