@@ -12,6 +12,7 @@
 #include "solver/readPhases.hpp"
 #include "solver/readSettings.hpp"
 #include "surfaces/entries/surfaceEntries.hpp"
+#include "surfaces/entries/surfaceTable.hpp"
 #include "sweeps/ResultTable.hpp"
 #include "sweeps/SweepPlan.hpp"
 

@@ -54,7 +54,5 @@ const Switch showTime{"showTime", true, "write the time into the picture"};
 }
 
 EntryList surfaceEntries();
-/// surfaces.dat, in the order of SurfaceReport's numbers for each phase.
-TableInfo surfaceTable(int dimension = 3);
 
 }

@@ -5,6 +5,7 @@
 #include "case/OutputTable.hpp"
 #include "case/timeSelection.hpp"
 #include "surfaces/VirtualDisplay.hpp"
+#include "surfaces/entries/surfaceTable.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <optional>
