@@ -34,8 +34,8 @@ SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurfa
     place(m, t);
     const double weld = weldOf(boundingBox(m));
     weldPoints(m, t.weld.value_or(weld), notes);
-    continuePeriodically(m, space, t.weld.value_or(weld), notes);
     removeDuplicates(m, notes);
+    continuePeriodically(m, space, t.weld.value_or(weld), notes);
     if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
     orientFacets(m, notes);

@@ -133,14 +133,18 @@ void match(const NumberedMesh& m, Cut& cut, double tolerance)
     if (!alone.empty()) failToMatch(m, cut, 1, alone, tolerance);
     if (!free.empty()) failToMatch(m, cut, 0, {free.begin(), free.end()}, tolerance);
     const std::set<Line> lowLines(cut.lines[0].begin(), cut.lines[0].end());
+    std::set<Line> highLines;
     for (const auto& [p, q] : cut.lines[1])
     {
         const auto [a, b] = std::minmax(cut.mate[std::size_t(p)], cut.mate[std::size_t(q)]);
-        if (!lowLines.contains({a, b}))
-            throw UnusableMesh(fmt::format(
-                "the mesh is cut at the periodic faces {} and {}, whose points match, but not the lines between them: that from {} to {} has none opposite",
-                inWords(cut, 1), inWords(cut, 0), inWords(m.points[std::size_t(p)]), inWords(m.points[std::size_t(q)])));
+        highLines.insert({a, b});
     }
+    std::vector<Line> single; // in the low face, or where it would be
+    std::ranges::set_symmetric_difference(lowLines, highLines, std::back_inserter(single));
+    if (!single.empty())
+        throw UnusableMesh(fmt::format(
+            "the mesh is cut at the periodic faces {} and {}, whose points match, but not the lines between them: that from {} to {} is there in one of them alone",
+            inWords(cut, 0), inWords(cut, 1), inWords(m.points[std::size_t(single[0][0])]), inWords(m.points[std::size_t(single[0][1])])));
 }
 
 /// Replaces the mesh by 2n + 1 of its periods, joined where it was cut.

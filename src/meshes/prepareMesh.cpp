@@ -85,7 +85,6 @@ void repair(NumberedMesh& m, const TriSurface& t, double tolerance, PreparedMesh
     auto& repairs = result.repairs;
     double contact = contactOf(tolerance, weldOf(boundingBox(m)));
     if (t.wrap) wrap(m, *t.wrap, repairs);
-    removeDuplicates(m, repairs);
     if (m.triangles.empty()) throw UnusableMesh("no facet is left: the surface has no volume, each facet has its opposite");
     if (t.removeSelfIntersections) splitEdges(m);
     checkManifold(m);
@@ -126,6 +125,7 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         weldPoints(m, tolerance, result.repairs);
         if (m.triangles.empty()) throw UnusableMesh("no facet is left after welding: all are smaller than the entry weld");
         result.asRead = meshStatistics(m);
+        removeDuplicates(m, result.repairs);
         continuePeriodically(m, space, tolerance, result.repairs);
         repair(m, t, tolerance, result);
 

@@ -98,6 +98,32 @@ TEST(WorkPrecision, MistakesOfTheCaseKeepTheirPlace)
     EXPECT_EQ(outcome.err.find("with variant"), std::string::npos) << outcome.err;
 }
 
+// A wall of triangles is known once meshToGhost has prepared it, in the check of the runs as in each of them; what it cannot prepare is a mistake of the variant.
+TEST(WorkPrecision, SweepsOverMeshes)
+{
+    auto files = sweepCase();
+    files["constant/geometry"] = "dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x y z); }\nwalls { }\n";
+    // A box through the domain in z, cut by its faces, and one that has lost a side.
+    const std::string points = "OFF\n8 8 0\n0.3 0.3 0\n0.7 0.3 0\n0.7 0.7 0\n0.3 0.7 0\n0.3 0.3 1\n0.7 0.3 1\n0.7 0.7 1\n0.3 0.7 1\n",
+                      sides = "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n";
+    files["constant/triSurface/bar.off"] = points + sides + "3 3 0 4\n3 3 4 7\n";
+    files["constant/triSurface/open.off"] = points + sides + "3 3 0 4\n3 3 0 4\n";
+    const TestCase c(files);
+    c.replace(dict, "base { }", "mesh { \"constant/geometry\" { walls { bar { type triSurface; file \"bar.off\"; fluid outside; } } } }");
+    c.replace(dict, "packParticles meshToGhost", "meshToGhost packParticles");
+    const auto well = c.run("workPrecision");
+    EXPECT_EQ(well.code, 0) << well.out;
+    const auto rows = rowsOf(c);
+    EXPECT_EQ(rows.size(), 2u);
+    for (const auto& [_, row] : rows) EXPECT_NE(row.find(",ok,"), std::string::npos) << row;
+
+    c.replace(dict, "bar.off", "open.off");
+    const auto outcome = c.run("workPrecision");
+    EXPECT_EQ(outcome.code, 1);
+    expectWords(outcome.err, {"workPrecisionDict:5: ", "open.off: ",
+                              "but not the lines between them: that from (0.3 0.3 0) to (0.3 0.7 0) is there in one of them alone"});
+}
+
 // 3 x 0.1 is not 0.3, but that is what was asked for, and how the plan of the sweep shows it.
 TEST(WorkPrecision, ShowsNumbersAsTheyAreWritten)
 {

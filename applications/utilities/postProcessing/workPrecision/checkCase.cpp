@@ -1,10 +1,13 @@
 #include "checkCase.hpp"
 #include "base/OutputFile.hpp"
+#include "base/readText.hpp"
 #include "case/RunTime.hpp"
+#include "geometry/readShapes.hpp"
 #include "packing/Packing.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "sampling/Measurement.hpp"
 #include "solver/readSettings.hpp"
+#include "sweeps/ChildProcess.hpp"
 #include <algorithm>
 #include <sstream>
 
@@ -15,6 +18,24 @@ namespace
 {
 
 bool contains(const std::vector<std::string>& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
+
+/// Meshes are walls once meshToGhost has prepared them: in the copy here, as in each run.
+void prepareMeshes(const Case& c)
+{
+    const auto walls = c.dictionary("constant/geometry").subDictOrEmpty("walls");
+    if (!std::ranges::any_of(walls.keys(),
+                             [&](const std::string& name) { return walls.isDictionary(name) && isMesh(walls.subDict(name)); }))
+        return;
+    ProcessTask task;
+    task.command = {findProgram("meshToGhost").value().string()};
+    task.folder = c.folder();
+    task.log = c.folder() / "log.meshToGhost";
+    if (runProcess(task).well()) return;
+    std::string reason;
+    const std::string log = readText(task.log, reason).value_or(reason), mark = "--> FATAL ERROR\n";
+    const auto at = log.rfind(mark);
+    throw CaseError(at == std::string::npos ? "meshToGhost: " + log : log.substr(at + mark.size()));
+}
 
 /// Reads the case as sphFoamLike begins, with meshToGhost's walls made on the spot.
 void readAsSolver(const Case& c, CaseCheck& check)
@@ -51,6 +72,7 @@ CaseCheck checkCase(const std::filesystem::path& folder, const std::vector<std::
     createFolders(folder / "0"); // which packParticles would have made
     try
     {
+        if (contains(programs, "meshToGhost")) prepareMeshes(c);
         if (contains(programs, "sphFoamLike")) readAsSolver(c, check);
         if (contains(programs, "packParticles")) readPackingPlan(c);
         if (check.spacing == 0) check.spacing = readResolution(c.dictionary("system/sphSchemes")).spacing;
