@@ -161,11 +161,12 @@ std::string asTemplate(const Entries& entries, int depth)
 }
 
 std::string pathOf(const TableInfo& table) { return "postProcessing/" + table.writer; }
+std::string meaningOf(const TableInfo& table) { return fmt::format("`{}`: {}", table.file, table.meaning); }
 
 ReferencePart findPart(const EntryRegistry& registry, const std::string& path)
 {
     for (const auto& table : registry.tables())
-        if (path == pathOf(table)) return {path, table.file + ", " + table.meaning, {}, table.columns};
+        if (path == pathOf(table)) return {path, meaningOf(table), {}, table.columns};
     const EntryRegistry::File* file = nullptr;
     for (const auto& f : registry.files())
         if (path == f.name || path.starts_with(f.name + ".")) file = &f;

@@ -15,6 +15,8 @@ struct ReferencePart
 };
 /// The path by which `findPart` finds the table of a writer: "postProcessing/errors".
 std::string pathOf(const TableInfo&);
+/// "`errors.dat`: errors against .."
+std::string meaningOf(const TableInfo&);
 /// Throws CaseError with what was meant and what is possible.
 ReferencePart findPart(const EntryRegistry&, const std::string& path);
 

@@ -81,7 +81,7 @@ TEST(Reference, knowsTheColumnsOfTables)
 {
     const auto part = findPart(reference(), "postProcessing/bedHydrodynamics");
     const auto text = listText(part);
-    for (const auto* says : {"postProcessing/bedHydrodynamics: bedHydrodynamics.dat, ", "superficial_<phase>      m/s\n",
+    for (const auto* says : {"postProcessing/bedHydrodynamics: `bedHydrodynamics.dat`: ", "superficial_<phase>      m/s\n",
                              "volume of the liquid over that of the pores"})
         EXPECT_PRED2(sph::says, text, says);
     EXPECT_PRED2(says, markdownText(findPart(reference(), "postProcessing/errors")), "| `executionTime` | s | processor time");

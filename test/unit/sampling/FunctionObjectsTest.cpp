@@ -383,7 +383,7 @@ TEST(BedHydrodynamics, fractionsAndVelocitiesAreThoseByHand)
               std::string::npos)
         << text;
     const auto meanings = meaningsIn(text);
-    EXPECT_EQ(meanings.size(), 13u) << "of each column";
+    EXPECT_EQ(meanings.size(), 14u) << "of each column";
     for (const auto& meaning : meanings) EXPECT_TRUE(meaningsOf("bedHydrodynamics").contains(meaning)) << meaning;
     const auto row = f.folder.rows("postProcessing/bed/0/bedHydrodynamics.dat").at(0);
     const auto number = [&](std::size_t k) { return std::stod(row.at(k)); };

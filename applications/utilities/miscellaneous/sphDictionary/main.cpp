@@ -27,7 +27,7 @@ void list(const Options& o)
     {
         for (const auto& file : sph::reference().files()) fmt::print("{:<32} {}\n", file.name, o.keywords ? "" : file.meaning);
         for (const auto& table : sph::reference().tables())
-            fmt::print("{:<32} {}\n", sph::pathOf(table), o.keywords ? "" : table.file + ", " + table.meaning);
+            fmt::print("{:<32} {}\n", sph::pathOf(table), o.keywords ? "" : sph::meaningOf(table));
         return;
     }
     const auto part = sph::findPart(sph::reference(), o.listed);
