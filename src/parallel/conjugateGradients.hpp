@@ -71,8 +71,8 @@ int conjugateGradients(const LinearSystem<components>& s, const auto& diagonal, 
                                });
         if (!(pAp > 0))
             throw StepTooLong(fmt::format("{} cannot be solved for: after {} iterations its matrix has the product p.Ap = {:.3g} with a "
-                                            "direction p, and should be positive along all. Choose a smaller step",
-                                            s.name, iterations, pAp));
+                                          "direction p, and should be positive along all. Choose a smaller step",
+                                          s.name, iterations, pAp));
         const double alpha = now.rz / pAp;
         const Sums next = sum(s.n,
                               [&](std::size_t i)
