@@ -109,10 +109,8 @@ void match(const NumberedMesh& m, Cut& cut, double tolerance)
     WeldedPoints places(tolerance, boundingBox(m));
     std::vector<int> low;
     for (const int p : points[0])
-    {
-        places.add(m.points[std::size_t(p)]);
-        low.push_back(p);
-    }
+        if (places.add(m.points[std::size_t(p)]) == int(low.size()))
+            low.push_back(p); // one nearer to another than the tolerance stays alone
     cut.mate.assign(m.points.size(), -1);
     std::set<int> free = points[0];
     std::vector<int> alone;
