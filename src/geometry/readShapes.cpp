@@ -344,6 +344,15 @@ void addBodies(const WallMesh& mesh, int wall, const std::vector<int>& walls, Ge
 
 bool isMesh(const Dictionary& wall) { return shapeType().is(wall, "triSurface"); }
 
+std::vector<Dictionary> meshWalls(const Dictionary& geometry)
+{
+    const auto walls = geometry.subDictOrEmpty("walls");
+    std::vector<Dictionary> meshes;
+    for (const auto& name : walls.keys())
+        if (walls.isDictionary(name) && isMesh(walls.subDict(name))) meshes.push_back(walls.subDict(name));
+    return meshes;
+}
+
 bool isSingleShape(const std::string& type) { return type != "sphereBed" && type != "spheres"; }
 
 bool isSingleShape(const Dictionary& wall) { return !shapeType().is(wall, "sphereBed") && !shapeType().is(wall, "spheres"); }

@@ -21,6 +21,8 @@ std::optional<WallMesh> readMesh(const std::string& wall, const Geometry&, Diagn
 /// A patch of `wall` for each of its bodies; `walls` are those of its regions.
 void addBodies(const WallMesh&, int wall, const std::vector<int>& walls, Geometry&);
 bool isMesh(const Dictionary& wall);
+/// The dictionaries of walls of `type triSurface` in constant/geometry.
+std::vector<Dictionary> meshWalls(const Dictionary& geometry);
 
 /// True where `type` names one shape, which may turn around `origin` with `omega`.
 bool isSingleShape(const std::string& type);

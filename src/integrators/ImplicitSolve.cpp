@@ -160,8 +160,8 @@ template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(JoinPoint p
                          else solveSteady(p);
                      },
                      {ofSolver}};
-    if (withPressure_) stage.undo = [this](Particles<dim>& p, const Substep& s) { takeBack(p, s.deltaT); };
-    return {stage};
+    if (!withPressure_) return {stage};
+    return {std::move(stage).undoneBy([this](Particles<dim>& p, const Substep& s) { takeBack(p, s.deltaT); })};
 }
 
 template<int dim> std::string ImplicitSolve<dim>::note() const
@@ -203,16 +203,8 @@ template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, doub
 
 template<int dim> void ImplicitSolve<dim>::refuseLeaps(const Particles<dim>& particles, double deltaT) const
 {
-    const double square = reduce(
-        particles.size(), 0.0,
-        [&](std::size_t i)
-        {
-            double dv2 = 0;
-            for (int c = 0; c < dim; ++c) dv2 += sqr(change_[c][i]);
-            return dv2;
-        },
-        Larger{});
-    const double leap = deltaT * std::sqrt(square), h = 0.5 * particles.coefficients().support;
+    const double largest = most(particles.size(), [&](std::size_t i) { return mag(valueAt<Vector<dim>>(change_, i)); });
+    const double leap = deltaT * largest, h = 0.5 * particles.coefficients().support;
     if (leap > furthestLeap * h)
         throw StepTooLong(fmt::format(
             "the implicit pressure throws a particle {:.3g} h in a step of {:.3g} s, with h = {:.3g} m, and linear responses hold to {:.3g} h. "

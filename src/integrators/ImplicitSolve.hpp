@@ -34,9 +34,6 @@
 /// drag (tutorials/verification/facetedSphere). None of it added is a step's delay for a drop that falls in a vessel: it was 0.9905 of g t in place of 0.9950
 /// (test/accuracy fallingDrop). gamma varies as slowly as the particles move: it is asked for every few steps, and kept in between and over restarts.
 ///
-/// A step is refused (StepTooLong) where the iteration does not end, and with pressure where dt |dv| is more than half of h of any particle: it is thrown farther than forces that are linear in dv know.
-/// The forces of the step before had allowed for a sixteenth to a quarter (the limit by acceleration). The state is then taken back, the impulse by one more product, and the step made in halves.
-///
 /// A step is refused (StepTooLong) where the iteration does not end, and with pressure where dt |dv| of any particle exceeds h/2, the limit by acceleration having
 /// allowed for h/16 at the forces of the step before: farther than that no response is linear. The state is taken back, the impulse of the step before by one more product, and the step made in halves.
 ///

@@ -39,7 +39,6 @@ struct Cut
 {
     int direction;
     double low, high;           ///< coordinates of the faces
-    std::vector<char> face;     ///< of each point: 0 in none, 1 in the low one, 2 in the high one
     std::vector<char> isCap;    ///< of each facet
     std::vector<Line> lines[2]; ///< in the low and the high face
     std::vector<int> mate;      ///< of each point of a line in the high face, the one of the low face; -1 of all others
@@ -51,18 +50,19 @@ struct Cut
 Cut findCut(const NumberedMesh& m, const MeshSpace& space, int direction, double tolerance)
 {
     const auto c = component(direction);
-    Cut cut{direction, space.low.*c, space.high.*c, {}, {}, {}, {}};
+    Cut cut{direction, space.low.*c, space.high.*c, {}, {}, {}};
+    std::vector<char> face; // of each point: 0 in none, 1 in the low one, 2 in the high one
     for (const auto& x : m.points)
-        cut.face.push_back(std::abs(x.*c - cut.low) <= tolerance ? 1 : std::abs(x.*c - cut.high) <= tolerance ? 2 : 0);
-    const auto faceOf = [&](int p) { return cut.face[std::size_t(p)]; };
+        face.push_back(std::abs(x.*c - cut.low) <= tolerance ? 1 : std::abs(x.*c - cut.high) <= tolerance ? 2 : 0);
+    const auto faceOf = [&](int p) { return face[std::size_t(p)]; };
     for (const auto& [p, q, r] : m.triangles) cut.isCap.push_back(faceOf(p) > 0 && faceOf(p) == faceOf(q) && faceOf(p) == faceOf(r));
     forEachEdge(sortedHalfEdges(m),
                 [&](std::span<const HalfEdge> edge)
                 {
-                    const int face = faceOf(edge[0].low);
-                    if (face == 0 || face != faceOf(edge[0].high)) return;
+                    const int of = faceOf(edge[0].low);
+                    if (of == 0 || of != faceOf(edge[0].high)) return;
                     const auto facets = std::ranges::count_if(edge, [&](const HalfEdge& h) { return !cut.isCap[std::size_t(h.facet)]; });
-                    if (facets == 1) cut.lines[face - 1].push_back({edge[0].low, edge[0].high});
+                    if (facets == 1) cut.lines[of - 1].push_back({edge[0].low, edge[0].high});
                 });
     return cut;
 }

@@ -157,4 +157,14 @@ std::vector<int> usableCores()
     return cores;
 }
 
+std::string failureIn(const std::string& log)
+{
+    const std::string mark = "--> FATAL ERROR\n";
+    const auto at = log.rfind(mark);
+    if (at == std::string::npos) return "";
+    auto text = log.substr(at + mark.size());
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
 }

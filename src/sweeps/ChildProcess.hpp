@@ -43,6 +43,9 @@ ProcessOutcome runProcess(const ProcessTask&);
 /// The path of a program: a sibling of this executable, or on PATH; nothing where there is none.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
+/// Message with which an application of the suite ended, from the text of its log, line by line; "" where there is none.
+std::string failureIn(const std::string& log);
+
 /// Cores that this process may run on.
 std::vector<int> usableCores();
 

@@ -59,18 +59,6 @@ std::string progressOf(const fs::path& log)
     return time + (time.empty() || cost.empty() ? "" : "  ") + cost;
 }
 
-/// Message with which the application failed, on one line.
-std::string failureIn(const fs::path& log)
-{
-    const auto tail = tailOf(log);
-    const auto at = tail.rfind("--> FATAL ERROR\n");
-    if (at == tail.npos) return "";
-    auto text = tail.substr(at + 16);
-    while (text.ends_with('\n')) text.pop_back();
-    std::ranges::replace(text, '\n', ' ');
-    return text;
-}
-
 /// Steps taken until the last time folder, as the solver left their number there.
 double stepsIn(const Case& c)
 {
@@ -196,7 +184,8 @@ std::string CaseSweep::executeSteps(const Run& run, Cost& cost, std::string& not
             cost.peakMemory = std::max(cost.peakMemory, outcome.peakMemory);
         }
         if (outcome.well()) continue;
-        const auto failure = failureIn(task.log);
+        auto failure = failureIn(tailOf(task.log));
+        std::ranges::replace(failure, '\n', ' ');
         note = fmt::format("{}: {}{}; read {}", step.program, outcome.inWords(), failure.empty() ? "" : ": " + failure,
                            fs::relative(task.log, case_.folder()).string());
         if (outcome.reachedLimit) return "timeLimit";

@@ -22,19 +22,15 @@ bool contains(const std::vector<std::string>& words, const std::string& word) { 
 /// Meshes are walls once meshToGhost has prepared them: in the copy here, as in each run.
 void prepareMeshes(const Case& c)
 {
-    const auto walls = c.dictionary("constant/geometry").subDictOrEmpty("walls");
-    if (!std::ranges::any_of(walls.keys(),
-                             [&](const std::string& name) { return walls.isDictionary(name) && isMesh(walls.subDict(name)); }))
-        return;
+    if (meshWalls(c.dictionary("constant/geometry")).empty()) return;
     ProcessTask task;
     task.command = {findProgram("meshToGhost").value().string()};
     task.folder = c.folder();
     task.log = c.folder() / "log.meshToGhost";
     if (runProcess(task).well()) return;
     std::string reason;
-    const std::string log = readText(task.log, reason).value_or(reason), mark = "--> FATAL ERROR\n";
-    const auto at = log.rfind(mark);
-    throw CaseError(at == std::string::npos ? "meshToGhost: " + log : log.substr(at + mark.size()));
+    const auto log = readText(task.log, reason).value_or(reason), failure = failureIn(log);
+    throw CaseError(failure.empty() ? "meshToGhost: " + log : failure);
 }
 
 /// Reads the case as sphFoamLike begins, with meshToGhost's walls made on the spot.

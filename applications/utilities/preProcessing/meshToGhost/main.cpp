@@ -21,16 +21,6 @@
 namespace
 {
 
-/// The dictionaries of walls of `type triSurface`.
-std::vector<sph::Dictionary> meshWalls(const sph::Dictionary& source)
-{
-    const auto walls = source.subDictOrEmpty("walls");
-    std::vector<sph::Dictionary> meshes;
-    for (const auto& name : walls.keys())
-        if (walls.isDictionary(name) && sph::shapeType().is(walls.subDict(name), "triSurface")) meshes.push_back(walls.subDict(name));
-    return meshes;
-}
-
 sph::MeshSpace spaceOf(const sph::Geometry& g, const sph::Resolution& resolution)
 {
     return {.low = g.low, .high = g.high, .periodic = g.periodic, .spacing = resolution.spacing, .H = resolution.H()};
@@ -41,7 +31,7 @@ std::vector<std::string> prepareMeshes(const sph::Case& theCase, const sph::Dict
                                        bool full)
 {
     std::vector<std::string> files;
-    const auto meshes = meshWalls(source);
+    const auto meshes = sph::meshWalls(source);
     if (meshes.empty()) return files;
 
     sph::Geometry space;
@@ -115,7 +105,7 @@ int countInSolids(const std::filesystem::path& folder)
     theCase.diagnostics().throwIfAny();
 
     std::vector<Solid> solids;
-    for (const auto& wall : meshWalls(source))
+    for (const auto& wall : sph::meshWalls(source))
     {
         const auto mesh = sph::readTriSurface(wall);
         try
