@@ -1,5 +1,6 @@
 #include "base/CommandLine.hpp"
 #include "base/CaseError.hpp"
+#include "base/version.hpp"
 #include "base/words.hpp"
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -83,7 +84,8 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
 }
 
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body)
+                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body,
+                   Banner head)
 {
     const auto fail = [&](const std::string& what, const std::string& hint = "")
     {
@@ -102,6 +104,7 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
     {
         app.formatter(std::make_shared<UsageFormatter>());
         app.set_help_flag("-h,--help", "Print this usage");
+        app.set_version_flag("--version", fmt::format("{} {}", name, version().text()), "Print the version");
         app.add_option("--case", caseFolder, "Case folder, instead of the current one")->type_name("<dir>");
         app.allow_extras();
         options(app);
@@ -117,6 +120,11 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         fmt::print("{}", app.help());
         return 0;
     }
+    catch (const CLI::CallForVersion& version)
+    {
+        fmt::print("{}\n", version.what());
+        return 0;
+    }
     catch (const std::exception& error)
     {
         return fail(withSingleDashes(error.what()), fmt::format("See '{} -help' for usage\n", name));
@@ -124,6 +132,7 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
 
     try
     {
+        if (head == Banner::shown) fmt::print("{}", banner(name, caseFolder));
         return body(caseFolder);
     }
     catch (const CaseError& error)

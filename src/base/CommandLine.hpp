@@ -1,4 +1,4 @@
-/// Command lines of all applications: OpenFOAM's single-dash options, `-help`, `-case`, exit codes.
+/// Command lines of all applications: OpenFOAM's single-dash options, `-help`, `-version`, `-case`, the head of the log, exit codes.
 ///
 /// A main is then one call:
 ///
@@ -35,12 +35,20 @@ namespace sph
 /// a `--`. CLI::App::parse(vector) wants the reverse order; runApplication sees to that.
 std::vector<std::string> openFoamArguments(int argc, const char* const* argv);
 
-/// Runs an application: `options` declares its options beside `-help` and `-case <dir>` (default: the current folder), `body`
+/// Head of an application's output (version.hpp). Those whose output is read by other programs have none; the solver writes its own, once for all ranks.
+enum class Banner
+{
+    shown,
+    none
+};
+
+/// Runs an application: `options` declares its options beside `-help`, `-version` and `-case <dir>` (default: the current folder), `body`
 /// does the work and returns the exit code. Output to stdout is written line by line, so that a log which gets stderr as well has both
 /// in order. Writes usage to stdout. Mistakes on the command line, CaseError and any other
 /// exception are written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that
 /// catches them.
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path& caseFolder)>& body);
+                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path& caseFolder)>& body,
+                   Banner = Banner::shown);
 
 }

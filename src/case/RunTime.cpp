@@ -21,7 +21,7 @@ const Scalar startTime{"startTime", units::s, byScene("needed with startFrom sta
 /// Entries that OpenFOAM's users have in controlDict for other programs, and those that function objects read.
 const FreeName foreign[]{{"application", "word", "the solver; read by workPrecision"},
                          {"functions", "dictionary", "function objects"},
-                         {"libs", "list of words", "not looked at"},
+                         {"libs", "list of words", "libraries of function objects that are loaded (doc/ownMeasure.md)"},
                          {"graphFormat", "word", "not looked at"},
                          {"DebugSwitches", "dictionary", "not looked at"},
                          {"InfoSwitches", "dictionary", "not looked at"},

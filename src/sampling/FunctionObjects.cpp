@@ -3,7 +3,8 @@
 #include "sampling/Conservation.hpp"
 #include "sampling/Errors.hpp"
 #include "sampling/Filling.hpp"
-#include "sampling/FunctionContext.hpp"
+#include "sampling/FunctionLibraries.hpp"
+#include "sampling/FunctionType.hpp"
 #include "sampling/Probes.hpp"
 #include "sampling/Profile.hpp"
 #include "sampling/VolFieldValue.hpp"
@@ -17,33 +18,16 @@ namespace sph
 namespace
 {
 
-struct Type
+std::vector<FunctionType>& catalogue()
 {
-    ChoiceWord name;
-    std::unique_ptr<FunctionObject> (*make)(const Dictionary&, const FunctionContext&);
-    EntryList (*entries)();
-    TableInfo (*table)();
-};
-
-template<class Object> Type type(const char* name, const char* meaning)
-{
-    return {{name, meaning},
-            [](const Dictionary& d, const FunctionContext& context) -> std::unique_ptr<FunctionObject>
-            { return std::make_unique<Object>(d, context); },
-            Object::entries,
-            Object::table};
-}
-
-const std::vector<Type>& catalogue()
-{
-    static const std::vector<Type> types{
-        type<Probes>("probes", "fields at points"),
-        type<Profile>("profile", "fields along a line"),
-        type<Conservation>("conservation", "mass, momentum and energy"),
-        type<BedHydrodynamics>("bedHydrodynamics", "saturation and flow in a packed bed"),
-        type<Errors>("errors", "errors against exact solutions and tables"),
-        type<Filling>("filling", "how far a cavity is filled"),
-        type<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
+    static std::vector<FunctionType> types{
+        functionType<Probes>("probes", "fields at points"),
+        functionType<Profile>("profile", "fields along a line"),
+        functionType<Conservation>("conservation", "mass, momentum and energy"),
+        functionType<BedHydrodynamics>("bedHydrodynamics", "saturation and flow in a packed bed"),
+        functionType<Errors>("errors", "errors against exact solutions and tables"),
+        functionType<Filling>("filling", "how far a cavity is filled"),
+        functionType<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
     };
     return types;
 }
@@ -69,12 +53,11 @@ const Scalar time{"executeInterval", units::s, required, positive, "time between
 const Count times{"executeInterval", 1, atLeast(1), "write times or steps between two samples"};
 const FreeName function{"<function>", "dictionary", "a function object; its name is that of the folder below postProcessing"};
 
-static const Choice& type()
-{
-    static const Choice choice{"type", wordsOf(types()), required, "what it measures"};
-    return choice;
+static Choice type() { return {"type", wordsOf(types()), required, "what it measures"}; }
 }
-}
+
+const std::vector<FunctionType>& functionTypes() { return catalogue(); }
+AddedFunction::AddedFunction(const FunctionType& type) { catalogue().push_back(type); }
 
 std::vector<TableInfo> functionTables()
 {
@@ -88,6 +71,7 @@ EntryList functionEntries()
     return {{entry::function,
              {{entry::control,
                {{"writeTime", {entry::times}}, {"timeStep", {entry::times}}, {"runTime", {entry::time}}, {"onEnd", {entry::times}}}},
+              entry::libs,
               {entry::type(), types()}}}};
 }
 
@@ -157,6 +141,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     using Control = Entry::Control;
     if (!functions.isDictionary(name)) return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
     const auto d = functions.subDict(name);
+    loadLibraries(d);
     const auto type = entry::type().known(d);
     if (!type) return;
     Entry entry;

@@ -1,11 +1,13 @@
 #include "Run.hpp"
 #include "base/DivergedError.hpp"
 #include "base/stopSignals.hpp"
+#include "base/version.hpp"
 #include "base/words.hpp"
 #include "decomposition/placeOfRank.hpp"
 #include "geometry/Walls.hpp"
 #include "geometry/makeWallLayers.hpp"
 #include "parallel/reduce.hpp"
+#include "sampling/FunctionLibraries.hpp"
 #include "sampling/viewOfScene.hpp"
 #include "solver/EnergyBalance.hpp"
 #include "solver/WholeCloud.hpp"
@@ -14,12 +16,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <iostream>
 #include <omp.h>
 #include <optional>
-#include <unistd.h>
 
 namespace sph
 {
@@ -50,28 +50,11 @@ constexpr std::size_t fewForOne = 2000;
 /// Speed over sound speed, and density over rest density, beyond which the log warns: the density varies by the square of the first.
 constexpr double suspectMach = 0.3, suspectCompression = 1.1;
 
-std::string hostName()
-{
-    char name[256] = {};
-    gethostname(name, sizeof name - 1);
-    return name;
-}
-
 std::string durationInWords(double seconds)
 {
     if (seconds < 120) return fmt::format("{:.3g} s", seconds);
     if (seconds < 7200) return fmt::format("{:.3g} minutes", seconds / 60);
     return fmt::format("{:.3g} hours", seconds / 3600);
-}
-
-std::string banner(const std::filesystem::path& folder)
-{
-    const auto now = fmt::localtime(std::time(nullptr));
-    return fmt::format(
-        "sphFoamLike: smoothed particle hydrodynamics in case folders\n\n"
-        "Exec   : sphFoamLike\nDate   : {:%b %d %Y}\nTime   : {:%H:%M:%S}\nHost   : {}\nPID    : {}\nCase   : {}\nnProcs : {}\nThreads: {}\n\n",
-        now, now, hostName(), getpid(), std::filesystem::weakly_canonical(folder).string(), ranks() ? ranks()->count() : 1,
-        omp_get_max_threads());
 }
 
 /// What the first rank has, on all.
@@ -105,6 +88,7 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
       settings_(readSettings(case_, geometry_))
 {
     const auto& control = time_.controlDict();
+    loadLibraries(control);
     functions_ = std::make_unique<FunctionObjects>(control.subDictOrEmpty("functions"), geometry_, settings_.coefficients.phases, time_);
     control.get<std::string>("application", "sphFoamLike");
     control.reportUnused();
@@ -115,7 +99,8 @@ Run::Run(const std::filesystem::path& caseFolder, std::ostream& log, bool parall
         if (isDecomposed()) time_.useBarrier([all = ranks()] { all->barrier(); });
         time_.useClocks({[this] { return ofFirst(clock_.clockTime()); }, [] { return ofFirst(Clock::executionTime()); }});
     }
-    log_ << banner(caseFolder);
+    log_ << banner("sphFoamLike", caseFolder,
+                   fmt::format("nProcs : {}\nThreads: {}\n", ranks() ? ranks()->count() : 1, omp_get_max_threads()));
     for (const auto& w : case_.diagnostics().warnings()) log_ << "--> Warning: " << w << '\n';
     // Below a few thousand particles each, threads cost more than they bring; results do not depend on their number.
     omp_set_num_threads(std::clamp(int(cloud.size() / fewForOne), 1, omp_get_max_threads()));
@@ -173,6 +158,7 @@ void Run::reportPlan() const
         log_ << fmt::format("Phase     : {}, {} particles, rho {:.6g} kg/m^3, mu {:.4g} Pa s{}\n", c.phases[k],
                             simulation_->summary().allOf(k), c.restDensity[k], c.viscosity[k],
                             c.soundSpeed[k] > 0 ? fmt::format(", sound speed {:.4g} m/s", c.soundSpeed[k]) : ", stress by a law");
+    for (const auto& library : loadedLibraries()) log_ << "Library   : " << library << '\n';
     log_ << simulation_->introduction();
     for (const auto& reason : settings_.reasons) log_ << "Chosen    : " << reason << '\n';
     const auto limit = simulation_->stepLimit();

@@ -41,7 +41,8 @@ int main(int argc, char** argv)
                 throw;
             }
             return 0;
-        });
+        },
+        sph::Banner::none);
     // What a signal has stopped, codes from 128 on, has ended well on all ranks.
     if (const auto* const all = sph::ranks(); all && code != 0 && code < 128) all->abort();
     return code;

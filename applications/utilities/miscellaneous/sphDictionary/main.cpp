@@ -82,5 +82,5 @@ int main(int argc, char** argv)
     return sph::runApplication("sphDictionary", argc, argv,
                                "Shows or sets entries of a dictionary, with macros and includes resolved. Setting an entry keeps "
                                "comments, macros and includes of the file. With -list and -template it says which entries there are.",
-                               options, body);
+                               options, body, sph::Banner::none);
 }

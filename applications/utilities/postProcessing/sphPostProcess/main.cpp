@@ -1,6 +1,7 @@
 /// Runs the function objects of a case on its stored times.
 #include "base/CommandLine.hpp"
 #include "case/timeSelection.hpp"
+#include "sampling/FunctionLibraries.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "storedCase/StoredCase.hpp"
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@ int run(const std::filesystem::path& path, const Options& options)
     const auto times = options.latestTime ? std::vector{all.back()} : sph::selectTimes(all, options.times);
 
     std::string current = times.front();
+    sph::loadLibraries(control);
     sph::FunctionObjects functions(control.subDictOrEmpty("functions"), stored.geometry(), stored.phases(),
                                    sph::outputOf(theCase.folder(), times.front(), current), options.functions);
     theCase.diagnostics().throwIfAny();

@@ -4,6 +4,7 @@
 #include "case/RunTime.hpp"
 #include "geometry/readShapes.hpp"
 #include "packing/Packing.hpp"
+#include "sampling/FunctionLibraries.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "sampling/Measurement.hpp"
 #include "solver/readSettings.hpp"
@@ -46,6 +47,7 @@ void readAsSolver(const Case& c, CaseCheck& check)
     const auto geometry = readGeometry(dict, resolution, supportsOfSolver, c.folder());
     dict.reportUnused();
     const auto settings = readSettings(c, geometry);
+    loadLibraries(control);
     const FunctionObjects functions(control.subDictOrEmpty("functions"), geometry, settings.coefficients.phases, time);
     control.reportUnused();
 }
