@@ -56,11 +56,9 @@ if(SPH_HELP2MAN AND SPH_GZIP)
     foreach(program ${programs})
         set(page ${PROJECT_BINARY_DIR}/man/${program}.1)
         add_custom_command(OUTPUT ${page}.gz
-            COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
-            COMMAND ${SPH_HELP2MAN} --no-info --help-option=-help --version-option=-version --section=1 "--source=${PROJECT_NAME} ${PROJECT_VERSION}"
-                    --include=${PROJECT_SOURCE_DIR}/cmake/package/man --output=${page} $<TARGET_FILE:${program}>
-            COMMAND ${SPH_GZIP} -9nf ${page}
-            DEPENDS ${program} ${PROJECT_SOURCE_DIR}/cmake/package/man COMMENT "" VERBATIM)
+            COMMAND ${CMAKE_COMMAND} -Dprogram=$<TARGET_FILE:${program}> "-Dsource=${PROJECT_NAME} ${PROJECT_VERSION}" -Dhelp2man=${SPH_HELP2MAN}
+                    -Dgzip=${SPH_GZIP} -Dinclude=${PROJECT_SOURCE_DIR}/cmake/package/man -Dto=${page} -P ${PROJECT_SOURCE_DIR}/cmake/writeManPage.cmake
+            DEPENDS ${program} ${PROJECT_SOURCE_DIR}/cmake/package/man ${PROJECT_SOURCE_DIR}/cmake/writeManPage.cmake COMMENT "" VERBATIM)
         list(APPEND pages ${page}.gz)
     endforeach()
     add_custom_target(manPages ALL DEPENDS ${pages})

@@ -9,7 +9,9 @@ set(CPACK_PACKAGE_DESCRIPTION "Solver and utilities for flows with free surfaces
  in beds of particles, for suspensions in moulds and for soil.
  .
  Cases are folders with constant/ and system/ as OpenFOAM has them; results open in ParaView.")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+# With DESTDIR, so that what is installed (scripts of tutorials) knows where it will be.
+set(CPACK_SET_DESTDIR ON)
+set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/prepare.cmake)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -84,8 +84,7 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
 }
 
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body,
-                   Banner head)
+                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body, Banner head)
 {
     const auto fail = [&](const std::string& what, const std::string& hint = "")
     {

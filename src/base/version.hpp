@@ -9,7 +9,8 @@ namespace sph
 struct Version
 {
     std::string number; ///< of the project, "0.1"
-    std::string commit; ///< as git describes it, "f403b019-dirty" of sources that have been changed since; empty of an archive without its history
+    std::string
+        commit; ///< as git describes it, "f403b019-dirty" of sources that have been changed since; empty of an archive without its history
 
     /// "0.1 (f403b019)"
     std::string text() const;

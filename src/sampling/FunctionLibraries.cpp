@@ -108,8 +108,8 @@ std::string load(const std::filesystem::path& file)
     const auto bytes = readText(file, reason);
     if (!bytes) return reason;
     if (const auto other = otherTag(*bytes, reason))
-        return fmt::format("it was made for version {}, this program is of version {}. Compile it again with what is installed here", *other,
-                           std::string_view(interfaceTag).substr(std::string_view(tagMark).size()));
+        return fmt::format("it was made for version {}, this program is of version {}. Compile it again with what is installed here",
+                           *other, std::string_view(interfaceTag).substr(std::string_view(tagMark).size()));
     if (!reason.empty()) return reason;
     const auto before = functionTypes().size();
     if (!dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return fmt::format("it does not load: {}", dlerror());

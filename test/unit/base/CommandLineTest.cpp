@@ -1,6 +1,7 @@
 #include "base/CommandLine.hpp"
 #include "base/CaseError.hpp"
 #include "base/readText.hpp"
+#include "base/version.hpp"
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ struct Demo
     bool keywords = false;
 
     explicit Demo(
-        std::vector<const char*> arguments, const std::function<void()>& work = [] {})
+        std::vector<const char*> arguments, const std::function<void()>& work = [] {}, Banner head = Banner::none)
     {
         arguments.insert(arguments.begin(), "demo");
         testing::internal::CaptureStdout();
@@ -43,7 +44,8 @@ struct Demo
                 caseFolder = folder.string();
                 work();
                 return 0;
-            });
+            },
+            head);
         out = testing::internal::GetCapturedStdout();
         err = testing::internal::GetCapturedStderr();
     }
@@ -80,6 +82,7 @@ TEST(CommandLine, printsUsageLikeOpenFOAM)
     EXPECT_EQ(demo.code, 0);
     EXPECT_EQ(demo.out, "\nUsage: demo [OPTIONS] [<file>]\nOptions:\n"
                         "  -help                     Print this usage\n"
+                        "  -version                  Print the version\n"
                         "  -case <dir>               Case folder, instead of the current one\n"
                         "  -entry <TEXT>             Entry to show\n"
                         "  -value <FLOAT>            A number\n"
@@ -94,7 +97,7 @@ TEST(CommandLine, explainsMistakes)
     const Demo misspelt({"-keyword"});
     EXPECT_EQ(misspelt.code, 1);
     EXPECT_EQ(misspelt.err, "--> FATAL ERROR\nInvalid option -keyword. Did you mean \"-keywords\"? "
-                            "Known options: -help, -case, -entry, -value, -keywords.\nSee 'demo -help' for usage\n");
+                            "Known options: -help, -version, -case, -entry, -value, -keywords.\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"-entry"}).err, "--> FATAL ERROR\n-entry: 1 required TEXT missing\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"a", "b"}).err, "--> FATAL ERROR\nUnexpected argument \"b\"\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"-case", "nowhere"}).err, "--> FATAL ERROR\nThere is no case folder \"nowhere\"\nSee 'demo -help' for usage\n");
@@ -142,4 +145,19 @@ TEST(CommandLine, keepsTheOrderOfALogOfBothStreams)
     EXPECT_EQ(readText(log, reason).value_or(reason), "printed 1\na library 2\nstreamed 3\na library 4\nprinted 5\nwithout an end 6"
                                                       "--> FATAL ERROR\nit ends 7\n");
     std::filesystem::remove(log);
+}
+
+// -version is one line and needs no case; the head of a log names build, program and case, and stands before all else.
+TEST(CommandLine, saysVersionAndBuild)
+{
+    setVersion({"1.2", "abcdef12"});
+    const Demo asked({"-version", "-case", "nowhere"});
+    EXPECT_EQ(asked.code, 0) << asked.err;
+    EXPECT_EQ(asked.out, "demo 1.2 (abcdef12)\n");
+    const Demo ran(
+        {"-case", "/"}, [] { fmt::print("work\n"); }, Banner::shown);
+    EXPECT_NE(ran.out.find("\nBuild  : 1.2 (abcdef12)\nExec   : demo\nDate   : "), std::string::npos) << ran.out;
+    EXPECT_TRUE(ran.out.ends_with("\nCase   : /\n\nwork\n")) << ran.out;
+    setVersion({"1.2", ""});
+    EXPECT_EQ(Demo({"-version"}).out, "demo 1.2\n");
 }

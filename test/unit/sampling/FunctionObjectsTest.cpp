@@ -5,6 +5,7 @@
 #include "geometry/Sphere.hpp"
 #include "sampling/Conservation.hpp"
 #include <atomic>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <omp.h>
@@ -50,12 +51,35 @@ TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
         f.mistakes(),
         "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
         "bedHydrodynamics, errors, filling, volFieldValue.\n"
-        "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: type, "
+        "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: libs, type, "
         "executeControl, executeInterval, angularMomentum, origin.\n"
         "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
         "system/controlDict:11: origin does nothing without angularMomentum, which counts from it: give `angularMomentum yes`, or leave it "
         "out\n"
         "4 errors");
+}
+
+// Libraries that are not there, and files that are none, are errors at their line; test/package/run has those that load, and those of another version.
+TEST(FunctionObjects, librariesThatCannotBeLoadedAreErrors)
+{
+    Functions f;
+    std::ofstream(f.theCase.folder() / "notes.so") << "no library";
+    const auto folder = std::filesystem::absolute(f.theCase.folder()).string();
+    std::ofstream(f.theCase.folder() / "system/libraries")
+        << "a\n{\n    libs (missing \"$FOAM_CASE/notes.so\" \"none/libx.so\");\n    type conservation;\n}\n";
+    const auto dict = f.theCase.dictionary("system/libraries");
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    const FunctionObjects functions(dict, particles.geometry, particles.phases, f.time);
+    const auto said = f.mistakes();
+    EXPECT_NE(said.find("system/libraries:3: library \"missing\": it is in none of " + folder), std::string::npos) << said;
+    EXPECT_NE(said.find(
+                  "system/libraries:3: library \"$FOAM_CASE/notes.so\": it is no library of function objects: none of its sources includes "
+                  "sampling/functionLibrary.hpp"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("system/libraries:3: library \"none/libx.so\": there is no " + folder + "/none/libx.so"), std::string::npos)
+        << said;
+    EXPECT_TRUE(said.ends_with("3 errors")) << said;
 }
 
 TEST(FunctionObjects, areDueWhenTheirControlSays)
