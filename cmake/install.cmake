@@ -27,7 +27,7 @@ add_library(functionObjects INTERFACE)
 target_include_directories(functionObjects INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/${PROJECT_NAME}>)
 target_compile_options(functionObjects INTERFACE "$<INSTALL_INTERFACE:${SPH_MACHINE_FLAGS}>")
 target_compile_features(functionObjects INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
-target_link_libraries(functionObjects INTERFACE fmt::fmt)
+target_link_libraries(functionObjects INTERFACE fmt::fmt OpenMP::OpenMP_CXX)
 install(TARGETS functionObjects EXPORT ${PROJECT_NAME})
 
 include(CMakePackageConfigHelpers)
