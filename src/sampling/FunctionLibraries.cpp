@@ -6,7 +6,9 @@
 #include "sampling/functionLibrary.hpp"
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
+#include <elf.h>
 #include <fmt/format.h>
 #include <sstream>
 #include <string_view>
@@ -101,6 +103,15 @@ std::optional<std::string> otherTag(std::string_view bytes, std::string& reason)
     return {};
 }
 
+/// True where the file ends before its table of sections, which linkers write last: the loader would read beyond it, and end the program by a signal.
+bool isCutShort(std::string_view bytes)
+{
+    Elf64_Ehdr header;
+    if (bytes.size() < sizeof header) return true;
+    std::memcpy(&header, bytes.data(), sizeof header);
+    return bytes.size() < header.e_shoff + std::size_t(header.e_shnum) * header.e_shentsize;
+}
+
 /// Loads a library; returns the reason why it is of no use, or an empty text.
 std::string load(const std::filesystem::path& file)
 {
@@ -111,6 +122,7 @@ std::string load(const std::filesystem::path& file)
         return fmt::format("it was made for version {}, this program is of version {}. Compile it again with what is installed here",
                            *other, std::string_view(interfaceTag).substr(std::string_view(tagMark).size()));
     if (!reason.empty()) return reason;
+    if (isCutShort(*bytes)) return "it is cut short";
     const auto before = functionTypes().size();
     if (!dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return fmt::format("it does not load: {}", dlerror());
     Loaded library{file, {}};
