@@ -135,7 +135,7 @@ TEST(CommandLine, keepsTheOrderOfALogOfBothStreams)
             throw CaseError("it ends 7");
         };
         ::_exit(redirected ? runApplication(
-                                 "demo", 1, arguments, "", [](CLI::App&) {}, work)
+                                 "demo", 1, arguments, "", [](CLI::App&) {}, work, Banner::none)
                            : 2);
     }
     int status = 0;
