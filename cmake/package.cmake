@@ -20,9 +20,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${SPH_MAINTAINER})
 set(CPACK_DEBIAN_COMPRESSION_TYPE zstd)
-# Libraries by dpkg-shlibdeps. By hand: what programs start. reconstructSurface draws through Xvfb, workPrecision and elementTest through gnuplot.
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+# Libraries by dpkg-shlibdeps, in prepare.cmake. By hand: what programs start. reconstructSurface draws through Xvfb, workPrecision and elementTest through gnuplot.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "xvfb, gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, bash-completion")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, g++, cmake, libfmt-dev, libcli11-dev, libeigen3-dev")
