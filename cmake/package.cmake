@@ -7,8 +7,8 @@ set(CPACK_PACKAGE_CONTACT ${SPH_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "smoothed particle hydrodynamics in case folders")
 set(CPACK_PACKAGE_DESCRIPTION "Solver and utilities for flows with free surfaces, surface tension and contact angles\
  in beds of particles, for suspensions in moulds and for soil.
- .
- Cases are folders with constant/ and system/ as OpenFOAM has them; results open in ParaView.")
+
+Cases are folders with constant/ and system/ as OpenFOAM has them; results open in ParaView.")
 # With DESTDIR, so that what is installed (scripts of tutorials) knows where it will be.
 set(CPACK_SET_DESTDIR ON)
 set(CPACK_INSTALL_PREFIX /usr)
