@@ -1,8 +1,8 @@
 /// The stress tensor, with three principal values also where the flow has two dimensions. In plane strain the velocity out of the plane is 0 and so are
 /// the strain rates xz, yz and zz, but the stress zz is not: elasticity and plasticity change it, and pressure and invariants need it.
 ///
-///   StressTensor<3>   the symmetric tensor
-///   StressTensor<2>   xx xy yy zz; on disk OpenFOAM's symmTensor with xz = yz = 0
+///     StressTensor<3>   the symmetric tensor
+///     StressTensor<2>   xx xy yy zz; on disk OpenFOAM's symmTensor with xz = yz = 0
 ///
 /// Tension is positive. Verified by test/unit/base against the three-dimensional tensor.
 #pragma once

@@ -1,5 +1,8 @@
-/// An infinite circular cylinder: d = +-(R - r) with r measured from the axis, one curvature +-1/R (upper sign: fluid inside).
-/// With its axis along z it is the circle of a 2-D scene.
+/// An infinite circular cylinder (upper sign: fluid inside):
+///
+///   d = +-(R - r),    k1 = +-1/R,  k2 = 0
+///
+/// r is measured from the axis. With its axis along z it is the circle of a 2-D scene.
 #pragma once
 #include "geometry/Shape.hpp"
 

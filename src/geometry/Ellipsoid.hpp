@@ -1,9 +1,9 @@
 /// An ellipsoid with axes along x, y and z; an infinite semi-axis makes it an elliptic cylinder, the ellipse of a 2-D scene.
 ///
-/// The foot point p of x solves  p_i (1 + t/a_i^2) = x_i,  sum p_i^2/a_i^2 = 1  for the largest root t. With tau = t + a_min^2,
-/// which keeps every denominator free of cancellation, Newton's method on 1/sqrt(sum) = 1 converges from below without a
+///   p_i (1 + t/a_i^2) = x_i,    sum_i p_i^2/a_i^2 = 1,    k = e eig[P diag(1/a^2) P]/|p/a^2| in the tangent plane
+///
+/// p is the foot point of x, for the largest root t; e = +1 with fluid inside, -1 outside. With tau = t + a_min^2, which keeps every denominator free of cancellation, Newton's method on 1/sqrt(sum) = 1 converges from below without a
 /// safeguard, since that function of tau is concave (as in trust-region methods: Conn, Gould & Toint 2000, section 7.3.3).
-/// Principal curvatures: e eig[P diag(1/a^2) P]/|p/a^2| in the tangent plane, e = +1 with fluid inside, -1 outside.
 /// Not smooth on the part of the middle plane inside from which two points of the surface are equally near.
 #pragma once
 #include "geometry/Shape.hpp"

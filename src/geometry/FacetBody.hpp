@@ -5,7 +5,7 @@
 ///
 /// Mirror images. Within a patch the normals of the corners, the means of the facets around them, make a prism of each facet f,
 ///
-///     x = P(l) + d N(l),    P = sum_k l_k P_k,  N = sum_k l_k N_k,  l_k >= 0,        image  x' = P - d N
+///   x = P(l) + d N(l),    P = sum_k l_k P_k,  N = sum_k l_k N_k,  l_k >= 0,        image  x' = P - d N
 ///
 /// The prisms of neighbours share their sides, so that a patch gives each particle one image, which moves continuously; the volume factor
 /// J(-d)/J(d) of this map, J = (dP + d dN)x(dP + d dN).N, is that of eq. (18) of Barker et al. (2012) with curvatures from J. In flat faces x' is the
@@ -13,12 +13,12 @@
 ///
 /// At convex and concave edges faces go on, flat ones in their planes, curved ones in strips: beyond each edge of the patch's border
 ///
-///     x = q(s) + a b(s) + d N(s),    0 <= s <= 1 along the edge, a > 0,
+///   x = q(s) + a b(s) + d N(s),    0 <= s <= 1 along the edge, a > 0,
 ///
 /// with b(s) between the directions b_k perpendicular to N_k and to the border at its ends, so that neighbouring strips share their sides as prisms do.
 /// Every place y behind the surface belongs to one face: that of the least
 ///
-///     t_f(y) = 2 D_f - h_f        D_f distance to the face, h_f depth below its plane [m]
+///   t_f(y) = 2 D_f - h_f        D_f distance to the face, h_f depth below its plane [m]
 ///
 /// Behind a convex edge this is the face that is nearer: its border is the bisecting plane (case (i) of fig. 4 of the paper). Behind a concave one, where
 /// the edge is as near from either, it is the one that y lies deeper below: its border is the bisecting plane too. What a face mirrors there is the

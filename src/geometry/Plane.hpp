@@ -1,4 +1,6 @@
-/// A plane through `point`: d = n.(x - point), without curvature.
+/// A plane through `point`, without curvature:
+///
+///   d = n.(x - point)
 #pragma once
 #include "geometry/Shape.hpp"
 

@@ -52,8 +52,12 @@ constexpr double smoothStep(double s) { return s <= 0 ? 0 : s >= 1 ? 1 : s * s *
 /// hidden in another solid has none.
 constexpr double faceShare(const Foot& f, double width) { return f.exposure * smoothStep(f.margin / width + 0.5); }
 
-/// V'/V of the mirror image of a particle at distance d: prod_i (1 + k_i d)/(1 - k_i d), eq. (18) with signed curvatures.
-/// At most 0 where the image does not exist (d beyond a centre of curvature).
+/// Volume factor of the mirror image of a particle at distance d, eq. (18) of Barker et al. (2012) with signed curvatures:
+///
+///   V'/V = prod_i (1 + k_i d)/(1 - k_i d)
+///
+/// Erratum of Barker et al. (2012), eqs. (16)-(18) and Table 1: curvatures have a sign; around spheres, where the fluid is outside, the factors of the table are
+/// inverted, (R - d)/(R + d) for each curvature, and images spread out where the text has them closer. At most 0 where the image does not exist (d beyond a centre of curvature).
 constexpr double volumeFactor(const Foot& f)
 {
     const double d = f.distance;

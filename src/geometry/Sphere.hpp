@@ -1,4 +1,6 @@
-/// A sphere: d = +-(R - r), both principal curvatures +-1/R (upper sign: fluid inside).
+/// A sphere (upper sign: fluid inside):
+///
+///   d = +-(R - r),    k1 = k2 = +-1/R
 #pragma once
 #include "geometry/Shape.hpp"
 

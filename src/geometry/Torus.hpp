@@ -2,7 +2,8 @@
 ///
 ///   d = e (R2 - q),  k1 = e/R2,  k2 = -e cos(theta)/(R1 - R2 cos(theta)),  e = +1 with fluid inside the tube, -1 outside
 ///
-/// In place of Table 1 of Barker et al. (2012), which is right at theta = 0 alone.
+/// Erratum of Barker et al. (2012), Table 1, torus: the cosine is misplaced, and the volume factor right at theta = 0 alone; printed, it is 0 at 90 degrees and
+/// negative beyond.
 #pragma once
 #include "geometry/Shape.hpp"
 

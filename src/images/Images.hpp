@@ -4,7 +4,7 @@
 ///
 /// Terms see one contiguous array and never ask what a neighbour is:
 ///
-///   owned | periodic images of the fluid and wall ghosts | null particle
+///     owned | periodic images of the fluid and wall ghosts | null particle
 ///
 /// Where ranks share the particles, copies of those of others stand behind the owned ones (Halo.hpp), and have images as they do.
 ///

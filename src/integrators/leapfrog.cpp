@@ -1,4 +1,9 @@
-/// The rates of the last step predict v(t + dt/2): second order, one evaluation. The extrapolation halves the viscous limit (Adams-Bashforth
+/// The rates of the last step predict the middle of this one: second order, one evaluation.
+///
+///   x^(n+1/2) = x^n + dt/2 v^n,    q* = q^n + dt/2 dq/dt^(n-1/2)
+///   q^(n+1) = q^n + dt dq/dt(x^(n+1/2), q*),    x^(n+1) = x^(n+1/2) + dt/2 v^(n+1)
+///
+/// q all that has a rate: velocity, density, scalars. The extrapolation halves the viscous limit (Adams-Bashforth
 /// against mid-point).
 #include "integrators/Integrator.hpp"
 

@@ -1,4 +1,9 @@
-/// Rates at t predict v(t + dt/2), and those at the middle make the step: second order, two evaluations.
+/// Rates at t predict the middle of the step, and those at the middle make it: second order, two evaluations.
+///
+///   x^(n+1/2) = x^n + dt/2 v^n,    q* = q^n + dt/2 dq/dt(x^n, q^n)
+///   q^(n+1) = q^n + dt dq/dt(x^(n+1/2), q*),    x^(n+1) = x^(n+1/2) + dt/2 v^(n+1)
+///
+/// q all that has a rate: velocity, density, scalars.
 #include "integrators/Integrator.hpp"
 
 namespace sph

@@ -1,5 +1,9 @@
 /// Quasi-steady step, for flows that change only as what they carry does: particles stay in place, velocities are those of creeping flow, solved for, and time
 /// is that of the powder's migration, or of what diffuses.
+///
+///   0 = a(v) of viscosity, pressure and forces,    q^(n+1) = q^n + dt dq/dt,    x^(n+1) = x^n
+///
+/// q what particles carry: powder, scalars.
 #include "integrators/Integrator.hpp"
 #include "integrators/moves.hpp"
 

@@ -1,4 +1,8 @@
 /// Semi-implicit step: as symplecticEuler, but viscosity acts with v(t + dt), solved for (ImplicitSolve.hpp): no viscous limit of the step.
+///
+///   x^(n+1/2) = x^n + dt/2 v^n,    v^(n+1) = v^n + dt (a(x^(n+1/2), v^n) + L (v^(n+1) - v^n)),    x^(n+1) = x^(n+1/2) + dt/2 v^(n+1)
+///
+/// a [m/s^2] all accelerations, L v that by viscosity.
 #include "integrators/Integrator.hpp"
 
 namespace sph

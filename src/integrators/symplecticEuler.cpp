@@ -1,4 +1,8 @@
 /// v(t) stands for v(t + dt/2): first order in what depends on velocity, one evaluation, no memory.
+///
+///   x^(n+1/2) = x^n + dt/2 v^n,    q^(n+1) = q^n + dt dq/dt(x^(n+1/2), q^n),    x^(n+1) = x^(n+1/2) + dt/2 v^(n+1)
+///
+/// q all that has a rate: velocity, density, scalars.
 #include "integrators/Integrator.hpp"
 
 namespace sph

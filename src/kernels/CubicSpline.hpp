@@ -1,6 +1,9 @@
-/// Cubic spline (Monaghan & Lattanzio 1985):  W = k ((2 - q)^3 - 4 (1 - q)^3)/4, each bracket where positive,  q = 2 r/H
+/// Cubic spline, Monaghan & Lattanzio (1985):
 ///
-/// k = 10/(7 pi h^2) in 2-D, 1/(pi h^3) in 3-D, h = H/2.
+///   W = k ((2 - q)^3 - 4 (1 - q)^3)/4,    q = 2 r/H,    k = 10/(7 pi h^2) in 2-D, 1/(pi h^3) in 3-D
+///
+/// Each bracket where positive; h = H/2. Erratum of Peng et al. (2014), eq. (2): the second piece is printed with (1 - q)^3 and is (2 - q)^3/4, as the
+/// function must be continuous at q = 1.
 #pragma once
 #include "base/Vector.hpp"
 #include <numbers>

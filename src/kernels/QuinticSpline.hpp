@@ -1,6 +1,8 @@
-/// Quintic spline (Morris 1996):  W = k ((3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5), each bracket where positive,  q = 3 r/H
+/// Quintic spline, Morris (1996):
 ///
-/// k = 7/(478 pi h^2) in 2-D, 1/(120 pi h^3) in 3-D, h = H/3.
+///   W = k ((3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5),    q = 3 r/H,    k = 7/(478 pi h^2) in 2-D, 1/(120 pi h^3) in 3-D
+///
+/// Each bracket where positive; h = H/3.
 #pragma once
 #include "base/Vector.hpp"
 #include <numbers>

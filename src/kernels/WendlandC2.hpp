@@ -1,6 +1,8 @@
-/// Wendland C2 (Wendland 1995; Dehnen & Aly 2012):  W = k (1 - s)^4 (1 + 4 s),  s = r/H
+/// Kernel Wendland C2, Wendland (1995), Dehnen & Aly (2012):
 ///
-/// k = 7/(pi H^2) in 2-D, 21/(2 pi H^3) in 3-D. Positive Fourier transform: does not pair.
+///   W = k (1 - s)^4 (1 + 4 s),    s = r/H,    k = 7/(pi H^2) in 2-D, 21/(2 pi H^3) in 3-D
+///
+/// Positive Fourier transform: does not pair.
 #pragma once
 #include "base/Vector.hpp"
 #include <numbers>

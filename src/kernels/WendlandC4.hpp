@@ -1,4 +1,6 @@
-/// Wendland C4:  W = k (1 - s)^6 (1 + 6 s + 35/3 s^2),  s = r/H;  k = 9/(pi H^2) in 2-D, 495/(32 pi H^3) in 3-D.
+/// Kernel Wendland C4, Wendland (1995), Dehnen & Aly (2012):
+///
+///   W = k (1 - s)^6 (1 + 6 s + 35/3 s^2),    s = r/H,    k = 9/(pi H^2) in 2-D, 495/(32 pi H^3) in 3-D
 #pragma once
 #include "base/Vector.hpp"
 #include <numbers>

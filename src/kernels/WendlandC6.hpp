@@ -1,4 +1,6 @@
-/// Wendland C6:  W = k (1 - s)^8 (1 + 8 s + 25 s^2 + 32 s^3),  s = r/H;  k = 78/(7 pi H^2) in 2-D, 1365/(64 pi H^3) in 3-D.
+/// Kernel Wendland C6, Wendland (1995), Dehnen & Aly (2012):
+///
+///   W = k (1 - s)^8 (1 + 8 s + 25 s^2 + 32 s^3),    s = r/H,    k = 78/(7 pi H^2) in 2-D, 1365/(64 pi H^3) in 3-D
 #pragma once
 #include "base/Vector.hpp"
 #include <numbers>

@@ -1,7 +1,7 @@
 /// The halo of a rank, where ranks share the particles: the box of space that it owns, the particles that it takes over and gives away, and copies of those of
 /// others that its own see, directly or in a wall or through a periodic face.
 ///
-///   owned | copies | images of both | null particle
+///     owned | copies | images of both | null particle
 ///
 /// A copy is what its owner has, at the same place: images of copies are made here as those of owned particles are, by the same rules. Before a pass, what
 /// it reads of neighbours is copied anew, all in one message to each rank.

@@ -2,7 +2,8 @@
 ///
 ///   dv_i/dt = 1/m_i sum_j (S_i V_i^2 + S_j V_j^2) . gradW_ij
 ///
-/// S [Pa] tension positive, V [m^3], m [kg]. Conserves linear momentum exactly. Verified by test/unit/tension (plain loop, momentum).
+/// S [Pa] tension positive, V [m^3], m [kg]. Conserves linear momentum exactly. Verified by test/unit/tension (plain loop, momentum). Erratum of Peng et al. (2014),
+/// eqs. (7) and (10): they hold for stresses that are positive in tension, though the text has compression positive; the force is the divergence of the stress, and eq. (10) lacks gravity.
 #pragma once
 #include "operators/VelocityGradient.hpp"
 

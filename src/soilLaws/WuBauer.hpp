@@ -7,6 +7,7 @@
 /// deviator, |D| = sqrt(D:D), c1 ... c4 [1]. Constants published for compression-positive strain rates are -c1, -c2, c3, c4 of these. r in place of sigma
 /// keeps the squares from underflow. Homogeneous in sigma and, of degree one, in D. Its integral never has a tensile principal stress where
 /// c4 > 9 |c1|: at sigma_i = 0, d|sigma_i|/dt >= |tr(sigma)| |D| (c4/9 - |c1|). The constants of loose Karlsruhe sand are -69.4, -673.1, -655.9, 699.6.
+/// Erratum of Peng et al. (2014), list of constants: the 699.6 printed as c2 is c4.
 /// Verified by test/unit/soilLaws (an independent integrator of order 8; K_0, isotropic exponents and limits by hand).
 #pragma once
 #include "soilLaws/ConstitutiveLaw.hpp"

@@ -11,7 +11,7 @@ namespace
 
 /// Volume of a body below a height z [m] of the container, from the unit mesh, turned as the body is, or the sphere; for a mesh by the divergence theorem,
 ///
-///     V(z) = int x n_x dA over the facets below z, since the cut itself has n_x = 0.
+///   V(z) = int x n_x dA over the facets below z, since the cut itself has n_x = 0.
 double volumeBelow(const Bed& bed, const Body& b, const TriangleSurface& turned, double z)
 {
     const double h = (z - b.centre.z) / b.size;

@@ -10,7 +10,7 @@ namespace
 
 /// Spheres of radii R that repel one another where they overlap, and walls alike, all in lengths of the mean diameter:
 ///
-///     E = 1/2 sum_pairs (1 - r_ij/(R_i + R_j))^2 + 1/2 sum_walls (1 - s_i/R_i)^2
+///   E = 1/2 sum_pairs (1 - r_ij/(R_i + R_j))^2 + 1/2 sum_walls (1 - s_i/R_i)^2
 ///
 /// r_ij distance of two centres, s_i of a centre from a wall. At E = 0 nothing overlaps (O'Hern, Silbert, Liu & Nagel 2003). The minimum is
 /// sought by FIRE (Bitzek et al. 2006) with that paper's constants.

@@ -5,9 +5,9 @@
 /// p [Pa] above the background pressure, rho [kg/m^3], rho_0 the density at rest, c [m/s] the sound speed there. n = 7 for liquids, 1.4 for gases;
 /// 1 is the linear equation p = c^2 (rho - rho_0). A phase whose stress a law of its own gives has B = 0 and no pressure.
 ///
-///   const auto water = StateEquation::tait(1000, 20, 7);
-///   water.pressure(1001);        // 401.2 Pa
-///   water.compression(401.2);    // 1.001
+///     const auto water = StateEquation::tait(1000, 20, 7);
+///     water.pressure(1001);        // 401.2 Pa
+///     water.compression(401.2);    // 1.001
 ///
 /// Verified by test/unit/stateEquation.
 #pragma once

@@ -28,12 +28,11 @@ enum class Normalisation
     particles, ///< the sum over all particles (Shepard): where each phase is there
 };
 
-/// Barker et al. (2012), section "Spherical Packing", with C_i^l and the factor V_i that the print lacks,
-/// normalised:
+/// Barker et al. (2012), section "Spherical Packing", normalised:
 ///
 ///   C(x) = sum_j V_j C_j^l W(|x - x_j|) / D(x),   D = 1,  int_fluid W(|x - y|) dy  or  sum_j V_j W(|x - x_j|)
 ///
-/// W [1/m^dim] the kernel named `kernel` with radius `support`. The function goes on smoothly into solids, two steps deep, so
+/// Erratum of Barker et al. (2012), surface function: the sum is of C_j^l and has the factor V_j. W [1/m^dim] the kernel named `kernel` with radius `support`. The function goes on smoothly into solids, two steps deep, so
 /// that the iso-surface crosses the wall: cut there by the distance to the wall it ends on the wall. Particles are imaged across
 /// periodic faces. Each node sums in the order of the particles, whatever the number of threads.
 /// A surface of mean curvature 2H is displaced inwards by 2H s^2/2, s^2 the kernel's second moment in one direction: 0.4 % of the

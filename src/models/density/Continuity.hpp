@@ -34,7 +34,11 @@ struct MassContinuity
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.m * dot(i.v - j.v, ij.gradW); }
 };
 
-/// V_i = m_i/rho_i [m^3], where the density is integrated. Inside a fluid the volume by number density is the better weight of sums: with it the
+/// Volume where the density is integrated:
+///
+///   V_i = m_i/rho_i
+///
+/// Inside a fluid the volume by number density is the better weight of sums: with it the
 /// viscous decay of Taylor-Green's vortices is a quarter as far off (`volume numberDensity;`); at a free surface it is not.
 struct IntegratedVolume
 {

@@ -25,7 +25,9 @@ struct NumberDensity
     auto finish(const auto&, double sum) const { return 1 / (a * sum); }
 };
 
-/// rho_i = m_i/V_i [kg/m^3], eq. (7)
+/// Density of the particle by its volume, eq. (7) of Barker et al. (2012):
+///
+///   rho_i = m_i/V_i
 struct SummedDensity
 {
     static constexpr auto name = "summedDensity";

@@ -1,6 +1,9 @@
-/// Gravity and a uniform force per volume:  dv/dt = g + f/rho
+/// Gravity and a uniform force per volume:
 ///
-/// g [m/s^2], which Shaking.hpp may vary; f [N/m^3], the pressure gradient that drives a periodic flow. Eq. (1) of Barker et al. (2012) lacks rho before g.
+///   dv/dt = g + f/rho
+///
+/// g [m/s^2], which Shaking.hpp may vary; f [N/m^3], the pressure gradient that drives a periodic flow. Erratum of Barker et al. (2012), eq. (1): gravity acts on
+/// the momentum of a volume as rho g, not g.
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "plan/Coefficients.hpp"

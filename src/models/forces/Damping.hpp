@@ -1,4 +1,8 @@
-/// Damping dv/dt = -rate v [1/s] until a time [s], for a start far off equilibrium. Velocities of both levels decay, where there are two.
+/// Damping until a time:
+///
+///   dv/dt = -rate v
+///
+/// rate [1/s]. It is for a start far off equilibrium. Velocities of both levels decay, where there are two.
 #pragma once
 #include "scene/Particles.hpp"
 #include "scene/TwoLevels.hpp"

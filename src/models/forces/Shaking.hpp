@@ -1,4 +1,6 @@
-/// Gravity that varies with time:  g(t) = g_0 + a(t)
+/// Gravity that varies with time:
+///
+///   g(t) = g_0 + a(t)
 ///
 /// a [m/s^2] an expression of `$t` [s]: less the acceleration of a vessel that is shaken, in whose frame the scene is computed. A step has g(t + dt/2), which is of
 /// second order; what is measured and written at its end has that of the end. Verified by test/unit/solver/shakingTest.

@@ -41,7 +41,9 @@ struct DensityWeightedPressure
     }
 };
 
-/// Monaghan (1992), the form of single-phase codes: dv_i/dt = -1/m_i sum_j V_i V_j (p_i + p_j) gradW_ij
+/// The form of single-phase codes, Monaghan (1992):
+///
+///   dv_i/dt = -1/m_i sum_j V_i V_j (p_i + p_j) gradW_ij
 struct MonaghanPressure
 {
     static constexpr auto name = "monaghanPressure";
@@ -67,8 +69,11 @@ struct MassWeightedPressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -j.m * (i.p / sqr(i.rho) + j.p / sqr(j.rho)) * ij.gradW; }
 };
 
-/// Acceleration by pressure in the form of differences, dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij: no force where p is uniform, however the particles
-/// lie. The forms above leave p times the disorder of the particles, which keep themselves in order by it; with this one particle
+/// Acceleration by pressure in the form of differences:
+///
+///   dv_i/dt = -1/m_i sum_j V_i V_j (p_j - p_i) gradW_ij
+///
+/// No force where p is uniform, however the particles lie. The forms above leave p times the disorder of the particles, which keep themselves in order by it; with this one particle
 /// shifting has to. Does not conserve momentum exactly. In Taylor-Green's vortices (tutorials/verification) it is what the error hangs on: 12 %
 /// after half a turn with a sum of pressures, 2 % with differences.
 struct DifferencePressure
@@ -81,7 +86,11 @@ struct DifferencePressure
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (j.p - i.p) * ij.gradW; }
 };
 
-/// The form of differences with the gradient corrected (GradientCorrection.hpp): exact for a pressure that is linear, however the particles lie.
+/// The form of differences with the gradient corrected (GradientCorrection.hpp):
+///
+///   dv_i/dt = -V_i/m_i L_i sum_j V_j (p_j - p_i) gradW_ij
+///
+/// Exact for a pressure that is linear, however the particles lie.
 struct CorrectedDifferencePressure
 {
     static constexpr auto name = "correctedDifferencePressure";

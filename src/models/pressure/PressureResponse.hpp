@@ -21,7 +21,9 @@
 namespace sph
 {
 
-/// a = V^2 dp/dsigma = V^2 m dp/drho
+/// Stiffness of a particle's volume:
+///
+///   a = V^2 dp/dsigma = V^2 m dp/drho
 struct StiffnessOfPhase
 {
     static constexpr auto name = "volumeStiffness";
@@ -87,7 +89,9 @@ struct PressureResponse
     }
 };
 
-/// The diagonal of that, mean over directions: kappa_i = 1/(d m_i) [a_i |sum_j gradW_ij|^2 + sum_j a_j |gradW_ij|^2] - 1/m_i sum_j g_ij   [1/s^2]
+/// The diagonal of that, mean over directions [1/s^2]:
+///
+///   kappa_i = 1/(d m_i) [a_i |sum_j gradW_ij|^2 + sum_j a_j |gradW_ij|^2] - 1/m_i sum_j g_ij
 template<int dim> struct DiagonalSums
 {
     Vector<dim> slope;

@@ -43,8 +43,11 @@ struct UniformTransport
     }
 };
 
-/// Transport velocity by a background pressure of each particle's own, Zhang, Hu & Adams (2017): p_b = min(10 |p_i|, C rho_i c^2). At a free
-/// surface p = 0, and nothing drives particles out of it; near one little moves them at all, and the margins of
+/// Transport velocity by a background pressure of each particle's own, Zhang, Hu & Adams (2017):
+///
+///   p_b = min(10 |p_i|, C rho_i c^2)
+///
+/// At a free surface p = 0, and nothing drives particles out of it; near one little moves them at all, and the margins of
 /// tutorials/verification/rotatingSquarePatch tear as without. Here with the kernel of all other sums; in the paper with half its support.
 struct LocalTransport : UniformTransport
 {

@@ -7,7 +7,8 @@
 /// phi [1] volume fraction of powder, V_phi = phi m/rho_0 [m^3] the volume that powder takes up in a particle, V [m^3], w = -(dW/dr)/r,
 /// gammaDot [1/s], a [m] the powder's size. Pairs exchange what they lose: sum V_phi is constant to round-off. No powder passes a wall:
 /// pairs with ghosts are left out. The means are arithmetic on purpose: a harmonic one takes J_eta away where gammaDot = 0, and phi runs
-/// through phi_m there. Verified by test/unit/suspension (antisymmetry, conservation, a steady profile) and tutorials/powderMoulding.
+/// through phi_m there. Erratum of Kauzlaric et al. (2011), eqs. (3.6)-(3.8): they hold for particles of one mass, set to 1; what is conserved is the sum of m_i phi_i.
+/// Verified by test/unit/suspension (antisymmetry, conservation, a steady profile) and tutorials/powderMoulding.
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "models/suspension/SuspensionConstants.hpp"

@@ -1,5 +1,9 @@
-/// The shear rate that powder migrates by: gammaDot = sqrt(2 D:D) [1/s], D = (grad v + (grad v)^T)/2; |dv/dy| in simple shear. The whole
-/// quotient of gammaDot:gammaDot/2 is under the root, other than in print, so that mu gammaDot is the shear stress.
+/// The shear rate that powder migrates by:
+///
+///   gammaDot = sqrt(2 D:D),    D = (grad v + (grad v)^T)/2
+///
+/// [1/s]; |dv/dy| in simple shear. Erratum of Kauzlaric et al. (2011), definition of the shear rate: the whole quotient of gammaDot:gammaDot/2 is under the root, so
+/// that mu gammaDot is the shear stress.
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "models/suspension/SuspensionConstants.hpp"
@@ -69,7 +73,11 @@ struct SubParticleShear
     double finish(const auto& i, double laplacian) const { return std::sqrt(sqr(i.tau) + std::fmax(0.0, share * laplacian)) / i.mu; }
 };
 
-/// Kauzlaric et al. (2011), eq. (3.5): D_i of grad v_i = sum_j V_j (v_j - v_i) gradW_ij; the print has the other sign.
+/// Shear rate from the velocity gradient, Kauzlaric et al. (2011), eq. (3.5):
+///
+///   gammaDot_i = sqrt(2 D_i:D_i) of grad v_i = sum_j V_j (v_j - v_i) gradW_ij
+///
+/// Erratum of Kauzlaric et al. (2011), eq. (3.5): the sum has the other sign, against eq. (3.1); the shear rate does not feel it.
 struct VelocityGradientShear : OfTensor
 {
     static constexpr auto name = "velocityGradientShear";

@@ -10,7 +10,9 @@
 namespace sph
 {
 
-/// c_i = sum_j V_j C_j W_ij,  C_j = 1 in the first phase, 0 in the second
+/// The smoothed colour of the first phase:
+///
+///   c_i = sum_j V_j C_j W_ij,    C_j = 1 in the first phase, 0 in the second
 struct ColourSmoothing
 {
     static constexpr auto name = "colourSmoothing";
@@ -21,7 +23,9 @@ struct ColourSmoothing
     auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * (1 - j.phase) * ij.W; }
 };
 
-/// gradC_i = sum_j V_j (c_j - c_i) gradW_ij   [1/m], into the first phase
+/// Its gradient, into the first phase [1/m]:
+///
+///   gradC_i = sum_j V_j (c_j - c_i) gradW_ij
 struct SmoothedColourGradient
 {
     static constexpr auto name = "smoothedColourGradient";
@@ -58,9 +62,11 @@ template<int dim> struct TensorPair
     static constexpr auto parts(auto& q, const auto& f) { return f(q.a, q.b); }
 };
 
-/// kappa_i = div n = [sum_j V_j (n_j - n_i) gradW_ij] : [sum_j V_j (x_j - x_i) gradW_ij]^-1   over particles with a normal
+/// Curvature of the interface, sums over particles that have a normal:
 ///
-/// n = gradC/|gradC|; normals shorter than 0.01/H mean no interface. The inverse makes the divergence exact for linear n although
+///   kappa_i = div n = [sum_j V_j (n_j - n_i) gradW_ij] : [sum_j V_j (x_j - x_i) gradW_ij]^-1,    n = gradC/|gradC|
+///
+/// Normals shorter than 0.01/H mean no interface. The inverse makes the divergence exact for linear n although
 /// the sum runs over the band alone: with a scalar in its place kappa was 4 to 8 % too large on the outside of a drop, and the pressure
 /// jump 3 % at 16 spacings a radius. Where the band is too thin for it (determinant below 0.05) there is no curvature, and none beyond
 /// one over the spacing, which no arrangement of particles can show.
@@ -89,7 +95,9 @@ struct InterfaceCurvature
     }
 };
 
-/// kappa smoothed with weight |gradC|: sum_j V_j |gradC_j| kappa_j W_ij / sum_j V_j |gradC_j| W_ij
+/// The curvature smoothed, the sharpest parts of the band with the largest weight:
+///
+///   kappa_i = sum_j V_j |gradC_j| kappa_j W_ij / sum_j V_j |gradC_j| W_ij
 struct CurvatureSmoothing
 {
     static constexpr auto name = "curvatureSmoothing";

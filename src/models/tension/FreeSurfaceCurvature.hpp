@@ -12,7 +12,11 @@
 namespace sph
 {
 
-/// n_i = N_i/|N_i|,  N_i = sum_j V_j g_j W_ij,  g_j = sum_k gradW_jk    [-], into the liquid; of no meaning deep inside, where t is 0 and nothing weighs
+/// Normal of the free surface, into the liquid:
+///
+///   n_i = N_i/|N_i|,    N_i = sum_j V_j g_j W_ij,    g_j = sum_k gradW_jk
+///
+/// It means nothing deep inside, where t is 0 and nothing weighs
 struct LiquidNormals
 {
     using Provides = LiquidNormal;
@@ -69,7 +73,9 @@ struct FreeSurfaceCurvature
     }
 };
 
-/// kappa_i = sum_j V_j t_j kappa_j W_ij/q_i,    q_i = sum_j V_j t_j W_ij
+/// The curvature smoothed over what lies at the surface:
+///
+///   kappa_i = sum_j V_j t_j kappa_j W_ij/q_i,    q_i = sum_j V_j t_j W_ij
 ///
 /// q is 0.2 to 0.3 at a surface and 1e-4 inside, where kappa fades out from 0.03 to 0.01.
 struct FreeSurfaceSmoothing
@@ -100,7 +106,9 @@ template<int dim> struct ForceAndSlope
     static constexpr auto parts(auto& q, const auto& f) { return f(q.force, q.b, q.B); }
 };
 
-/// dv_i/dt = -gamma/m_i [ kappa_i sum_j (V_i^2 + V_j^2) gradW_ij - V_i 2 L_i grad_s kappa_i ]
+/// Force of surface tension at a free surface:
+///
+///   dv_i/dt = -gamma/m_i [ kappa_i sum_j (V_i^2 + V_j^2) gradW_ij - V_i 2 L_i grad_s kappa_i ]
 ///
 /// grad_s kappa = B^-1 sum_j w_ij (kappa_j - kappa_i) P (y_j - y_i) with P, B, w as in FreeSurfaceCurvature; L = 1 - s what a plane surface lacks, 0.5 at it and 0 inside.
 ///

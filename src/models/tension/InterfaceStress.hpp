@@ -1,11 +1,11 @@
-/// Surface tension as an interface stress: Hu & Adams (2006), eqs. (11)-(13) of Barker et al. (2012) corrected (the isotropic part
-/// of eq. 12 carries |gradC|^2). For particle i of phase k, summed over every other phase l:
+/// Surface tension as an interface stress: Hu & Adams (2006), eqs. (11)-(13) of Barker et al. (2012). For particle i of phase k, summed over every other phase l:
 ///
 ///   gradC = 1/V_i sum_(j in l) V_j^2 gradW_ij
 ///   S_i  += gamma_kl (|gradC| I/d - gradC gradC/|gradC|)
 ///
 /// S [Pa] tension positive, gamma [N/m], gradC [1/m], V [m^3], d dimensions. Its divergence (StressDivergence) is the force.
-/// Verified by test/unit/tension (plain loop), tutorials/verification/laplaceDrop and contactAngle.
+/// Verified by test/unit/tension (plain loop), tutorials/verification/laplaceDrop and contactAngle. Erratum of Barker et al. (2012), eq. (12): the isotropic part
+/// carries |gradC|^2, as in Hu & Adams; with |gradC| the two parts have different units. Erratum of Barker et al. (2012), eq. (13): the sum is over l != k.
 #pragma once
 #include "models/tension/Tensions.hpp"
 #include "plan/terms.hpp"

@@ -18,7 +18,9 @@
 namespace sph
 {
 
-/// c_k,i = sum_j V_j C_k,j W_ij,  C_k,j = 1 in phase k, 0 elsewhere
+/// The smoothed colour of a phase:
+///
+///   c_k,i = sum_j V_j C_k,j W_ij,    C_k,j = 1 in phase k, 0 elsewhere
 struct PhaseColourSmoothing
 {
     using Provides = SmoothedColour;
@@ -70,7 +72,9 @@ struct AdheringPhaseGradient
 /// 1 for i in phase k and j not, -1 for j in k and i not, else 0.
 inline double across(double phase, const auto& i, const auto& j) { return (i.phase == phase ? 1.0 : 0.0) - (j.phase == phase ? 1.0 : 0.0); }
 
-/// dv_i/dt = 1/m_i sum_j s_ij gamma_k (kappa_k,i + kappa_k,j)/2 2 rho_i/(rho_i + rho_j) (V_i^2 + V_j^2)/2 gradW_ij
+/// Force of one phase's curvature, in pairs across its surface:
+///
+///   dv_i/dt = 1/m_i sum_j s_ij gamma_k (kappa_k,i + kappa_k,j)/2 2 rho_i/(rho_i + rho_j) (V_i^2 + V_j^2)/2 gradW_ij
 ///
 /// s_ij: `across`; gamma_k [N/m] phase k's share of the tension with the other phase of the pair.
 struct PhaseCurvatureForce

@@ -2,8 +2,8 @@
 ///
 ///   gamma_sb - gamma_sa = gamma_ab cos(theta_ab)
 ///
-/// gamma_sk [N/m] tension of the wall with phase k, gamma_ab [N/m] of the phases, theta_ab the angle through a. (Eq. 14 of Barker et al. 2012
-/// has the other sign.) Each angle ties two tensions together: with n phases n - 1 of them that connect all phases tell the rest, of which more
+/// gamma_sk [N/m] tension of the wall with phase k, gamma_ab [N/m] of the phases, theta_ab the angle through a. Erratum of Barker et al. (2012), eq. (14):
+/// the law is printed with the other sign, by which 30 degrees would be 150. Each angle ties two tensions together: with n phases n - 1 of them that connect all phases tell the rest, of which more
 /// must be consistent. Verified by test/unit/tension.
 #pragma once
 #include "geometry/Geometry.hpp"

@@ -29,7 +29,11 @@ struct UniformViscosity
     double operator()(const auto&, const auto&) const { return mu; }
 };
 
-/// 2 mu_i mu_j/(mu_i + mu_j), which makes the shear stress continuous across an interface. The smallest number keeps 0/0 away.
+/// Viscosity of a pair of two phases:
+///
+///   mu_ij = 2 mu_i mu_j/(mu_i + mu_j)
+///
+/// It makes the shear stress continuous across an interface. The smallest number keeps 0/0 away.
 struct HarmonicMean
 {
     template<class... Other> using Reads = Fields<Volume, Other..., DynamicViscosity>;
@@ -93,7 +97,8 @@ template<class MeanViscosity, template<class> class Sum = MorrisSum> struct Morr
 /// d dimensions. The divergence of the whole stress mu (grad v + (grad v)^T + div v I), where Morris' form is div(mu grad v): the two differ where
 /// mu does, at the surface of a liquid in a thin gas. There Morris' form leaves half of the dissipation of a potential flow out, and an oscillating
 /// drop decays too slowly (tutorials/verification/oscillatingDrop). Conserves linear and angular momentum exactly. Its compression is resisted
-/// by 3 mu, so that the step by viscosity is a third. On a square lattice it is not isotropic: 11 % too stiff along the axes at a support of 3
+/// by 3 mu, so that the step by viscosity is a third. Erratum of Kauzlaric et al. (2011), eq. (2.1): div(mu grad v) is the viscous force of unidirectional flow
+/// alone; in a mould it is that of the whole stress. On a square lattice it is not isotropic: 11 % too stiff along the axes at a support of 3
 /// spacings of wendlandC2, 4 % at 4.
 template<class MeanViscosity> struct CentralSum : MorrisSum<MeanViscosity>
 {
@@ -144,8 +149,11 @@ template<class MeanViscosity> struct CentralResponse : CentralSum<MeanViscosity>
 using SinglePhaseClearyResponse = Named<"singlePhaseClearyResponse", CentralResponse<UniformViscosity>>;
 using ClearyResponse = Named<"clearyResponse", CentralResponse<HarmonicMean>>;
 
-/// The rate at which a particle alone would come to rest among its neighbours, lambda_i = -sum_j rate_ij [1/s]; along the line of
-/// centres it is (d + 2)/d times that, the mean over directions.
+/// The rate at which a particle alone would come to rest among its neighbours [1/s]:
+///
+///   lambda_i = -sum_j rate_ij,    dv_i/dt = sum_j rate_ij v_ij
+///
+/// Along the line of centres it is (d + 2)/d times that, the mean over directions.
 template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisRate : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<>;

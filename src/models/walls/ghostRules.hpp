@@ -7,7 +7,9 @@
 namespace sph
 {
 
-/// v_g = v_w - q (v - v_w): no slip, first printed order; 2 v_w - v, the paper's rule, in a mirror, and in layers that of Morris et al. (1997) but for their limit.
+/// No slip, of first order in the distance; with q = 1 the mirror's rule of Barker et al. (2012), and in layers that of Morris et al. (1997) but for their limit:
+///
+///   v_g = v_w - q (v - v_w)
 template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -18,8 +20,11 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
-/// v_g = v_w - min(q, beta - 1) (v - v_w), beta = 1.5, in layers: Morris et al. (1997) as printed, who limit beta = 1 + d_g/d so that a particle close to
-/// the wall sees no large velocity behind it. On a lattice every row within a support of the wall is limited, and the fluid slips
+/// No slip in layers as Morris et al. (1997) print it:
+///
+///   v_g = v_w - min(q, beta - 1) (v - v_w),    beta = 1.5
+///
+/// They limit beta = 1 + d_g/d so that a particle close to the wall sees no large velocity behind it. On a lattice every row within a support of the wall is limited, and the fluid slips
 /// (images/layerPairs.hpp). The rule is of first order.
 template<int dim> class LimitedVelocity final : public ReflectedVelocity<dim>
 {
@@ -95,7 +100,11 @@ public:
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
-/// v_g = v - (1 + q) n.(v - v_w) n: the fluid slides freely; mirrored where q = 1. In layers it goes with values interpolated along the wall.
+/// Slip, a mirror where q = 1:
+///
+///   v_g = v - (1 + q) n.(v - v_w) n
+///
+/// In layers it goes with values interpolated along the wall.
 template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;

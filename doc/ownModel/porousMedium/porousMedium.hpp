@@ -1,0 +1,10 @@
+/// The model of a porous medium.
+#pragma once
+#include "scene/Model.hpp"
+
+namespace sph
+{
+
+const Model& porousMediumModel();
+
+}
