@@ -45,8 +45,8 @@ EntryRegistry collect()
     all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
     for (const auto& table : functionTables()) all.add(table);
-    for (const auto& table : {surfaceTable(), bedTable(), heightTable(), radialTable(), sizesTable(), grainsTable(), contactsTable(), resultTable(),
-                              elementTestTable()})
+    for (const auto& table : {surfaceTable(), bedTable(), heightTable(), radialTable(), sizesTable(), grainsTable(), contactsTable(),
+                              resultTable(), elementTestTable()})
         all.add(table);
     return all;
 }

@@ -143,7 +143,6 @@ void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
 {
     std::vector<int> newNumber(bed.bodies.size(), -1);
     std::vector<Body> kept;
-    const double allowed = plan.filled.value_or(plan.container.height);
     double highest = 0;
     for (std::size_t i = 0; i < bed.bodies.size(); ++i)
     {
@@ -156,7 +155,8 @@ void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
             for (const auto& p : shape.mesh.points) top = std::max(top, b.centre.z + b.size * b.rotation(p).z);
         }
         highest = std::max(highest, top);
-        if (top > allowed) continue;
+        // By centres: the sizes of what stays are those of what was poured.
+        if (top > plan.container.height || (plan.filled && b.centre.z > *plan.filled)) continue;
         newNumber[i] = int(kept.size());
         kept.push_back(b);
     }
@@ -208,7 +208,7 @@ void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)
     settle(plan, bed, progress);
 }
 
-/// A bed that would be level a largest solid above the height: what stands out above it can then be taken away. The first number is that of a porosity of 0.4, the next one by what that came to.
+/// A bed that would be level half of a largest solid above the height at least: those whose centres lie above it can then be taken away. The first number is that of a porosity of 0.4, the next one by what that came to.
 void pourToHeight(const SolidsPlan& plan, Bed& bed, const Progress& progress)
 {
     constexpr int quantiles = 1000, most = 1'000'000;
@@ -217,7 +217,8 @@ void pourToHeight(const SolidsPlan& plan, Bed& bed, const Progress& progress)
     {
         const double count = std::ceil((1 - porosity) * plan.container.area() * wanted / meanVolume);
         if (count > most)
-            throw CaseError(plan.filledAt, fmt::format("a bed {:g} m high takes {:.3g} of these solids; {} are possible", *plan.filled, count, most));
+            throw CaseError(plan.filledAt,
+                            fmt::format("a bed {:g} m high takes {:.3g} of these solids; {} are possible", *plan.filled, count, most));
         progress(fmt::format("{:.0f} solids", count));
         pour(plan, int(count), bed, progress);
         // Its height, were it level

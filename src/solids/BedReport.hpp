@@ -17,7 +17,8 @@ struct RadialShell
 struct GrainMeasures
 {
     int contacts = 0;
-    std::optional<double> gap;  ///< of a sphere to the nearest other sphere [m], negative where they overlap; none where none is within a mean size
+    std::optional<double>
+        gap; ///< of a sphere to the nearest other sphere [m], negative where they overlap; none where none is within a mean size
     std::optional<double> tilt; ///< of the longest axis of a mesh, from upright: 0 to 90 [degrees]
 };
 
@@ -25,10 +26,10 @@ struct BedMeasures
 {
     double height = 0;                              ///< 90 % of the solids end below; of randomClose that of the container [m]
     std::vector<double> layerMiddle, layerPorosity; ///< over the whole cross-section, from the bottom up
-    double porosity = 1;                ///< of the middle half of the height, over the whole cross-section, exact but for overlaps
-    std::optional<double> corePorosity; ///< the same a mean size away from the sides, where there is such a place
-    double coreError = 0;               ///< standard error of that
-    double coordination = 0;            ///< mean number of solids that one touches
+    double porosity = 1;                    ///< of the middle half of the height, over the whole cross-section, exact but for overlaps
+    std::optional<double> corePorosity;     ///< the same a mean size away from the sides, where there is such a place
+    double coreError = 0;                   ///< standard error of that
+    double coordination = 0;                ///< mean number of solids that one touches
     std::optional<double> coreCoordination; ///< the same of those whose centre is in the middle half and 1.5 mean sizes away from the sides
     /// Order of the longest axes of meshes, mean of (3 cos^2 tilt - 1)/2: 1 upright, 0 at random, -1/2 lying; and its standard error at random, 1/sqrt(5 n).
     std::optional<double> orientation;

@@ -17,7 +17,7 @@ public:
     /// Keeps references to both.
     SolidIndicator(const SolidContainer&, const Bed&);
     bool operator()(const Vector<3>& x) const;
-    /// Of one shape, at least 1: what a question costs.
+    /// Facets of the largest shape, or 1: a question costs as much.
     std::size_t mostFacets() const;
 };
 

@@ -16,7 +16,7 @@ Vector<3> longestAxis(const SolidShape& shape)
     return {axis.x(), axis.y(), axis.z()};
 }
 
-/// Of each sphere to the nearest other one.
+/// Each sphere gets the gap to its nearest neighbour.
 void findGaps(const SolidContainer& c, const Bed& bed, std::vector<GrainMeasures>& grains)
 {
     std::vector<Vector<3>> centres;

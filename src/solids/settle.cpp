@@ -546,9 +546,11 @@ void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
         if (bed.taps == 0) loosest = porosity;
         if (porosity <= *plan.porosity) break;
         if (bed.taps == mostTaps)
-            throw CaseError(plan.porosityAt, fmt::format("the bed has settled to a porosity of {:.4f} and after {} taps to {:.4f}; {:g} is out of its reach. Less "
-                                                         "friction makes it denser, and so does method randomClose",
-                                                         loosest, bed.taps, porosity, *plan.porosity));
+            throw CaseError(
+                plan.porosityAt,
+                fmt::format("the bed has settled to a porosity of {:.4f} and after {} taps to {:.4f}; {:g} is out of its reach. Less "
+                            "friction makes it denser, and so does method randomClose",
+                            loosest, bed.taps, porosity, *plan.porosity));
         if (bed.taps % 10 == 0) progress(fmt::format("t = {:.0f} sqrt(d/g): porosity {:.4f} after {} taps", bed.time, porosity, bed.taps));
         world.tap(speed);
         bringToRest(world, plan, bed, substep, 2 * speed / g * std::sqrt(g), progress);

@@ -26,8 +26,8 @@ std::string sharesText(const Bed& bed)
     }
     std::string text;
     for (std::size_t k = 0; k < bed.shapes.size(); ++k)
-        text += fmt::format("    {}: {:.4f} of the number, {:.4f} of the mass\n", bed.shapes[k].isSphere() ? "sphere" : bed.shapes[k].file, number[k],
-                            mass[k] / all);
+        text += fmt::format("    {}: {:.4f} of the number, {:.4f} of the mass\n", bed.shapes[k].isSphere() ? "sphere" : bed.shapes[k].file,
+                            number[k], mass[k] / all);
     return text;
 }
 
@@ -42,7 +42,9 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
     text += "\n";
     if (plan.shapes.size() > 1) text += sharesText(bed);
     for (const auto& note : bed.notes) fmt::format_to(to, "    {}\n", note);
-    if (bed.takenAway) fmt::format_to(to, "    {} that stood out of the top were taken away\n", bed.takenAway);
+    if (bed.takenAway)
+        fmt::format_to(to, "    {} {} were taken away\n", bed.takenAway,
+                       plan.filled ? fmt::format("with centres above {:g} m", *plan.filled) : "that stood out of the top");
     if (!plan.randomClose)
         fmt::format_to(to, "At rest after {:.4g} sqrt(d/g){}, kinetic energy of a body {:.3g} m g d\n", bed.time,
                        plan.porosity ? fmt::format(" and {} taps", bed.taps) : "", bed.kineticEnergy);
@@ -102,7 +104,7 @@ std::string csvText(const TableInfo& table, const std::vector<std::vector<std::s
 std::string digits(double a) { return fmt::format("{:.9g}", a); }
 std::string digits(const std::optional<double>& a) { return a ? digits(*a) : ""; }
 
-/// At the sieves, or at fifty sizes between the smallest and the largest.
+/// The curve has a row for each sieve or listed size, else for fifty steps between the smallest size and the largest.
 std::string gradingText(const SolidsPlan& plan, const Bed& bed)
 {
     const auto& s = plan.size;
@@ -167,14 +169,15 @@ std::vector<std::string> writeBed(const Case& theCase, const SolidsPlan& plan, c
     std::vector<std::vector<std::string>> layers, shells, grains, contacts;
     for (std::size_t k = 0; k < m.layerMiddle.size(); ++k) layers.push_back({digits(m.layerMiddle[k]), digits(m.layerPorosity[k])});
     for (const auto& shell : m.shells)
-        shells.push_back({digits(shell.radius), digits((c.radius - shell.radius) / bed.meanSize), digits(shell.porosity), digits(shell.error)});
+        shells.push_back(
+            {digits(shell.radius), digits((c.radius - shell.radius) / bed.meanSize), digits(shell.porosity), digits(shell.error)});
     for (std::size_t i = 0; i < bed.bodies.size(); ++i)
     {
         const auto& b = bed.bodies[i];
         const auto& grain = m.grains[i];
         const auto x = c.toWorld(b.centre);
-        grains.push_back({digits(x.x), digits(x.y), digits(x.z), std::to_string(b.shape), digits(b.size), std::to_string(grain.contacts), digits(grain.gap),
-                          digits(grain.tilt)});
+        grains.push_back({digits(x.x), digits(x.y), digits(x.z), std::to_string(b.shape), digits(b.size), std::to_string(grain.contacts),
+                          digits(grain.gap), digits(grain.tilt)});
     }
     for (const auto& [i, j, gap] : bed.contacts) contacts.push_back({std::to_string(i), std::to_string(j), fmt::format("{:.6g}", gap)});
     const std::string tables = "postProcessing/solids/";
@@ -184,10 +187,11 @@ std::vector<std::string> writeBed(const Case& theCase, const SolidsPlan& plan, c
     writeOrRemove(tables + radialTable().file, !shells.empty(), [&] { return csvText(radialTable(), shells); });
     writeOrRemove(tables + sizesTable().file, plan.size.high > plan.size.low, [&] { return gradingText(plan, bed); });
     write(tables + bedTable().file,
-          csvText(bedTable(), {{std::to_string(bed.bodies.size()), digits(bed.meanSize), digits(m.height), digits(m.porosity), digits(m.corePorosity),
-                                std::to_string(bed.contacts.size()), digits(m.coordination), digits(bed.overlap), digits(bed.shrunk),
-                                digits(bed.kineticEnergy), m.corePorosity ? digits(m.coreError) : "", digits(m.coreCoordination), digits(m.orientation),
-                                m.orientation ? digits(m.orientationError) : "", std::to_string(bed.taps)}}));
+          csvText(bedTable(),
+                  {{std::to_string(bed.bodies.size()), digits(bed.meanSize), digits(m.height), digits(m.porosity), digits(m.corePorosity),
+                    std::to_string(bed.contacts.size()), digits(m.coordination), digits(bed.overlap), digits(bed.shrunk),
+                    digits(bed.kineticEnergy), m.corePorosity ? digits(m.coreError) : "", digits(m.coreCoordination), digits(m.orientation),
+                    m.orientation ? digits(m.orientationError) : "", std::to_string(bed.taps)}}));
     // Last: what it names is there.
     write("constant/solids", solidsText(c, bed));
     return written;

@@ -30,8 +30,8 @@ const Scalar sizeValue{"value", units::m, required, positive, "the size"}, sizeM
     characteristicSize{"d", units::m, required, positive, "63.2 % is finer than this size"},
     spread{"n", units::none, required, positive, "exponent: the larger, the narrower; crushed ore has 0.7 to 1.5"};
 const ListOf<double> sizes{"sizes", units::m, required, "each > 0"}, fractions{"fractions", required, "share of each size; their sum is 1"};
-const ListOf<std::vector<double>> passing{"passing", required,
-                                          "rows of a sieve [m] and the share of the mass that passes it, from 0 to 1: ((0.004 0) (0.008 0.4) (0.016 1))"};
+const ListOf<std::vector<double>> passing{
+    "passing", required, "rows of a sieve [m] and the share of the mass that passes it, from 0 to 1: ((0.004 0) (0.008 0.4) (0.016 1))"};
 const Choice fractionsOf{"fractionsOf", {"mass", "number"}, "mass", "what the fractions are shares of"},
     fractionsOfNumber{"fractionsOf", {"mass", "number"}, "number", "what the distribution gives shares of"},
     fractionsOfMass{"fractionsOf", {"mass", "number"}, "mass", "what the distribution gives shares of"};
@@ -107,7 +107,8 @@ std::vector<double> SizeDistribution::ofGrainsByMass(int n) const
     {
         const double upTo_k = all * double(k) / n;
         while (cell + 1 < nodes.size() && number[cell] < upTo_k) ++cell;
-        const double inCell = number[cell] > number[cell - 1] ? std::min(1.0, (upTo_k - number[cell - 1]) / (number[cell] - number[cell - 1])) : 1;
+        const double inCell =
+            number[cell] > number[cell - 1] ? std::min(1.0, (upTo_k - number[cell - 1]) / (number[cell] - number[cell - 1])) : 1;
         const double massUpTo = k == std::size_t(n) ? 1 : std::lerp(mass[cell - 1], mass[cell], inCell);
         grains.push_back(std::cbrt((massUpTo - before) * n / all));
         before = massUpTo;
@@ -185,7 +186,8 @@ void readList(const Dictionary& dict, SizeDistribution& s)
 std::string mistakeIn(const std::vector<std::vector<double>>& rows)
 {
     for (std::size_t k = 0; k < rows.size(); ++k)
-        if (rows[k].size() != 2) return fmt::format("row {} has {} numbers: a sieve [m] and the share that passes it are needed", k + 1, rows[k].size());
+        if (rows[k].size() != 2)
+            return fmt::format("row {} has {} numbers: a sieve [m] and the share that passes it are needed", k + 1, rows[k].size());
     if (rows.size() < 2) return "two sieves are needed at least: one that nothing passes and one that all passes";
     if (const double all = rows.back()[1]; std::abs(all - 100) < 1e-6) return "the shares are in percent: write 1 for 100";
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -193,16 +195,20 @@ std::string mistakeIn(const std::vector<std::vector<double>>& rows)
         const double d = rows[k][0], share = rows[k][1];
         if (!(d > 0)) return fmt::format("row {}: the sieve is {:g} m wide, and must be wider than 0", k + 1, d);
         if (k > 0 && !(d > rows[k - 1][0]))
-            return fmt::format("row {}: the sieve of {:g} m follows one of {:g} m: list them from the finest to the coarsest", k + 1, d, rows[k - 1][0]);
+            return fmt::format("row {}: the sieve of {:g} m follows one of {:g} m: list them from the finest to the coarsest", k + 1, d,
+                               rows[k - 1][0]);
         if (k > 0 && share < rows[k - 1][1])
-            return fmt::format("row {}: {:g} passes {:g} m, and {:g} the finer sieve of {:g} m: what passes must grow from row to row. Are these the shares that "
-                               "the sieves retain? Then add them up",
-                               k + 1, share, d, rows[k - 1][1], rows[k - 1][0]);
+            return fmt::format(
+                "row {}: {:g} passes {:g} m, and {:g} the finer sieve of {:g} m: what passes must grow from row to row. Are these the shares that "
+                "the sieves retain? Then add them up",
+                k + 1, share, d, rows[k - 1][1], rows[k - 1][0]);
     }
     if (rows.front()[1] != 0)
-        return fmt::format("{:g} passes the finest sieve, of {:g} m: add a row with the size that nothing passes, and 0", rows.front()[1], rows.front()[0]);
+        return fmt::format("{:g} passes the finest sieve, of {:g} m: add a row with the size that nothing passes, and 0", rows.front()[1],
+                           rows.front()[0]);
     if (std::abs(rows.back()[1] - 1) > 1e-6)
-        return fmt::format("{:g} passes the coarsest sieve, of {:g} m: add a row with the size that all passes, and 1", rows.back()[1], rows.back()[0]);
+        return fmt::format("{:g} passes the coarsest sieve, of {:g} m: add a row with the size that all passes, and 1", rows.back()[1],
+                           rows.back()[0]);
     return "";
 }
 

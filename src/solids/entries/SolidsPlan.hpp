@@ -54,7 +54,7 @@ struct SolidsPlan
     bool sharesOfMass = false; ///< those of shapes
     SizeDistribution size;
     int count = 0;                ///< 0: as many as `filled` takes
-    std::optional<double> filled; ///< [m] height that the bed reaches and nothing of it stands above
+    std::optional<double> filled; ///< [m] height that the bed reaches, and no centre lies above
     std::uint64_t seed = 1;
 
     double friction = 0, restitution = 0;

@@ -24,11 +24,12 @@ const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"}
     count{"count", byScene("needed without height"), between(1, 1e6).saying("count {}: 1 to a million solids can be packed"),
           "number of solids"};
 const Scalar filled{"height", units::m, byScene("that of count solids"), positive,
-                    "the bed reaches it: as many solids as that takes; those that stand out above are taken away"};
+                    "the bed reaches it: as many solids as that takes; those whose centres come to lie above are taken away"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
 const FileName meshFile{"file", "constant/triSurface", byScene("a sphere"),
                         "closed surface in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb, normals outwards"};
-const Scalar share{"share", units::none, 1, positive, "of the solids that have the shape; without sharesOf a weight, with it their sum is 1"};
+const Scalar share{"share", units::none, 1, positive,
+                   "of the solids that have the shape; without sharesOf a weight, with it their sum is 1"};
 const Choice sharesOf{"sharesOf", {"number", "mass"}, byScene("number"), "what the shares of shapes are of"};
 const Choice collision{"collision",
                        {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},
@@ -209,7 +210,10 @@ SolidsPlan readSolidsPlan(const Case& c)
             double together = 0;
             for (const auto& s : plan.shapes) together += s.share;
             if (std::abs(together - 1) > 1e-6)
-                entry::solidShapes.error(dict, fmt::format("the shares of the shapes are {:g} together: with sharesOf their sum must be 1; without it they are weights", together));
+                entry::solidShapes.error(
+                    dict, fmt::format(
+                              "the shares of the shapes are {:g} together: with sharesOf their sum must be 1; without it they are weights",
+                              together));
         }
         plan.friction = entry::friction(dict);
         plan.restitution = entry::restitution(dict);
