@@ -5,6 +5,7 @@
 #include <cmath>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <limits>
 
 namespace sph
 {
@@ -109,6 +110,7 @@ std::vector<float> padded(const VoxelImage& image, double iso)
 {
     const auto& n = image.cells;
     std::vector<float> values;
+    const float below = std::nextafter(float(iso), -std::numeric_limits<float>::infinity());
     values.reserve(std::size_t(n[0] + 2) * std::size_t(n[1] + 2) * std::size_t(n[2] + 2));
     for (int k = -1; k <= n[2]; ++k)
         for (int j = -1; j <= n[1]; ++j)
@@ -117,7 +119,8 @@ std::vector<float> padded(const VoxelImage& image, double iso)
                 const int a = std::clamp(i, 0, n[0] - 1), b = std::clamp(j, 0, n[1] - 1), c = std::clamp(k, 0, n[2] - 1);
                 const float inner =
                     image.values[std::size_t(a) + std::size_t(n[0]) * (std::size_t(b) + std::size_t(n[1]) * std::size_t(c))];
-                values.push_back(a == i && b == j && c == k ? inner : std::min(inner, float(2 * iso - inner)));
+                const bool isPadding = a != i || b != j || c != k;
+                values.push_back(isPadding && inner >= iso ? std::min(float(2 * iso - inner), below) : inner);
             }
     return values;
 }
@@ -148,7 +151,7 @@ NumberedMesh importVolume(const std::filesystem::path& file, const TriSurface::V
         throw UnusableMesh(fmt::format("it cannot be read: {}", e.what()));
     }
     std::size_t solid = 0;
-    const double iso = segment(image, v, solid);
+    const double iso = float(segment(image, v, solid)); // a number of the kind that the values are
     const auto values = padded(image, iso);
     VoxelContour contour;
     contourVoxels()({image.cells[0] + 2, image.cells[1] + 2, image.cells[2] + 2}, values.data(), iso, contour);

@@ -113,6 +113,7 @@ std::vector<double> SizeDistribution::ofGrainsByMass(int n) const
         grains.push_back(std::cbrt((massUpTo - before) * n / all));
         before = massUpTo;
     }
+    std::ranges::sort(grains); // those of one cell differ by rounding
     return grains;
 }
 

@@ -237,7 +237,7 @@ SolidsPlan readSolidsPlan(const Case& c)
     // Sizes are those of spheres here; meshes are longer, and checked when they are read.
     if (const double extent = std::min(box.narrowest(), box.height); plan.size.high > extent)
         throw CaseError(plan.size.where, fmt::format("solids of {:g} m do not fit into a container of {:g} m{}", plan.size.high, extent,
-                                                     plan.size.high > 100 * extent ? ": are the sizes in mm? Lengths are in m" : ""));
+                                                     plan.size.high > 50 * extent ? ": are the sizes in mm? Lengths are in m" : ""));
     if (plan.filled && *plan.filled > box.height)
         throw CaseError(plan.filledAt, fmt::format("the bed cannot be {:g} m high in a container of {:g} m", *plan.filled, box.height));
     if (plan.count > 0 && !plan.level)
