@@ -46,9 +46,11 @@ void ofSpheres(const Bed& bed, double low, double high, double thickness, std::v
         {
             const double R = 0.5 * b.size, c = std::hypot(b.centre.x, b.centre.y);
             if (std::abs(c - shell.radius) >= R + 0.5 * thickness || b.centre.z + R <= low || b.centre.z - R >= high) continue;
+            // The area grows from nothing at the sphere's least distance from the axis and falls to nothing at its largest.
+            const double from = std::max(shell.radius - 0.5 * thickness, c - R), to = std::min(shell.radius + 0.5 * thickness, c + R);
+            const double half = 0.5 * (to - from);
             for (std::size_t k = 0; k < place.size(); ++k)
-                solid +=
-                    0.5 * thickness * weight[k] * areaOnCylinder(R, c, b.centre.z, shell.radius + 0.5 * thickness * place[k], low, high);
+                solid += half * weight[k] * areaOnCylinder(R, c, b.centre.z, 0.5 * (from + to) + half * place[k], low, high);
         }
         shell.porosity = 1 - solid / (2 * std::numbers::pi * shell.radius * thickness * (high - low));
     }
