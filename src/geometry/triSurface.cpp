@@ -34,7 +34,7 @@ const Scalar threshold{"threshold", units::none, notGiven, anyNumber, "grey valu
     voxelSize{"voxelSize", units::none, byScene("ElementSpacing of .mhd and .mha"), positive,
               "edge of a voxel, in the lengths that scale turns to m"},
     smoothing{"smoothing", Unit{units::none, "voxels"}, byScene("1 with label, 0 with threshold"), between(0, 10),
-              "standard deviation of the kernel that takes away the steps of the voxels; the porosity stays"};
+              "standard deviation of the kernel that takes away the steps of segmented voxels; the porosity stays"};
 const Choice solidSide{"solid", {"above", "below"}, "above", "side of the threshold on which the solid is"},
     dataType{"dataType",
              {"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"},

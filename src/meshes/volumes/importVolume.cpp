@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 
 namespace sph
 {
@@ -65,44 +66,34 @@ void checkShare(const VoxelImage& image, std::size_t solid, const std::string& w
         fmt::format("{} of its voxels are solid by {}: their values go from {:g} to {:g}", solid == 0 ? "none" : "all", what, low, high));
 }
 
-/// A value that is exceeded by as many voxels, half-way to the next one.
-double valueExceededBy(std::vector<float> values, std::size_t count)
+/// Turns the values into ones that are larger in the solid, counts its voxels, and returns the value on its surface; none of a smoothed indicator.
+std::optional<double> segment(VoxelImage& image, const TriSurface::Volume& v, std::size_t& solid)
 {
-    const auto at = values.end() - std::ptrdiff_t(count);
-    std::ranges::nth_element(values, at);
-    return 0.5 * (*at + *std::max_element(values.begin(), at));
-}
-
-/// Turns the values into ones that are larger in the solid, and returns the one on its surface.
-double segment(VoxelImage& image, const TriSurface::Volume& v, std::size_t& solid)
-{
+    double surface = 0.5;
     if (v.label)
     {
         for (auto& value : image.values) value = value == float(*v.label) ? 1 : 0;
-        solid = solidVoxels(image, 0.5);
+        solid = solidVoxels(image, surface);
         checkShare(image, solid, fmt::format("label {:g}", *v.label));
     }
     else
     {
-        // A surface through the centres of voxels would have points that coincide: whole numbers are parted half-way.
-        double threshold = *v.threshold - (image.isWhole ? 0.5 : 0);
-        if (v.solidBelow)
+        const auto turn = [&]
         {
             for (auto& value : image.values) value = -value;
-            threshold = -*v.threshold - (image.isWhole ? 0.5 : 0);
-        }
-        solid = solidVoxels(image, threshold);
-        if (solid == 0 || solid == image.size())
-        {
-            if (v.solidBelow)
-                for (auto& value : image.values) value = -value;
-            checkShare(image, solid, fmt::format("threshold {:g}", *v.threshold));
-        }
-        if (v.smoothing == 0) return threshold;
+        };
+        if (v.solidBelow) turn();
+        // A surface through the centres of voxels would have points that coincide: whole numbers are parted half-way.
+        surface = (v.solidBelow ? -*v.threshold : *v.threshold) - (image.isWhole ? 0.5 : 0);
+        solid = solidVoxels(image, surface);
+        if (v.solidBelow && (solid == 0 || solid == image.size())) turn(); // as the user knows them
+        checkShare(image, solid, fmt::format("threshold {:g}", *v.threshold));
+        if (v.smoothing > 0)
+            for (auto& value : image.values) value = value > surface ? 1 : 0;
     }
-    if (v.smoothing == 0) return 0.5;
+    if (v.smoothing == 0) return surface;
     smooth(image, v.smoothing);
-    return valueExceededBy(image.values, solid);
+    return {};
 }
 
 /// One layer of nodes more on each side, as far below the iso value as the outermost voxel is above it, so that the surface lies half-way between them: in the outer face.
@@ -133,6 +124,50 @@ double volumeOf(const TriangleSurface& s)
     return sum;
 }
 
+double wholeVolume(const VoxelImage& image) { return double(image.size()) * image.voxel.x * image.voxel.y * image.voxel.z; }
+
+/// The surface on which the values are `iso`, normals outwards.
+NumberedMesh surfaceAt(const VoxelImage& image, double iso)
+{
+    iso = float(iso); // a number of the kind that the values are
+    const auto values = padded(image, iso);
+    VoxelContour contour;
+    contourVoxels()({image.cells[0] + 2, image.cells[1] + 2, image.cells[2] + 2}, values.data(), iso, contour);
+    NumberedMesh mesh;
+    const auto& h = image.voxel;
+    for (const auto& [x, y, z] : contour.points)
+        mesh.points.push_back(image.low + Vector<3>{h.x * (x - 0.5), h.y * (y - 0.5), h.z * (z - 0.5)});
+    mesh.triangles = std::move(contour.triangles);
+    if (volumeOf(mesh) < 0)
+        for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+    return mesh;
+}
+
+/// The surface of a smoothed indicator that encloses the share of the volume that is solid, by false position (Illinois: Dowell & Jarratt 1971).
+NumberedMesh surfaceAround(const VoxelImage& image, double share)
+{
+    constexpr double tolerance = 1e-5; // of the volume
+    constexpr int most = 20;
+    double low = 0.1, high = 0.9; // more and less is solid at these values
+    const auto excess = [&](const NumberedMesh& mesh) { return volumeOf(mesh) / wholeVolume(image) - share; };
+    double atLow = excess(surfaceAt(image, low)), atHigh = excess(surfaceAt(image, high));
+    NumberedMesh mesh;
+    std::optional<bool> wasBelow;
+    for (int k = 0; k < most; ++k)
+    {
+        const double iso = atLow > 0 && atHigh < 0 ? low + (high - low) * atLow / (atLow - atHigh) : 0.5;
+        mesh = surfaceAt(image, iso);
+        const double at = excess(mesh);
+        if (std::abs(at) < tolerance || !(atLow > 0 && atHigh < 0)) break;
+        const bool isBelow = at > 0;
+        (isBelow ? low : high) = iso;
+        (isBelow ? atLow : atHigh) = at;
+        if (isBelow == wasBelow) (isBelow ? atHigh : atLow) *= 0.5; // the same end twice
+        wasBelow = isBelow;
+    }
+    return mesh;
+}
+
 }
 
 NumberedMesh importVolume(const std::filesystem::path& file, const TriSurface::Volume& v, std::vector<std::string>& notes)
@@ -151,24 +186,15 @@ NumberedMesh importVolume(const std::filesystem::path& file, const TriSurface::V
         throw UnusableMesh(fmt::format("it cannot be read: {}", e.what()));
     }
     std::size_t solid = 0;
-    const double iso = float(segment(image, v, solid)); // a number of the kind that the values are
-    const auto values = padded(image, iso);
-    VoxelContour contour;
-    contourVoxels()({image.cells[0] + 2, image.cells[1] + 2, image.cells[2] + 2}, values.data(), iso, contour);
-
-    NumberedMesh mesh;
-    const auto& h = image.voxel;
-    for (const auto& [x, y, z] : contour.points)
-        mesh.points.push_back(image.low + Vector<3>{h.x * (x - 0.5), h.y * (y - 0.5), h.z * (z - 0.5)});
-    mesh.triangles = std::move(contour.triangles);
-    if (volumeOf(mesh) < 0)
-        for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+    const auto iso = segment(image, v, solid);
+    const double share = double(solid) / double(image.size());
+    auto mesh = iso ? surfaceAt(image, *iso) : surfaceAround(image, share);
     mesh.regions = {"patch0"};
     mesh.region.assign(mesh.triangles.size(), 0);
     for (int f = 0; f < int(mesh.triangles.size()); ++f) mesh.number.push_back(f);
 
-    const double whole = double(image.size()) * h.x * h.y * h.z, porosity = 1 - double(solid) / double(image.size()),
-                 ofSurface = 1 - volumeOf(mesh) / whole;
+    const double porosity = 1 - share, ofSurface = 1 - volumeOf(mesh) / wholeVolume(image);
+    const auto& h = image.voxel;
     notes.push_back(fmt::format(
         "{} x {} x {} voxels of {:.6g} x {:.6g} x {:.6g}: porosity {:.5f} by voxels, {:.5f} by the surface ({:+.2g} % of the void)",
         image.cells[0], image.cells[1], image.cells[2], h.x, h.y, h.z, porosity, ofSurface, 100 * (ofSurface / porosity - 1)));

@@ -111,7 +111,7 @@ TEST(Volume, solidOfFile)
     TriSurface wall;
     wall.file = "scan.mha";
     wall.scale = 1.0 / 24;
-    wall.volume = TriSurface::Volume{.threshold = 100};
+    wall.volume.emplace().threshold = 100;
     const SolidOfFile solid(scene.folder(), wall, {.low = {-2, -2, -2}, .high = {2, 2, 2}, .spacing = 0.01, .H = 0.026});
     EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
     EXPECT_TRUE(solid.contains({0.1, 0.1, 0.1}));
