@@ -33,7 +33,7 @@ const Scalar threshold{"threshold", units::none, notGiven, anyNumber, "grey valu
     label{"label", units::none, notGiven, anyNumber, "value of the voxels that are solid, in a segmented volume"},
     voxelSize{"voxelSize", units::none, byScene("ElementSpacing of .mhd and .mha"), positive,
               "edge of a voxel, in the lengths that scale turns to m"},
-    smoothing{"smoothing", Unit{units::none, "voxels"}, byScene("1 with label, 0 with threshold"), between(0, 10),
+    smoothing{"smoothing", Unit{units::none, "voxels"}, byScene("2 with label, 0 with threshold"), between(0, 10),
               "standard deviation of the kernel that takes away the steps of segmented voxels; the porosity stays"};
 const Choice solidSide{"solid", {"above", "below"}, "above", "side of the threshold on which the solid is"},
     dataType{"dataType",
@@ -81,7 +81,7 @@ TriSurface::Volume readVolume(const Dictionary& dict, const std::string& file)
             dict.location(),
             "a volume needs either `threshold`, the grey value from which on it is solid, or `label`, the value of its solid voxels");
     if (v.threshold) v.solidBelow = entry::solidSide(dict) == "below";
-    v.smoothing = entry::smoothing(dict, v.label ? 1 : 0);
+    v.smoothing = entry::smoothing(dict, v.label ? 2 : 0);
     v.voxelSize = entry::voxelSize.ifGiven(dict);
     if (isMetaImage(file)) return v; // whose header says the rest
     if (!v.voxelSize)
