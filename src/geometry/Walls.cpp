@@ -19,6 +19,16 @@ namespace sph
 namespace
 {
 
+/// The file beside a MetaImage (.mhd) that has its voxels; empty of all other files.
+std::string voxelFileOf(const std::filesystem::path& file, std::string_view text)
+{
+    if (file.extension() != ".mhd") return "";
+    std::istringstream in{std::string(text)};
+    for (std::string key, equals, name; in >> key;)
+        if (key == "ElementDataFile" && in >> equals >> name) return name;
+    return "";
+}
+
 /// Adds a file and, where an #include names one that exists beside it, that file.
 void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesystem::path>& seen)
 {
@@ -38,7 +48,13 @@ void addFile(Hash& hash, const std::filesystem::path& file, std::set<std::filesy
         std::error_code unknown;
         const auto name = line.substr(open + 1, close - open - 1);
         for (const auto& data : {file.parent_path() / "triSurface" / name, file.parent_path() / name})
-            if (std::filesystem::is_regular_file(data, unknown)) hash.add(MappedFile(data).text());
+        {
+            if (!std::filesystem::is_regular_file(data, unknown)) continue;
+            const MappedFile bytes(data);
+            hash.add(bytes.text());
+            if (const auto beside = data.parent_path() / voxelFileOf(data, bytes.text()); std::filesystem::is_regular_file(beside, unknown))
+                hash.add(MappedFile(beside).text());
+        }
     }
 }
 

@@ -1,4 +1,5 @@
 #include "geometry/triSurface.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
@@ -6,7 +7,8 @@ namespace sph
 
 namespace entry
 {
-const FileName file{"file", "constant/triSurface", required, "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb"};
+const FileName file{"file", "constant/triSurface", required,
+                    "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb; with `volume` voxels: .mhd, .mha, or raw"};
 const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the outermost surfaces on which the fluid is; nested ones alternate"};
 const Scalar scale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
 const SubDictionary rotation{"rotation", notGiven, "about the origin of the file's coordinates, after scaling"};
@@ -25,6 +27,22 @@ const Switch removeSelfIntersections{"removeSelfIntersections", false,
                                      "bodies that overlap or touch become one, and what crosses itself the outside of all that it winds "
                                      "around: box and volume stay, or it is refused; an error otherwise"};
 const SubDictionary wrap{"wrap", notGiven, "a closed surface around a mesh that has holes or crosses itself, as scans have"};
+const SubDictionary volume{"volume", notGiven,
+                           "the file is a volume of voxels, as micro-CT gives it, and the wall the surface of the solid in it"};
+const Scalar threshold{"threshold", units::none, notGiven, anyNumber, "grey value from which on a voxel is solid; this or label"},
+    label{"label", units::none, notGiven, anyNumber, "value of the voxels that are solid, in a segmented volume"},
+    voxelSize{"voxelSize", units::none, byScene("ElementSpacing of .mhd and .mha"), positive,
+              "edge of a voxel, in the lengths that scale turns to m"},
+    smoothing{"smoothing", Unit{units::none, "voxels"}, byScene("2 with label, 0 with threshold"), between(0, 10),
+              "standard deviation of the kernel that takes away the steps of segmented voxels; the porosity stays"};
+const Choice solidSide{"solid", {"above", "below"}, "above", "side of the threshold on which the solid is"},
+    dataType{"dataType",
+             {"uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"},
+             byScene("needed of a raw file"),
+             "of a voxel in a raw file"},
+    byteOrder{"byteOrder", {"little", "big"}, "little", "of the numbers of a raw file: the end that comes first"};
+const ListOf<int> cells{"cells", byScene("needed of a raw file"), "number of voxels along x, which goes fastest, y and z"};
+const Count headerBytes{"headerBytes", 0, nonNegative, "of a raw file that stand before its voxels"};
 const SubDictionary regions{"regions", notGiven, "regions of the file with properties other than the wall's"};
 const FreeName region{"<region>", "dictionary",
                       "a region by its name in the file: solid of an ascii STL, group or object of an OBJ, material of a glTF"};
@@ -44,7 +62,42 @@ EntryList triSurfaceEntries(const EntryList& ofRegion)
             {wrap, {tolerance, alpha}},
             edgeLength,
             featureAngle,
+            {volume, {threshold, label, solidSide, voxelSize, smoothing, cells, dataType, byteOrder, headerBytes}},
             {regions, {{region, ofRegion}}}};
+}
+
+namespace
+{
+
+bool isMetaImage(const std::string& file) { return file.ends_with(".mhd") || file.ends_with(".mha"); }
+
+TriSurface::Volume readVolume(const Dictionary& dict, const std::string& file)
+{
+    TriSurface::Volume v;
+    v.threshold = entry::threshold.ifGiven(dict);
+    v.label = entry::label.ifGiven(dict);
+    if (v.threshold.has_value() == v.label.has_value())
+        dict.diagnostics().error(
+            dict.location(),
+            "a volume needs either `threshold`, the grey value from which on it is solid, or `label`, the value of its solid voxels");
+    if (v.threshold) v.solidBelow = entry::solidSide(dict) == "below";
+    v.smoothing = entry::smoothing(dict, v.label ? 2 : 0);
+    v.voxelSize = entry::voxelSize.ifGiven(dict);
+    if (isMetaImage(file)) return v; // whose header says the rest
+    if (!v.voxelSize)
+        dict.diagnostics().error(
+            dict.location(),
+            fmt::format("nobody knows how large a voxel of {} is: add `voxelSize`, in the lengths that scale turns to m", file));
+    const auto cells = entry::cells.needed(dict);
+    if (cells.size() == 3) std::ranges::copy(cells, v.cells.begin());
+    else if (entry::cells.given(dict))
+        entry::cells.error(dict, fmt::format("three numbers of voxels are needed, and there are {}", cells.size()));
+    v.dataType = entry::dataType.needed(dict);
+    v.bigEndian = entry::byteOrder(dict) == "big";
+    v.headerBytes = entry::headerBytes(dict);
+    return v;
+}
+
 }
 
 std::vector<Dictionary> regionsOf(const Dictionary& wall)
@@ -86,6 +139,11 @@ TriSurface readTriSurface(const Dictionary& wall)
              {static_cast<const Parameter*>(&entry::closeHoles), static_cast<const Parameter*>(&entry::removeSelfIntersections)})
             if (idle->given(wall)) idle->error(wall, "a wrap leaves no holes and no intersections: leave out the one or the other");
     }
+    if (entry::volume.given(wall)) t.volume = readVolume(entry::volume(wall), t.file);
+    else if (isMetaImage(t.file) || t.file.ends_with(".raw"))
+        entry::file.error(
+            wall, fmt::format("{} is a volume of voxels: add what of it is solid, `volume {{ label 1; }}` or `volume {{ threshold 100; }}`",
+                              t.file));
     t.edgeLength = entry::edgeLength.ifGiven(wall);
     t.featureAngle = entry::featureAngle(wall);
     for (const auto& region : regionsOf(wall)) t.regions.push_back(region.keyword());

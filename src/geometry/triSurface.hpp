@@ -3,6 +3,7 @@
 #pragma once
 #include "dictionary/EntryList.hpp"
 #include "geometry/Shape.hpp"
+#include <array>
 
 namespace sph
 {
@@ -29,6 +30,21 @@ struct TriSurface
     std::optional<Wrap> wrap;
     std::optional<double> edgeLength; ///< [m] of the facets that remeshing makes
     double featureAngle = 30;         ///< [degrees] between the normals of facets; edges that turn more are kept
+
+    /// What a volume of voxels is, where the file is one.
+    struct Volume
+    {
+        std::optional<double> threshold, label; ///< one of them
+        bool solidBelow = false;                ///< of the threshold, not from it on
+        double smoothing = 0;                   ///< [voxels] standard deviation
+        std::optional<double> voxelSize;        ///< in the lengths of the file
+        // of a raw file
+        std::array<int, 3> cells{1, 1, 1};
+        std::string dataType;
+        bool bigEndian = false;
+        int headerBytes = 0;
+    };
+    std::optional<Volume> volume;
 
     std::vector<std::string> regions; ///< those with properties of their own
 };

@@ -1,9 +1,9 @@
 #include "meshes/SolidOfFile.hpp"
 #include "meshes/cleanSoup.hpp"
 #include "meshes/continuePeriodically.hpp"
+#include "meshes/importSource.hpp"
 #include "meshes/orientShells.hpp"
 #include "meshes/placeMesh.hpp"
-#include "meshes/readers/importMesh.hpp"
 #include "meshes/repairSurface.hpp"
 #include "meshes/workingMesh.hpp"
 #include <CGAL/Side_of_triangle_mesh.h>
@@ -30,7 +30,7 @@ SolidOfFile::SolidOfFile(const std::filesystem::path& caseFolder, const TriSurfa
 {
     if (t.wrap) throw UnusableMesh("it is to be wrapped: by itself it bounds no solid");
     std::vector<std::string> notes;
-    auto m = importMesh(caseFolder / "constant" / "triSurface" / t.file, notes);
+    auto m = importSource(caseFolder / "constant" / "triSurface" / t.file, t, notes);
     place(m, t);
     const double weld = weldOf(boundingBox(m));
     weldPoints(m, t.weld.value_or(weld), notes);

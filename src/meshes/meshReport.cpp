@@ -65,7 +65,7 @@ std::string meshReport(const PreparedMesh& p, double H, bool full)
                        std::abs(p.prepared.volume),
                        p.asRead.open + p.asRead.multiple > 0 ? "it was open" : fmt::format("{:.6g} m3", std::abs(p.asRead.volume)));
     out += fmt::format("  Sharp edges (more than {:.3g} degrees): {} convex, {} concave\n", t.featureAngle, f.convex, f.concave);
-    if (!full) return out;
+    if (!full) return t.volume ? out + width("Narrowest gap", p.clearances.narrowest, H) : out;
     out += sharpest("convex", f.most, f.mostAt) + sharpest("concave", f.least, f.leastAt);
     if (f.grooves > 0) out += fmt::format("    Grooves of less than {:.0f} degrees: {}\n", leastFilled, f.grooves);
     if (f.convex + f.concave > 0)

@@ -3,10 +3,10 @@
 #include "geometry/components.hpp"
 #include "meshes/cleanSoup.hpp"
 #include "meshes/continuePeriodically.hpp"
+#include "meshes/importSource.hpp"
 #include "meshes/meshFiles.hpp"
 #include "meshes/orientShells.hpp"
 #include "meshes/placeMesh.hpp"
-#include "meshes/readers/importMesh.hpp"
 #include "meshes/repairSurface.hpp"
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
     const auto file = "constant/triSurface/" + t.file;
     try
     {
-        auto m = importMesh(caseFolder / file, result.notes);
+        auto m = importSource(caseFolder / file, t, result.notes);
         result.regions = m.regions;
         checkRegions(m, t);
         checkDigits(m, t, space.spacing, diagnostics);

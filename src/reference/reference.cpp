@@ -8,6 +8,7 @@
 #include "sampling/FunctionObject.hpp"
 #include "schemes/schemeSets.hpp"
 #include "solids/entries/SolidsPlan.hpp"
+#include "solids/entries/bedTables.hpp"
 #include "solver/models.hpp"
 #include "solver/readPhases.hpp"
 #include "solver/readSettings.hpp"
@@ -44,7 +45,9 @@ EntryRegistry collect()
     all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
     for (const auto& table : functionTables()) all.add(table);
-    for (const auto& table : {surfaceTable(), resultTable(), elementTestTable()}) all.add(table);
+    for (const auto& table : {surfaceTable(), bedTable(), heightTable(), radialTable(), sizesTable(), grainsTable(), contactsTable(),
+                              resultTable(), elementTestTable()})
+        all.add(table);
     return all;
 }
 

@@ -35,6 +35,34 @@ SolidShape readSolidShape(const Case& c, const ShapeToPack& s)
     return shape;
 }
 
+namespace
+{
+
+/// Shapes for bodies of these sizes, by the shares of their mass: the largest body first, each gets the shape that has most of its share to come. Bodies of one size come in random
+/// order, since their order is that in which they fall.
+std::vector<int> shapesByMass(const SolidsPlan& plan, const std::vector<double>& sizes, Noise& noise)
+{
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < sizes.size(); ++k) order.emplace_back(noise(), k);
+    std::ranges::sort(order);
+    std::ranges::stable_sort(order, std::greater{}, [&](const auto& each) { return sizes[each.second]; });
+    double all = 0, massOfAll = 0;
+    for (const auto& s : plan.shapes) all += s.share;
+    for (const double d : sizes) massOfAll += d * d * d;
+    std::vector<double> missing;
+    for (const auto& s : plan.shapes) missing.push_back(s.share / all * massOfAll);
+    std::vector<int> shapes(sizes.size());
+    for (const auto& [key, k] : order)
+    {
+        const auto most = std::ranges::max_element(missing);
+        *most -= std::pow(sizes[k], 3);
+        shapes[k] = int(most - missing.begin());
+    }
+    return shapes;
+}
+
+}
+
 std::vector<Body> drawBodies(const SolidsPlan& plan, int count)
 {
     Noise noise(plan.seed);
@@ -43,22 +71,23 @@ std::vector<Body> drawBodies(const SolidsPlan& plan, int count)
         std::vector<int> values;
         for (int k = 0; k < count; ++k) values.push_back(k);
         for (int k = count - 1; k > 0; --k) std::swap(values[std::size_t(k)], values[std::size_t(noise.below(k + 1))]);
-        std::vector<decltype(of(0.5))> drawn;
-        for (const int v : values) drawn.push_back(of((v + 0.5) / count));
+        std::vector<decltype(of(0))> drawn;
+        for (const int v : values) drawn.push_back(of(v));
         return drawn;
     };
-    // Quantiles in random order: the shares are met as well as whole numbers can.
-    const auto sizes = shuffled([&](double p) { return plan.size.quantile(p); });
+    // Sizes that each stand for an equal part, and quantiles of the shapes, in random order: the shares are met as well as whole numbers can.
+    const auto ascending = plan.size.ofGrains(count);
+    const auto sizes = shuffled([&](int k) { return ascending[std::size_t(k)]; });
     double all = 0;
     for (const auto& s : plan.shapes) all += s.share;
-    const auto shapes = shuffled(
-        [&](double p)
-        {
-            double upTo = 0;
-            int k = 0;
-            while (k + 1 < int(plan.shapes.size()) && (upTo += plan.shapes[std::size_t(k)].share / all) < p) ++k;
-            return k;
-        });
+    const auto quantile = [&](int which)
+    {
+        double upTo = 0;
+        int k = 0;
+        while (k + 1 < int(plan.shapes.size()) && (upTo += plan.shapes[std::size_t(k)].share / all) < (which + 0.5) / count) ++k;
+        return k;
+    };
+    const auto shapes = plan.sharesOfMass ? shapesByMass(plan, sizes, noise) : shuffled(quantile);
     std::vector<Body> bodies;
     for (std::size_t k = 0; k < std::size_t(count); ++k) bodies.push_back({shapes[k], sizes[k], {}, randomRotation(noise)});
     return bodies;
@@ -126,13 +155,14 @@ void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
             for (const auto& p : shape.mesh.points) top = std::max(top, b.centre.z + b.size * b.rotation(p).z);
         }
         highest = std::max(highest, top);
-        if (top > plan.container.height) continue;
+        // By centres: the sizes of what stays are those of what was poured.
+        if (top > plan.container.height || (plan.filled && b.centre.z > *plan.filled)) continue;
         newNumber[i] = int(kept.size());
         kept.push_back(b);
     }
     bed.takenAway = int(bed.bodies.size() - kept.size());
     if (bed.takenAway == 0) return;
-    if (!plan.level)
+    if (!plan.level && !plan.filled)
         throw CaseError(
             plan.countAt,
             fmt::format("the bed of {} solids is {:.4g} m high, and the container {:.4g} m: {} solids stand out of it. With \"level "
@@ -167,6 +197,40 @@ void shrink(const SolidsPlan& plan, Bed& bed)
 
 }
 
+namespace
+{
+
+void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)
+{
+    bed.meanSize = plan.size.mean(count);
+    bed.bodies = drawBodies(plan, count);
+    bed.notes.clear();
+    settle(plan, bed, progress);
+}
+
+/// A bed that would be level half of a largest solid above the height at least: those whose centres lie above it can then be taken away. The first number is that of a porosity of 0.4, the next one by what that came to.
+void pourToHeight(const SolidsPlan& plan, Bed& bed, const Progress& progress)
+{
+    constexpr int quantiles = 1000, most = 1'000'000;
+    const double meanVolume = plan.size.meanVolume(quantiles), wanted = *plan.filled + plan.size.high;
+    for (double porosity = 0.4;;)
+    {
+        const double count = std::ceil((1 - porosity) * plan.container.area() * wanted / meanVolume);
+        if (count > most)
+            throw CaseError(plan.filledAt,
+                            fmt::format("a bed {:g} m high takes {:.3g} of these solids; {} are possible", *plan.filled, count, most));
+        progress(fmt::format("{:.0f} solids", count));
+        pour(plan, int(count), bed, progress);
+        // Its height, were it level
+        porosity = porosityOfMiddle(plan, bed);
+        const double level = count * meanVolume / ((1 - porosity) * plan.container.area());
+        if (level > *plan.filled + 0.5 * plan.size.high) return;
+        porosity -= 0.01; // the next bed is one of others
+    }
+}
+
+}
+
 Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
 {
     Bed bed;
@@ -174,9 +238,8 @@ Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
     if (plan.randomClose) { packRandomly(plan, bed, progress); }
     else
     {
-        bed.meanSize = plan.size.mean(plan.count);
-        bed.bodies = drawBodies(plan, plan.count);
-        settle(plan, bed, progress);
+        if (plan.filled) pourToHeight(plan, bed, progress);
+        else pour(plan, plan.count, bed, progress);
         takeAwayWhatStandsOut(plan, bed);
         bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
     }

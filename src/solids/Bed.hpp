@@ -53,6 +53,7 @@ struct Bed
     double shrunk = 0;                  ///< share of the size
     double sizeFactor = 1;              ///< by which all sizes differ from those that were asked for
     int takenAway = 0;                  ///< for standing out of the top
+    int taps = 0;                       ///< of the container, until the bed was as dense as it was to be
     std::vector<Contact> contacts;
     std::vector<std::string> notes;
 
@@ -65,7 +66,7 @@ using Progress = std::function<void(const std::string&)>;
 /// Solids by the plan, sizes and shapes in random order, randomly turned, and nowhere yet.
 std::vector<Body> drawBodies(const SolidsPlan&, int count);
 
-/// Rigid bodies that fall into the container. Throws CaseError where they do not come to rest.
+/// Rigid bodies that fall into the container, which is tapped where a porosity is asked for. Throws CaseError where they do not come to rest, or do not become as dense.
 void settle(const SolidsPlan&, Bed&, const Progress&);
 
 /// Spheres at their final places and sizes. Throws CaseError where the porosity cannot be reached.
@@ -84,6 +85,11 @@ std::vector<std::pair<int, int>> nearPairs(const SolidContainer&, std::span<cons
 /// Depth by which solids reach into one another or into the container, the largest of the bed [m]: of spheres exact; of meshes that of the deepest
 /// point of an edge of one below the surface of the other. 0 where no facets cross.
 double largestOverlap(const SolidContainer&, const Bed&);
+
+/// Height below which 90 % of the solids end; of randomClose that of the container [m].
+double heightOf(const SolidsPlan&, const Bed&);
+/// Porosity of the middle half of the height over the whole cross-section, exact but for overlaps.
+double porosityOfMiddle(const SolidsPlan&, const Bed&);
 
 /// Bodies as surfaces in space.
 TriangleSurface placed(const SolidContainer&, const SolidShape&, const Body&);

@@ -4,6 +4,7 @@
 #include <LinearMath/btConvexHullComputer.h>
 #include <algorithm>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace sph
 {
@@ -104,23 +105,29 @@ std::vector<std::vector<btVector3>> convexParts(const std::vector<btVector3>& po
 
 }
 
+std::pair<btMatrix3x3, btVector3> principalAxes(const SolidShape& shape)
+{
+    const auto moments = volumeMoments(shape.mesh);
+    const auto& s = moments.second;
+    const double trace = s.xx + s.yy + s.zz;
+    btMatrix3x3 inertia(trace - s.xx, -s.xy, -s.xz, -s.xy, trace - s.yy, -s.yz, -s.xz, -s.yz, trace - s.zz), axes;
+    inertia.diagonalize(axes, 1e-12, 100);
+    return {axes, btVector3(inertia[0][0], inertia[1][1], inertia[2][2]) / moments.volume};
+}
+
 CollisionShape makeCollisionShape(const SolidShape& shape)
 {
     CollisionShape c;
     c.isSphere = shape.isSphere();
     c.description = "sphere";
     if (c.isSphere) return c;
-    const auto moments = volumeMoments(shape.mesh);
-    const auto& s = moments.second;
-    const double trace = s.xx + s.yy + s.zz;
-    btMatrix3x3 inertia(trace - s.xx, -s.xy, -s.xz, -s.xy, trace - s.yy, -s.yz, -s.xz, -s.yz, trace - s.zz);
-    inertia.diagonalize(c.axes, 1e-12, 100);
-    c.inertia = btVector3(inertia[0][0], inertia[1][1], inertia[2][2]) / moments.volume;
+    const double shapeVolume = volumeMoments(shape.mesh).volume;
+    std::tie(c.axes, c.inertia) = principalAxes(shape);
     std::vector<btVector3> points;
     for (const auto& p : shape.mesh.points) points.push_back(btVector3(p.x, p.y, p.z) * c.axes);
     c.corners = hullOf(points);
 
-    const double excess = std::max(0.0, hullVolume(points) / moments.volume - 1);
+    const double excess = std::max(0.0, hullVolume(points) / shapeVolume - 1);
     constexpr double nearlyConvex = 0.02;
     if (shape.form == CollisionForm::parts || (shape.form == CollisionForm::automatic && excess > nearlyConvex))
         c.parts = convexParts(points, shape.mesh);
@@ -131,7 +138,7 @@ CollisionShape makeCollisionShape(const SolidShape& shape)
     c.description = isWhole ? fmt::format("convex hull, {:.2g} % more volume than the shape{}", 100 * excess,
                                           isCovered ? "" : "; its convex parts would not cover it")
                             : fmt::format("{} convex parts, volumes together {:.3g} of the shape's (its hull: {:.3g})", c.parts.size(),
-                                          volume / moments.volume, 1 + excess);
+                                          volume / shapeVolume, 1 + excess);
     return c;
 }
 

@@ -18,6 +18,8 @@ struct CollisionShape
     std::string description;                       ///< "2 convex parts, 1.3 % more volume than the shape"
 };
 
+/// Principal axes of a mesh, the columns of a rotation, and the moments of inertia about them, over m d^2.
+std::pair<btMatrix3x3, btVector3> principalAxes(const SolidShape&);
 CollisionShape makeCollisionShape(const SolidShape&);
 
 /// A Bullet shape and what it refers to.

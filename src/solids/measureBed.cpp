@@ -1,7 +1,6 @@
 #include "solids/BedReport.hpp"
-#include "solids/meshDistance.hpp"
+#include "solids/SolidIndicator.hpp"
 #include <algorithm>
-#include <map>
 
 namespace sph
 {
@@ -82,29 +81,9 @@ void measureCore(const SolidContainer& c, const Bed& bed, double low, double hig
     const double margin = bed.meanSize;
     const double mx = c.periodic[0] ? 0 : margin, my = c.periodic[1] ? 0 : margin;
     if (c.isCylinder ? c.radius < 1.5 * margin : c.length - 2 * mx < margin || c.width - 2 * my < margin) return;
-    // Bodies by the columns of a grid that they reach into
-    const double cell = bed.meanSize;
-    std::map<std::array<int, 3>, std::vector<int>> near;
-    std::size_t facets = 1;
-    for (std::size_t i = 0; i < bed.bodies.size(); ++i) facets = std::max(facets, bed.shapeOf(bed.bodies[i]).mesh.triangles.size());
-    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
-    {
-        const auto& b = bed.bodies[i];
-        const double reach = bed.reachOf(b);
-        for (int kx = c.periodic[0] ? -1 : 0; kx <= (c.periodic[0] ? 1 : 0); ++kx)
-            for (int ky = c.periodic[1] ? -1 : 0; ky <= (c.periodic[1] ? 1 : 0); ++ky)
-                for (int kz = c.periodic[2] ? -1 : 0; kz <= (c.periodic[2] ? 1 : 0); ++kz)
-                {
-                    const auto x = b.centre + Vector<3>{kx * c.length, ky * c.width, kz * c.height};
-                    const auto from = [&](double a) { return int(std::floor((a - reach) / cell)); };
-                    const auto to = [&](double a) { return int(std::floor((a + reach) / cell)); };
-                    for (int p = from(x.x); p <= to(x.x); ++p)
-                        for (int q = from(x.y); q <= to(x.y); ++q)
-                            for (int r = from(x.z); r <= to(x.z); ++r) near[{p, q, r}].push_back(int(i));
-                }
-    }
+    const SolidIndicator isSolid(c, bed);
     constexpr int mostPoints = 200'000;
-    const int points = std::clamp(int(5e8 / double(facets)), 10'000, mostPoints);
+    const int points = std::clamp(int(5e8 / double(isSolid.mostFacets())), 10'000, mostPoints);
     Noise noise(0);
     int inside = 0;
     for (int k = 0; k < points; ++k)
@@ -116,17 +95,7 @@ void measureCore(const SolidContainer& c, const Bed& bed, double low, double hig
             x.x = r * std::cos(angle);
             x.y = r * std::sin(angle);
         }
-        const auto at = near.find({int(std::floor(x.x / cell)), int(std::floor(x.y / cell)), int(std::floor(x.z / cell))});
-        if (at == near.end()) continue;
-        inside += std::ranges::any_of(at->second,
-                                      [&](int i)
-                                      {
-                                          const auto& b = bed.bodies[std::size_t(i)];
-                                          const auto d = shortest(c, x - b.centre);
-                                          if (mag(d) > bed.reachOf(b)) return false;
-                                          const Rotation back{b.rotation.w, -b.rotation.v};
-                                          return bed.shapeOf(b).isSphere() || isInside(bed.shapeOf(b).mesh, back(d) / b.size);
-                                      });
+        inside += isSolid(x);
     }
     const double share = double(inside) / points;
     result.corePorosity = 1 - share;
@@ -135,21 +104,32 @@ void measureCore(const SolidContainer& c, const Bed& bed, double low, double hig
 
 }
 
+double heightOf(const SolidsPlan& plan, const Bed& bed)
+{
+    if (plan.randomClose) return plan.container.height;
+    std::vector<double> tops;
+    for (const auto& b : bed.bodies)
+    {
+        double top = bed.shapeOf(b).isSphere() ? 0.5 : 0;
+        for (const auto& p : bed.shapeOf(b).mesh.points) top = std::max(top, b.rotation(p).z);
+        tops.push_back(b.centre.z + b.size * top);
+    }
+    std::ranges::sort(tops);
+    return tops[std::size_t(0.9 * double(tops.size()))];
+}
+
+double porosityOfMiddle(const SolidsPlan& plan, const Bed& bed)
+{
+    const double height = heightOf(plan, bed);
+    return Slices(plan.container, bed).porosity(0.25 * height, 0.75 * height);
+}
+
 BedMeasures measure(const SolidsPlan& plan, const Bed& bed)
 {
     const auto& c = plan.container;
     BedMeasures result;
-    std::vector<double> tops;
     const Slices slices(c, bed);
-    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
-    {
-        const auto& b = bed.bodies[i];
-        double top = bed.shapeOf(b).isSphere() ? 0.5 : 0;
-        for (const auto& p : slices.turned[i].points) top = std::max(top, p.z);
-        tops.push_back(b.centre.z + b.size * top);
-    }
-    std::ranges::sort(tops);
-    result.height = plan.randomClose ? c.height : tops[std::size_t(0.9 * double(tops.size()))];
+    result.height = heightOf(plan, bed);
     constexpr int perSize = 8, mostLayers = 400;
     const int layers = std::clamp(int(perSize * result.height / bed.meanSize), 1, mostLayers);
     for (int k = 0; k < layers; ++k)
@@ -161,7 +141,9 @@ BedMeasures measure(const SolidsPlan& plan, const Bed& bed)
     const double low = 0.25 * result.height, high = 0.75 * result.height;
     result.porosity = slices.porosity(low, high);
     measureCore(c, bed, low, high, result);
+    if (c.isCylinder) result.shells = radialPorosity(c, bed, low, high);
     result.coordination = 2 * double(bed.contacts.size()) / double(bed.bodies.size());
+    measureGrains(c, bed, low, high, result);
     return result;
 }
 

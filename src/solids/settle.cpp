@@ -376,6 +376,12 @@ public:
         return all;
     }
 
+    /// The container is lifted and set down: all bodies set off upwards together and fall again.
+    void tap(double speed)
+    {
+        for (auto* b : bodies_) b->setLinearVelocity({0, 0, speed});
+    }
+
     void setDamping(double damping)
     {
         for (auto* b : bodies_) b->setDamping(damping, damping);
@@ -431,10 +437,42 @@ void placeInCells(const SolidsPlan& plan, const SolidContainer& c, Bed& bed, dou
     }
 }
 
+/// Steps until the bodies have come to rest, which is looked at once the time `fallen` [sqrt(d/g)] has passed: at first all are slow.
+void bringToRest(SettlingWorld& world, const SolidsPlan& plan, Bed& bed, double substep, double fallen, const Progress& progress)
+{
+    // Shares of the velocities that are lost in a unit of time: while bodies fall, and once almost all are at rest, so that what rolls on stops.
+    constexpr double falling = 0.1, stopping = 0.98, slow = 1e-3;
+    world.setDamping(falling);
+    const double perUnit = std::sqrt(g), before = bed.time;
+    constexpr int between = 12, needed = 10;
+    const int most = int(plan.longest / perUnit / substep);
+    int atRest = 0, step = 0;
+    for (double reported = 0; atRest < needed && step < most; ++step)
+    {
+        world.stepSimulation(substep, 0);
+        if (step % between != between - 1) continue;
+        bed.kineticEnergy = world.kineticEnergy();
+        const double time = (step + 1) * substep * perUnit;
+        bed.time = before + time;
+        atRest = time > fallen && bed.kineticEnergy < plan.restEnergy ? atRest + 1 : 0;
+        if (time > fallen && bed.kineticEnergy < slow) world.setDamping(stopping);
+        if (time - reported < 20) continue;
+        reported = time;
+        progress(fmt::format("t = {:.0f} sqrt(d/g): kinetic energy of a body {:.2g} m g d", bed.time, bed.kineticEnergy));
+    }
+    if (atRest < needed)
+        throw CaseError(plan.timeLimitAt,
+                        fmt::format("the bed is not at rest after {:g} sqrt(d/g): the kinetic energy of a body is {:.2g} m g d, and "
+                                    "restEnergy {:g}. Give it more time, or more restEnergy",
+                                    plan.longest, bed.kineticEnergy, plan.restEnergy));
+}
+
 }
 
 void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
 {
+    bed.time = 0;
+    bed.taps = 0;
     const double unit = bed.meanSize;
     auto c = plan.container;
     for (double* length : {&c.length, &c.width, &c.radius, &c.height}) *length /= unit;
@@ -478,47 +516,45 @@ void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
         world.add(bodies.back().get(), form, b.size, bed.reachOf(b));
     }
 
-    // Shares of the velocities that are lost in a unit of time: while bodies fall, and once almost all are at rest, so that what rolls on stops.
-    constexpr double falling = 0.1, stopping = 0.98, slow = 1e-3;
-    world.setDamping(falling);
-    const double perUnit = std::sqrt(g);
-    constexpr int between = 12, needed = 10;
     const bool hasMeshes = std::ranges::any_of(bed.shapes, [](const auto& s) { return !s.isSphere(); });
     const double substep = hasMeshes ? substepOfMeshes : substepOfSpheres;
-    const int most = int(plan.longest / perUnit / substep);
-    // The test waits until the highest has come down: at first all are slow.
+    const auto takeOver = [&]
+    {
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+        {
+            auto& b = bed.bodies[i];
+            const auto& at = bodies[i]->getWorldTransform();
+            const auto turned = at.getBasis() * forms[std::size_t(b.shape)].axes.transpose();
+            b.rotation = rotationTo(plain(turned.getColumn(0)), plain(turned.getColumn(1)), plain(turned.getColumn(2)));
+            auto x = plain(at.getOrigin());
+            if (c.periodic[0]) x.x -= c.length * std::floor(x.x / c.length);
+            if (c.periodic[1]) x.y -= c.width * std::floor(x.y / c.width);
+            b.centre = unit * x;
+        }
+    };
+    for (auto& b : bed.bodies) b.size *= unit;
     double highest = 0;
-    for (const auto& b : bed.bodies) highest = std::max(highest, b.centre.z);
-    const double fallen = 2 * std::sqrt(2 * highest);
-    int atRest = 0, step = 0;
-    for (double reported = 0; atRest < needed && step < most; ++step)
+    for (const auto& b : bodies) highest = std::max(highest, b->getWorldTransform().getOrigin().z());
+    bringToRest(world, plan, bed, substep, 2 * std::sqrt(2 * highest), progress);
+    takeOver();
+    // A tap lifts the bed by an eighth of a size: v = (g d)^1/2/2.
+    constexpr int mostTaps = 500;
+    const double speed = 0.5 * std::sqrt(g);
+    for (double loosest = 0; plan.porosity; ++bed.taps)
     {
-        world.stepSimulation(substep, 0);
-        if (step % between != between - 1) continue;
-        bed.kineticEnergy = world.kineticEnergy();
-        bed.time = (step + 1) * substep * perUnit;
-        atRest = bed.time > fallen && bed.kineticEnergy < plan.restEnergy ? atRest + 1 : 0;
-        if (bed.time > fallen && bed.kineticEnergy < slow) world.setDamping(stopping);
-        if (bed.time - reported < 20) continue;
-        reported = bed.time;
-        progress(fmt::format("t = {:.0f} sqrt(d/g): kinetic energy of a body {:.2g} m g d", bed.time, bed.kineticEnergy));
-    }
-    if (atRest < needed)
-        throw CaseError(plan.timeLimitAt,
-                        fmt::format("the bed is not at rest after {:g} sqrt(d/g): the kinetic energy of a body is {:.2g} m g d, and "
-                                    "restEnergy {:g}. Give it more time, or more restEnergy",
-                                    plan.longest, bed.kineticEnergy, plan.restEnergy));
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-    {
-        auto& b = bed.bodies[i];
-        const auto& at = bodies[i]->getWorldTransform();
-        const auto turned = at.getBasis() * forms[std::size_t(b.shape)].axes.transpose();
-        b.rotation = rotationTo(plain(turned.getColumn(0)), plain(turned.getColumn(1)), plain(turned.getColumn(2)));
-        auto x = plain(at.getOrigin());
-        if (c.periodic[0]) x.x -= c.length * std::floor(x.x / c.length);
-        if (c.periodic[1]) x.y -= c.width * std::floor(x.y / c.width);
-        b.centre = unit * x;
-        b.size *= unit;
+        const double porosity = porosityOfMiddle(plan, bed);
+        if (bed.taps == 0) loosest = porosity;
+        if (porosity <= *plan.porosity) break;
+        if (bed.taps == mostTaps)
+            throw CaseError(
+                plan.porosityAt,
+                fmt::format("the bed has settled to a porosity of {:.4f} and after {} taps to {:.4f}; {:g} is out of its reach. Less "
+                            "friction makes it denser, and so does method randomClose",
+                            loosest, bed.taps, porosity, *plan.porosity));
+        if (bed.taps % 10 == 0) progress(fmt::format("t = {:.0f} sqrt(d/g): porosity {:.4f} after {} taps", bed.time, porosity, bed.taps));
+        world.tap(speed);
+        bringToRest(world, plan, bed, substep, 2 * speed / g * std::sqrt(g), progress);
+        takeOver();
     }
     bed.contacts = world.contacts();
     for (auto& contact : bed.contacts) contact.gap *= unit;

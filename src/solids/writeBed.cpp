@@ -1,12 +1,37 @@
 #include "base/OutputFile.hpp"
 #include "case/FoamHeader.hpp"
 #include "solids/BedReport.hpp"
+#include "solids/entries/bedTables.hpp"
 #include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace sph
 {
+
+namespace
+{
+
+/// Shares of the shapes as packed, by number and mass.
+std::string sharesText(const Bed& bed)
+{
+    std::vector<double> number(bed.shapes.size()), mass(bed.shapes.size());
+    double all = 0;
+    for (const auto& b : bed.bodies)
+    {
+        const double volume = std::pow(b.size, 3);
+        number[std::size_t(b.shape)] += 1.0 / double(bed.bodies.size());
+        mass[std::size_t(b.shape)] += volume;
+        all += volume;
+    }
+    std::string text;
+    for (std::size_t k = 0; k < bed.shapes.size(); ++k)
+        text += fmt::format("    {}: {:.4f} of the number, {:.4f} of the mass\n", bed.shapes[k].isSphere() ? "sphere" : bed.shapes[k].file,
+                            number[k], mass[k] / all);
+    return text;
+}
+
+}
 
 std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
 {
@@ -15,15 +40,22 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
     fmt::format_to(to, "Solids: {}, mean size {:.6g} m", bed.bodies.size(), bed.meanSize);
     if (bed.sizeFactor != 1) fmt::format_to(to, ", all sizes {:+.3g} % of those asked for", 100 * (bed.sizeFactor - 1));
     text += "\n";
+    if (plan.shapes.size() > 1) text += sharesText(bed);
     for (const auto& note : bed.notes) fmt::format_to(to, "    {}\n", note);
-    if (bed.takenAway) fmt::format_to(to, "    {} that stood out of the top were taken away\n", bed.takenAway);
+    if (bed.takenAway)
+        fmt::format_to(to, "    {} {} were taken away\n", bed.takenAway,
+                       plan.filled ? fmt::format("with centres above {:g} m", *plan.filled) : "that stood out of the top");
     if (!plan.randomClose)
-        fmt::format_to(to, "At rest after {:.4g} sqrt(d/g), kinetic energy of a body {:.3g} m g d\n", bed.time, bed.kineticEnergy);
+        fmt::format_to(to, "At rest after {:.4g} sqrt(d/g){}, kinetic energy of a body {:.3g} m g d\n", bed.time,
+                       plan.porosity ? fmt::format(" and {} taps", bed.taps) : "", bed.kineticEnergy);
     fmt::format_to(to, "Height: {:.6g} m{}\nPorosity of the middle half: {:.5f}", m.height,
                    plan.randomClose ? "" : " (90 % of the solids end below)", m.porosity);
     if (m.corePorosity) fmt::format_to(to, ", a size away from the sides {:.4f} +- {:.4f}", *m.corePorosity, m.coreError);
-    fmt::format_to(to, "\nContacts: {} between solids, coordination number {:.3f}\nLargest overlap: {:.3g} % of the size",
-                   bed.contacts.size(), m.coordination, 100 * bed.overlap);
+    fmt::format_to(to, "\nContacts: {} between solids, coordination number {:.3f}{}\n", bed.contacts.size(), m.coordination,
+                   m.coreCoordination ? fmt::format(", away from the ends and sides {:.3f}", *m.coreCoordination) : "");
+    if (m.orientation)
+        fmt::format_to(to, "Longest axes: {:+.3f} (1 upright, 0 at random to +- {:.3f}, -0.5 lying)\n", *m.orientation, m.orientationError);
+    fmt::format_to(to, "Largest overlap: {:.3g} % of the size", 100 * bed.overlap);
     if (bed.shrunk > 0)
         fmt::format_to(to, "; all solids then made {:.3g} % smaller{}", 100 * bed.shrunk, plan.shrink ? "" : ", so that none overlap");
     constexpr double tooMuch = 0.01;
@@ -57,6 +89,43 @@ std::string solidsText(const SolidContainer& c, const Bed& bed)
                        exact(c.toWorld(b.centre)), q.w, q.v.x, q.v.y, q.v.z);
     }
     return text + ");\n";
+}
+
+/// Names of the columns, and rows of as many cells.
+std::string csvText(const TableInfo& table, const std::vector<std::vector<std::string>>& rows)
+{
+    std::vector<std::string> names;
+    for (const auto& column : table.columns) names.push_back(column.name);
+    auto text = fmt::format("{}\n", fmt::join(names, ","));
+    for (const auto& row : rows) text += fmt::format("{}\n", fmt::join(row, ","));
+    return text;
+}
+
+std::string digits(double a) { return fmt::format("{:.9g}", a); }
+std::string digits(const std::optional<double>& a) { return a ? digits(*a) : ""; }
+
+/// The curve has a row for each sieve or listed size, else for fifty steps between the smallest size and the largest.
+std::string gradingText(const SolidsPlan& plan, const Bed& bed)
+{
+    const auto& s = plan.size;
+    auto sizes = s.sizes;
+    constexpr int steps = 50;
+    if (sizes.empty())
+        for (int k = 0; k <= steps; ++k) sizes.push_back(s.low * std::pow(s.high / s.low, double(k) / steps));
+    std::ranges::sort(sizes);
+    constexpr double rounding = 1e-9; // what a size has lost on its way
+    const double drawn = bed.sizeFactor * (1 - bed.shrunk) * (1 + rounding);
+    double all = 0;
+    for (const auto& b : bed.bodies) all += std::pow(b.size, 3);
+    std::vector<std::vector<std::string>> rows;
+    for (const double d : sizes)
+    {
+        double finer = 0;
+        for (const auto& b : bed.bodies)
+            if (b.size <= d * drawn) finer += std::pow(b.size, 3);
+        rows.push_back({digits(d), digits(finer / all), digits(s.passing(d))});
+    }
+    return csvText(sizesTable(), rows);
 }
 
 }
@@ -97,18 +166,32 @@ std::vector<std::string> writeBed(const Case& theCase, const SolidsPlan& plan, c
                   });
     writeOrRemove("constant/triSurface/solids.obj", !meshes.empty(), [&] { return objText(meshes); });
 
-    std::string porosity = "height,porosity\n", contacts = "first,second,gap\n";
-    for (std::size_t k = 0; k < m.layerMiddle.size(); ++k) porosity += fmt::format("{:.9g},{:.9g}\n", m.layerMiddle[k], m.layerPorosity[k]);
-    for (const auto& [i, j, gap] : bed.contacts) contacts += fmt::format("{},{},{:.6g}\n", i, j, gap);
-    write("postProcessing/solids/porosity.csv", porosity);
-    write("postProcessing/solids/contacts.csv", contacts);
-    write("postProcessing/solids/bed.csv",
-          fmt::format(
-              "solids,meanSize,height,porosity,corePorosity,contacts,coordination,largestOverlap,shrunk,kineticEnergy\n{},{:.9g},{:.9g},"
-              "{:.9g},{},{},{:.9g},{:.6g},{:.6g},{:.6g}\n",
-              bed.bodies.size(), bed.meanSize, m.height, m.porosity,
-              m.corePorosity ? fmt::format("{:.9g}", *m.corePorosity) : std::string(), bed.contacts.size(), m.coordination, bed.overlap,
-              bed.shrunk, bed.kineticEnergy));
+    std::vector<std::vector<std::string>> layers, shells, grains, contacts;
+    for (std::size_t k = 0; k < m.layerMiddle.size(); ++k) layers.push_back({digits(m.layerMiddle[k]), digits(m.layerPorosity[k])});
+    for (const auto& shell : m.shells)
+        shells.push_back(
+            {digits(shell.radius), digits((c.radius - shell.radius) / bed.meanSize), digits(shell.porosity), digits(shell.error)});
+    for (std::size_t i = 0; i < bed.bodies.size(); ++i)
+    {
+        const auto& b = bed.bodies[i];
+        const auto& grain = m.grains[i];
+        const auto x = c.toWorld(b.centre);
+        grains.push_back({digits(x.x), digits(x.y), digits(x.z), std::to_string(b.shape), digits(b.size), std::to_string(grain.contacts),
+                          digits(grain.gap), digits(grain.tilt)});
+    }
+    for (const auto& [i, j, gap] : bed.contacts) contacts.push_back({std::to_string(i), std::to_string(j), fmt::format("{:.6g}", gap)});
+    const std::string tables = "postProcessing/solids/";
+    write(tables + heightTable().file, csvText(heightTable(), layers));
+    write(tables + contactsTable().file, csvText(contactsTable(), contacts));
+    write(tables + grainsTable().file, csvText(grainsTable(), grains));
+    writeOrRemove(tables + radialTable().file, !shells.empty(), [&] { return csvText(radialTable(), shells); });
+    writeOrRemove(tables + sizesTable().file, plan.size.high > plan.size.low, [&] { return gradingText(plan, bed); });
+    write(tables + bedTable().file,
+          csvText(bedTable(),
+                  {{std::to_string(bed.bodies.size()), digits(bed.meanSize), digits(m.height), digits(m.porosity), digits(m.corePorosity),
+                    std::to_string(bed.contacts.size()), digits(m.coordination), digits(bed.overlap), digits(bed.shrunk),
+                    digits(bed.kineticEnergy), m.corePorosity ? digits(m.coreError) : "", digits(m.coreCoordination), digits(m.orientation),
+                    m.orientation ? digits(m.orientationError) : "", std::to_string(bed.taps)}}));
     // Last: what it names is there.
     write("constant/solids", solidsText(c, bed));
     return written;

@@ -3,6 +3,7 @@
 #pragma once
 #include "case/Case.hpp"
 #include "dictionary/EntryList.hpp"
+#include "solids/entries/SizeDistribution.hpp"
 #include <array>
 
 namespace sph
@@ -19,35 +20,11 @@ enum class CollisionForm
 struct ShapeToPack
 {
     std::string file; ///< relative to the case; empty: a sphere
-    double share = 1; ///< of the number of solids
+    double share = 1; ///< of the number or mass of solids
     CollisionForm form = CollisionForm::automatic;
     Location where;
 
     bool isSphere() const { return file.empty(); }
-};
-
-/// Distribution of the diameter [m], that of the sphere of equal volume.
-struct SizeDistribution
-{
-    enum class Kind
-    {
-        fixed,
-        uniform,
-        normal,
-        lognormal,
-        list
-    };
-    Kind kind = Kind::fixed;
-    double low = 1, high = 1;        ///< no size is outside
-    double middle = 1, width = 0;    ///< mean and standard deviation; of a lognormal distribution those of ln d
-    std::vector<double> sizes, upTo; ///< of a list, and the shares by number up to and with each
-
-    /// The size that the share p of the solids, by number, does not exceed.
-    double quantile(double p) const;
-    /// Mean of the sizes at the middles of n equal shares, which `count` solids have.
-    double mean(int count) const;
-    double meanVolume(int count) const; ///< pi/6 of the mean of d^3
-    Location where;
 };
 
 /// Upright, with an open top: `up` is against gravity.
@@ -74,8 +51,10 @@ struct SolidsPlan
     bool randomClose = false;
     SolidContainer container;
     std::vector<ShapeToPack> shapes;
+    bool sharesOfMass = false; ///< those of shapes
     SizeDistribution size;
-    int count = 0;
+    int count = 0;                ///< 0: as many as `filled` takes
+    std::optional<double> filled; ///< [m] height that the bed reaches, and no centre lies above
     std::uint64_t seed = 1;
 
     double friction = 0, restitution = 0;
@@ -83,8 +62,8 @@ struct SolidsPlan
     double longest = 0;    ///< time until then, in sqrt(d/g)
     bool level = false;
     std::optional<double> shrink;   ///< share of the size; none: as much as parts what overlaps
-    std::optional<double> porosity; ///< of randomClose; none: the least that is reached
-    Location countAt, timeLimitAt, porosityAt, where;
+    std::optional<double> porosity; ///< none: of randomClose the least that is reached, of a bed that settles that of its fall
+    Location countAt, filledAt, timeLimitAt, porosityAt, where;
 };
 
 /// Throws CaseError with all mistakes. Reads constant/g, without which up is z.

@@ -21,11 +21,16 @@ const Choice method{"method",
                     "settle",
                     "how the bed is made; of randomClose the porosity and the sizes decide on the number of spheres"};
 const Count solidsSeed{"seed", 1, anyNumber, "the same seed makes the same bed"},
-    count{"count", required, between(1, 1e6).saying("count {}: 1 to a million solids can be packed"), "number of solids"};
+    count{"count", byScene("needed without height"), between(1, 1e6).saying("count {}: 1 to a million solids can be packed"),
+          "number of solids"};
+const Scalar filled{"height", units::m, byScene("that of count solids"), positive,
+                    "the bed reaches it: as many solids as that takes; those whose centres come to lie above are taken away"};
 const DictionaryList solidShapes{"shapes", byScene("spheres"), "the shapes, each with its share"};
 const FileName meshFile{"file", "constant/triSurface", byScene("a sphere"),
                         "closed surface in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb, normals outwards"};
-const Scalar share{"share", units::none, 1, positive, "weight of the shape in the number of solids"};
+const Scalar share{"share", units::none, 1, positive,
+                   "of the solids that have the shape; without sharesOf a weight, with it their sum is 1"};
+const Choice sharesOf{"sharesOf", {"number", "mass"}, byScene("number"), "what the shares of shapes are of"};
 const Choice collision{"collision",
                        {{"automatic", "hull where it has at most 2 % more volume than the shape, else parts"},
                         {"hull", "the convex hull"},
@@ -41,66 +46,18 @@ const ListOf<std::string> boxPeriodic{"periodic", byScene("(), no direction"),
 const Scalar cylinderRadius{"radius", units::m, required, positive, "of the cylinder"},
     cylinderHeight{"height", units::m, required, positive, "of the cylinder"};
 
-const Choice distribution{"distribution", {"fixed", "uniform", "normal", "lognormal", "list"}, "fixed", "of the sizes, by number"};
-const Scalar sizeValue{"value", units::m, required, positive, "the size"}, sizeMin{"min", units::m, required, positive, "smallest size"},
-    sizeMax{"max", units::m, required, positive, "largest size"}, sizeMean{"mean", units::m, required, positive, "of all sizes"},
-    sizeMedian{"median", units::m, required, positive, "half of the solids are smaller"},
-    sizeDeviation{"standardDeviation", units::m, required, positive, "of all sizes"},
-    geometricDeviation{"geometricStandardDeviation", units::none, required,
-                       Range{.low = 1, .lowIncluded = false}.saying("geometricStandardDeviation {} must be above 1"),
-                       "e to the standard deviation of ln d"};
-const ListOf<double> sizes{"sizes", units::m, required, "each > 0"}, fractions{"fractions", required, "share of each size; their sum is 1"};
-const Choice fractionsOf{"fractionsOf", {"mass", "number"}, "mass", "what the fractions are shares of"};
-
 const Scalar friction{"friction", units::none, 0.5, nonNegative, "coefficient of Coulomb's friction, at solids and container"},
     restitution{"restitution", units::none, 0.1, between(0, 1), "of the speed after an impact"},
     restEnergy{"restEnergy", units::none, 1e-6, positive, "mean kinetic energy over m g d below which the bed is at rest"},
     timeLimit{"timeLimit", Unit{units::none, "sqrt(d/g)"}, 400, positive, "time after which a bed that is not at rest is an error"},
-    targetPorosity{"porosity", units::none, byScene("the least that is reached"), positiveBelow(1), "to be reached"};
+    targetPorosity{"porosity", units::none, byScene("the least that is reached"), positiveBelow(1), "to be reached"},
+    settledPorosity{"porosity", units::none, byScene("that of its fall"), positiveBelow(1),
+                    "of the middle half of the height: the container is tapped until the bed is as dense"};
 const AutomaticScalar shrink{
     "shrink", units::none, byScene("automatic"), between(0, 0.1).saying("shrink {} is none of 0 to 0.1"),
     "share by which solids are made smaller in the end, so that surfaces do not cross and the gaps where they touch are resolved; "
     "automatic: of meshes as much as parts them, of spheres nothing"};
 const Switch level{"level", false, "take away what stands out of the top, which is an error else"};
-}
-
-namespace
-{
-
-/// Share of a normal distribution below x.
-double normalBelow(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
-
-}
-
-double SizeDistribution::quantile(double p) const
-{
-    if (kind == Kind::fixed) return low;
-    if (kind == Kind::uniform) return low + p * (high - low);
-    if (kind == Kind::list)
-        return sizes[std::size_t(std::min(std::ranges::upper_bound(upTo, p) - upTo.begin(), std::ptrdiff_t(sizes.size()) - 1))];
-    const auto below = [&](double d) { return normalBelow(((kind == Kind::lognormal ? std::log(d) : d) - middle) / width); };
-    const double target = below(low) + p * (below(high) - below(low));
-    double a = low, b = high;
-    for (int k = 0; k < 60; ++k)
-    {
-        const double d = 0.5 * (a + b);
-        (below(d) < target ? a : b) = d;
-    }
-    return 0.5 * (a + b);
-}
-
-double SizeDistribution::mean(int count) const
-{
-    double sum = 0;
-    for (int k = 0; k < count; ++k) sum += quantile((k + 0.5) / count);
-    return sum / count;
-}
-
-double SizeDistribution::meanVolume(int count) const
-{
-    double sum = 0;
-    for (int k = 0; k < count; ++k) sum += std::pow(quantile((k + 0.5) / count), 3);
-    return std::numbers::pi / 6 * sum / count;
 }
 
 double SolidContainer::area() const { return isCylinder ? std::numbers::pi * radius * radius : length * width; }
@@ -164,55 +121,6 @@ SolidContainer readCylinder(const Dictionary& dict, const Vector<3>& up)
     return c;
 }
 
-SizeDistribution readSizes(const Dictionary& dict)
-{
-    SizeDistribution s;
-    s.where = dict.location();
-    const auto word = entry::distribution(dict);
-    s.kind = SizeDistribution::Kind(entry::distribution.indexOf(word));
-    if (word == "fixed") s.low = s.high = entry::sizeValue(dict);
-    else if (word == "list")
-    {
-        s.sizes = entry::sizes(dict);
-        auto fractions = entry::fractions(dict);
-        const bool byMass = entry::fractionsOf(dict) == "mass";
-        if (s.sizes.size() != fractions.size() || s.sizes.empty())
-        {
-            entry::fractions.error(dict, fmt::format("there are {} sizes and {} fractions", s.sizes.size(), fractions.size()));
-            return SizeDistribution{};
-        }
-        if (std::ranges::any_of(s.sizes, [](double d) { return !(d > 0); })) entry::sizes.error(dict, "each size must be positive");
-        if (std::ranges::any_of(fractions, [](double f) { return f < 0; }) ||
-            std::abs(std::accumulate(fractions.begin(), fractions.end(), -1.0)) > 1e-6)
-            entry::fractions.error(dict, "fractions must not be negative, and their sum must be 1");
-        if (byMass)
-            for (std::size_t k = 0; k < fractions.size(); ++k) fractions[k] /= std::pow(s.sizes[k], 3);
-        const double all = std::accumulate(fractions.begin(), fractions.end(), 0.0);
-        double sum = 0;
-        for (const double f : fractions) s.upTo.push_back((sum += f) / all);
-        s.low = std::ranges::min(s.sizes);
-        s.high = std::ranges::max(s.sizes);
-    }
-    else
-    {
-        s.low = entry::sizeMin(dict);
-        s.high = entry::sizeMax(dict);
-        if (entry::sizeMin.given(dict) && entry::sizeMax.given(dict) && s.high <= s.low)
-            entry::sizeMax.error(dict, fmt::format("max {} must be greater than min {}", s.high, s.low));
-        if (word == "normal")
-        {
-            s.middle = entry::sizeMean(dict);
-            s.width = entry::sizeDeviation(dict);
-        }
-        if (word == "lognormal")
-        {
-            s.middle = std::log(entry::sizeMedian(dict));
-            s.width = std::log(entry::geometricDeviation(dict));
-        }
-    }
-    return s;
-}
-
 const EntryList& containerEntries()
 {
     using namespace entry;
@@ -226,17 +134,14 @@ const EntryList& containerEntries()
 EntryList solidsEntries()
 {
     using namespace entry;
-    const EntryList sizeEntries{{distribution,
-                                 {{"fixed", {sizeValue}},
-                                  {"uniform", {sizeMin, sizeMax}},
-                                  {"normal", {sizeMin, sizeMax, sizeMean, sizeDeviation}},
-                                  {"lognormal", {sizeMin, sizeMax, sizeMedian, geometricDeviation}},
-                                  {"list", {sizes, fractions, fractionsOf}}}}};
     return {{solids,
              {{method,
                {{"settle",
                  {count,
+                  filled,
+                  settledPorosity,
                   {solidShapes, {meshFile, share, collision}},
+                  sharesOf,
                   entry::friction,
                   entry::restitution,
                   entry::restEnergy,
@@ -246,7 +151,7 @@ EntryList solidsEntries()
               solidsSeed,
               entry::shrink,
               {container, containerEntries()},
-              {solidSize, sizeEntries}}}};
+              {solidSize, sizeEntries()}}}};
 }
 
 SolidsPlan readSolidsPlan(const Case& c)
@@ -278,8 +183,14 @@ SolidsPlan readSolidsPlan(const Case& c)
     }
     else
     {
-        plan.count = entry::count(dict);
+        plan.filled = entry::filled.ifGiven(dict);
+        plan.filledAt = entry::filled.where(dict);
+        plan.count = plan.filled ? 0 : entry::count.needed(dict);
         plan.countAt = entry::count.where(dict);
+        if (plan.filled && entry::count.given(dict))
+            entry::count.error(dict, "the height decides on the number of solids: leave out count or height");
+        plan.porosity = entry::settledPorosity.ifGiven(dict);
+        plan.porosityAt = entry::settledPorosity.where(dict);
         for (const auto& d : entry::solidShapes(dict))
         {
             const auto file = entry::meshFile.ifGiven(d);
@@ -291,6 +202,18 @@ SolidsPlan readSolidsPlan(const Case& c)
             if (entry::solidShapes.given(dict))
                 entry::solidShapes.error(dict, "shapes lists none. Without the entry all solids are spheres");
             plan.shapes = {ShapeToPack{}};
+        }
+        plan.sharesOfMass = entry::sharesOf.is(dict, "mass");
+        if (entry::sharesOf.given(dict))
+        {
+            entry::sharesOf(dict, "number");
+            double together = 0;
+            for (const auto& s : plan.shapes) together += s.share;
+            if (std::abs(together - 1) > 1e-6)
+                entry::solidShapes.error(
+                    dict, fmt::format(
+                              "the shares of the shapes are {:g} together: with sharesOf their sum must be 1; without it they are weights",
+                              together));
         }
         plan.friction = entry::friction(dict);
         plan.restitution = entry::restitution(dict);
@@ -312,10 +235,12 @@ SolidsPlan readSolidsPlan(const Case& c)
             throw CaseError(box.where, fmt::format("a period of {:g} m is shorter than two of the largest solids ({:g} m each)", lengths[k],
                                                    plan.size.high));
     // Sizes are those of spheres here; meshes are longer, and checked when they are read.
-    if (plan.size.high > std::min(box.narrowest(), box.height))
-        throw CaseError(plan.size.where, fmt::format("solids of {:g} m do not fit into a container of {:g} m", plan.size.high,
-                                                     std::min(box.narrowest(), box.height)));
-    if (!plan.randomClose && !plan.level)
+    if (const double extent = std::min(box.narrowest(), box.height); plan.size.high > extent)
+        throw CaseError(plan.size.where, fmt::format("solids of {:g} m do not fit into a container of {:g} m{}", plan.size.high, extent,
+                                                     plan.size.high > 50 * extent ? ": are the sizes in mm? Lengths are in m" : ""));
+    if (plan.filled && *plan.filled > box.height)
+        throw CaseError(plan.filledAt, fmt::format("the bed cannot be {:g} m high in a container of {:g} m", *plan.filled, box.height));
+    if (plan.count > 0 && !plan.level)
     {
         constexpr double densest = 0.74; // of equal spheres (Kepler)
         const double solid = plan.count * plan.size.meanVolume(plan.count);

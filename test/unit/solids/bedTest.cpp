@@ -273,7 +273,8 @@ TEST(Bed, SameSeedSameBytes)
     const auto dict = "count 30;\nseed 5;\ncontainer { type box; min (0 0 0); max (0.04 0.04 0.1); }\nsize { value 0.01; }\n";
     const TestCase a(withRocks(dict)), b(withRocks(dict)), c(withRocks(dict));
     c.replace("system/packParticlesDict", "seed 5", "seed 6");
-    for (const auto* each : {&a, &b, &c}) each->runWell("packParticles", "-solids");
+    for (const auto* each : {&a, &c}) each->runWell("packParticles", "-solids");
+    b.runWell("packParticles", "-solids", 2); // threads
     EXPECT_EQ(difference(a.files("."), b.files(".")), "");
     EXPECT_NE(a.read("constant/solidSpheres"), c.read("constant/solidSpheres"));
 
@@ -348,6 +349,220 @@ TEST(Bed, Sizes)
     EXPECT_NEAR(small / all, 0.25, 1e-3);
 }
 
+// Distributions of the mass. The sizes of n grains each have the mean volume of their part, so that the mass that is finer than a size is met but for the one grain
+// that the size lies in.
+TEST(Bed, SizesByMass)
+{
+    const auto sizesOf = [](const std::string& size)
+    {
+        const TestCase folder(withRocks("count 10;\ncontainer { type box; min (0 0 0); max (1 1 1); }\nsize { " + size + " }\n"));
+        return readSolidsPlan(Case(folder.folder())).size;
+    };
+    const auto finer = [](const std::vector<double>& grains, double d)
+    {
+        double below = 0, all = 0;
+        for (const double each : grains)
+        {
+            all += std::pow(each, 3);
+            if (each <= d) below += std::pow(each, 3);
+        }
+        return below / all;
+    };
+    const auto rosin = sizesOf("distribution RosinRammler; d 0.01; n 1.2; min 0.004; max 0.03;");
+    const auto grains = rosin.ofGrains(2000);
+    double massOfAll = 0;
+    for (const double d : grains) massOfAll += std::pow(d, 3);
+    const double coarsest = std::pow(grains.back(), 3) / massOfAll;
+    const auto share = [](double d) { return 1 - std::exp(-std::pow(d / 0.01, 1.2)); };
+    for (const double d : {0.005, 0.007, 0.01, 0.02})
+    {
+        const double expected = (share(d) - share(0.004)) / (share(0.03) - share(0.004));
+        EXPECT_NEAR(rosin.passing(d), expected, 1e-12);
+        EXPECT_NEAR(finer(grains, d), expected, coarsest);
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(grains));
+    EXPECT_GE(grains.front(), 0.004);
+    EXPECT_LE(grains.back(), 0.03);
+    // The mean volume is that of the distribution, whatever their number: int dM/d^3 by a rule of its own.
+    double perVolume = 0;
+    constexpr int steps = 200'000;
+    for (int k = 0; k < steps; ++k)
+    {
+        const double a = 0.004 + 0.026 * k / steps, b = 0.004 + 0.026 * (k + 1) / steps;
+        perVolume += (share(b) - share(a)) / std::pow(0.5 * (a + b), 3) / (share(0.03) - share(0.004));
+    }
+    for (const int n : {10, 2000}) EXPECT_NEAR(rosin.meanVolume(n) * perVolume / (std::numbers::pi / 6), 1, 1e-5) << n;
+
+    const std::string table = "passing ((0.002 0) (0.004 0) (0.0056 0.12) (0.008 0.44) (0.0112 0.81) (0.016 1) (0.02 1));";
+    const auto sieved = sizesOf("distribution sieves; " + table);
+    EXPECT_EQ(sieved.low, 0.004); // below and above there are no sizes
+    EXPECT_EQ(sieved.high, 0.016);
+    EXPECT_NEAR(sieved.passing(std::sqrt(0.0056 * 0.008)), 0.28, 1e-12); // linear in the logarithm
+    for (const auto& [d, expected] : std::vector<std::pair<double, double>>{{0.0056, 0.12}, {0.008, 0.44}, {0.0112, 0.81}})
+        EXPECT_NEAR(finer(sieved.ofGrains(2000), d), expected, 0.005);
+
+    // A lognormal distribution of the mass is one of the number whose median is smaller by exp(-3 (ln s)^2) (Hatch & Choate 1929).
+    const double s = 1.2, median = 0.01 * std::exp(-3 * std::pow(std::log(s), 2));
+    const auto byMass =
+        sizesOf("distribution lognormal; median 0.01; geometricStandardDeviation 1.2; min 0.001; max 0.1; fractionsOf mass;")
+            .ofGrains(1001);
+    EXPECT_NEAR(byMass[500] / median, 1, 1e-3);
+}
+
+// Shares of the mass of shapes are met but for a grain, whatever the sizes.
+TEST(Bed, SharesOfMass)
+{
+    const TestCase folder(withRocks(
+        "count 300;\ncontainer { type box; min (0 0 0); max (1 1 1); }\nsharesOf mass;\nshapes ( { share 0.2; } { file \"angular.obj\"; share "
+        "0.7; } { file \"flat.obj\"; share 0.1; } );\nsize { distribution RosinRammler; d 0.01; n 1; min 0.002; max 0.03; }\n"));
+    std::array<double, 3> mass{};
+    double all = 0, largest = 0;
+    for (const auto& b : drawBodies(readSolidsPlan(Case(folder.folder())), 300))
+    {
+        const double volume = std::pow(b.size, 3);
+        mass[std::size_t(b.shape)] += volume;
+        all += volume;
+        largest = std::max(largest, volume);
+    }
+    EXPECT_NEAR(mass[0] / all, 0.2, largest / all);
+    EXPECT_NEAR(mass[1] / all, 0.7, largest / all);
+    EXPECT_NEAR(mass[2] / all, 0.1, largest / all);
+}
+
+// A bed of a height: as many solids as that takes, those with centres above taken away, so that it is level there and the sizes stay those of the sieves.
+TEST(Bed, OfAHeight)
+{
+    const auto [plan, bed, m] =
+        pack(withRocks("height 0.05;\nfriction 0.1;\ncontainer { type box; min (0 0 0); max (0.05 0.05 0.15); periodic (x y); }\n"
+                       "size { distribution sieves; passing ((0.005 0) (0.0071 0.4) (0.01 1)); }\n"));
+    EXPECT_GT(bed.takenAway, 0);
+    double solid = 0, fine = 0;
+    for (const auto& b : bed.bodies)
+    {
+        EXPECT_LE(b.centre.z, 0.05);
+        solid += std::pow(b.size, 3);
+        if (b.size < 0.0071) fine += std::pow(b.size, 3);
+    }
+    EXPECT_NEAR(fine / solid, 0.4, 0.05); // some 200 grains at the surface stay or go
+    // Level: the volume of the solids is that of the middle half, up to the height.
+    EXPECT_NEAR(std::numbers::pi / 6 * solid / ((1 - m.porosity) * 0.05 * 0.05 * 0.05), 1, 0.06);
+}
+
+// A bed that is tapped becomes as dense as it was asked to be, and no denser than a tap makes it.
+TEST(Bed, Tapped)
+{
+    const std::string box =
+        "count 100;\nfriction 0.3;\ncontainer { type box; min (0 0 0); max (0.04 0.04 0.15); periodic (x y); }\nsize { value 0.01; }\n";
+    const auto poured = pack(withRocks(box));
+    const double target = poured.measures.porosity - 0.004;
+    const auto tapped = pack(withRocks(box + "porosity " + std::to_string(target) + ";\n"));
+    EXPECT_GT(tapped.bed.taps, 0);
+    EXPECT_LE(tapped.measures.porosity, target + 1e-4); // spheres are shrunk by less than that
+    EXPECT_GT(tapped.measures.porosity, target - 0.01);
+    EXPECT_LT(tapped.bed.kineticEnergy, 1e-6);
+    EXPECT_LT(tapped.bed.overlap, 1e-3);
+}
+
+// The solid in all shells together is that of the bed: of one sphere anywhere, cut by a height or about the axis, to 2e-4, and of a settled bed, whose exact porosity is that of its slices.
+TEST(Bed, RadialPorosity)
+{
+    SolidContainer c;
+    c.isCylinder = true;
+    c.radius = 0.3;
+    c.height = 1;
+    Bed one;
+    one.shapes.resize(1);
+    one.meanSize = 0.1;
+    const auto solidOf = [&](const std::vector<RadialShell>& shells, double height)
+    {
+        double sum = 0;
+        const double thickness = c.radius / double(shells.size());
+        for (const auto& shell : shells) sum += (1 - shell.porosity) * 2 * std::numbers::pi * shell.radius * thickness * height;
+        return sum;
+    };
+    const double sphere = std::numbers::pi / 6 * 0.001;
+    for (const double x : {0.0, 0.01, 0.05, 0.1234, 0.25})
+    {
+        one.bodies = {{0, 0.1, {0, x, 0.5}, {}}};
+        EXPECT_NEAR(solidOf(radialPorosity(c, one, 0, 1), 1) / sphere, 1, 2e-4) << x;
+        EXPECT_NEAR(solidOf(radialPorosity(c, one, 0.5, 1), 0.5) / sphere, 0.5, 1e-3) << x;
+    }
+    // At its wall a bed has nothing but points of contact, and half a diameter from it about a quarter of void (Benenati & Brosilow 1962).
+    const auto [plan, bed, m] = pack(withRocks(cylinder));
+    double area = 0, mean = 0;
+    for (const auto& shell : m.shells)
+    {
+        area += shell.radius;
+        mean += shell.radius * shell.porosity;
+        EXPECT_EQ(shell.error, 0);
+    }
+    EXPECT_NEAR(mean / area, m.porosity, 2e-4);
+    EXPECT_GT(m.shells.back().porosity, 0.9);
+    EXPECT_LT(m.shells[m.shells.size() - 11].porosity, 0.35);
+}
+
+// With meshes the profile is sampled: the volume of a rock in all shells together is its own within four standard errors.
+TEST(Bed, RadialPorosityByPoints)
+{
+    SolidContainer c;
+    c.isCylinder = true;
+    c.radius = 0.2;
+    c.height = 1;
+    Bed bed;
+    bed.shapes.resize(2);
+    bed.meanSize = 0.1;
+    bed.shapes[1].mesh = makeRock(rockKinds()[0], 80, 1, 1);
+    const auto moments = volumeMoments(bed.shapes[1].mesh);
+    const double size = std::cbrt(6 / std::numbers::pi * moments.volume);
+    for (auto& p : bed.shapes[1].mesh.points) p = (p - moments.centroid) / size;
+    bed.shapes[1].reach = 1;
+    bed.bodies = {{1, 0.1, {0.1, 0, 0.5}, {}}};
+    double sum = 0, variance = 0;
+    const auto shells = radialPorosity(c, bed, 0.4, 0.6);
+    for (const auto& shell : shells)
+    {
+        const double volume = 2 * std::numbers::pi * shell.radius * c.radius / double(shells.size()) * 0.2;
+        sum += (1 - shell.porosity) * volume;
+        variance += std::pow(shell.error * volume, 2);
+    }
+    EXPECT_NEAR(sum, std::numbers::pi / 6 * 0.001, 4 * std::sqrt(variance));
+    EXPECT_LT(std::sqrt(variance) / sum, 0.05);
+}
+
+// Gaps to the nearest sphere, contacts, and the tilt of rods: one upright, one lying.
+TEST(Bed, GrainsAreMeasured)
+{
+    Bed bed;
+    bed.shapes.resize(2);
+    bed.meanSize = 1;
+    bed.shapes[1].mesh = makeRock(*std::ranges::find(rockKinds(), "elongated", &RockKind::name), 80, 1, 1);
+    SolidContainer c;
+    c.length = c.width = c.height = 10;
+    c.periodic = {true, false, false};
+    bed.bodies = {{0, 1, {0.2, 5, 5}, {}}, {0, 1, {9.15, 5, 5}, {}}, {0, 1, {5, 5, 5}, {}}, {1, 1, {5, 2, 5}, {}}, {1, 1, {5, 8, 5}, {}}};
+    bed.contacts = {{0, 1, 0.05}};
+    BedMeasures m;
+    measureGrains(c, bed, 2, 8, m);
+    EXPECT_NEAR(m.grains[0].gap.value(), 0.05, 1e-12); // across the period
+    EXPECT_NEAR(m.grains[1].gap.value(), 0.05, 1e-12);
+    EXPECT_FALSE(m.grains[2].gap);
+    EXPECT_EQ(m.grains[0].contacts, 1);
+    EXPECT_NEAR(m.coreCoordination.value(), 2.0 / 5, 1e-12);
+    EXPECT_FALSE(m.grains[0].tilt);
+    const double tilt = m.grains[3].tilt.value();
+    EXPECT_EQ(tilt, m.grains[4].tilt);
+    // Turned about y by the angle that is left, a rod whose axis lies in the plane of x and z is upright: three rods along the axes have no order.
+    const auto order = m.orientation.value();
+    EXPECT_NEAR(order, 1.5 * std::pow(std::cos(tilt * std::numbers::pi / 180), 2) - 0.5, 1e-9);
+    const double third = std::numbers::pi / 3, k = std::sin(third) / std::sqrt(3.0);
+    const Rotation once{std::cos(third), {k, k, k}}; // x to y to z to x
+    bed.bodies = {{1, 1, {5, 5, 5}, {}}, {1, 1, {5, 5, 5}, once}, {1, 1, {5, 5, 5}, once * once}};
+    bed.contacts.clear();
+    measureGrains(c, bed, 2, 8, m);
+    EXPECT_NEAR(m.orientation.value(), 0, 1e-12);
+    EXPECT_NEAR(m.orientationError, 1 / std::sqrt(15.0), 1e-12);
+}
+
 // Two unit cubes that overlap by a tenth do so whichever way they lie, and cubes apart do not.
 TEST(Bed, OverlapIsMeasured)
 {
@@ -416,6 +631,26 @@ TEST(Bed, Mistakes)
          "along gravity a bed that settles does not repeat");
     says(errorOf("count 5;\n" + box + size, {{"constant/g", "value (0 -7 -7);\n"}}),
          "constant/g:1: gravity is along no edge of the container");
+    const auto sieves = [&](const std::string& passing)
+    { return errorOf("count 5;\n" + box + "size { distribution sieves; passing (" + passing + "); }\n"); };
+    says(sieves("(0.004 0) (0.008 0.5) (0.012 0.4) (0.016 1)"),
+         file + "5: row 3: 0.4 passes 0.012 m, and 0.5 the finer sieve of 0.008 m: what passes must grow from row to row");
+    says(sieves("(0.008 0) (0.004 1)"), "row 2: the sieve of 0.004 m follows one of 0.008 m: list them from the finest to the coarsest");
+    says(sieves("(0.004 0) (0.008 50) (0.016 100)"), "the shares are in percent: write 1 for 100");
+    says(sieves("(0.004 0.1) (0.008 1)"), "0.1 passes the finest sieve, of 0.004 m: add a row with the size that nothing passes, and 0");
+    says(sieves("(0.004 0) (0.008 0.9)"), "0.9 passes the coarsest sieve, of 0.008 m: add a row with the size that all passes, and 1");
+    says(sieves("(0.004 0) (0.008)"), "row 2 has 1 numbers: a sieve [m] and the share that passes it are needed");
+    says(errorOf("count 5;\n" + box + "size { distribution list; sizes (0.01 0.02); fractions (0.5 0.6); }\n"),
+         file + "5: fractions must not be negative, and their sum must be 1: it is 1.1");
+    says(errorOf("count 5;\n" + box + "size { distribution RosinRammler; d 1e-5; n 2; min 0.01; max 0.02; }\n"),
+         "the distribution has nothing between min 0.01 and max 0.02");
+    says(errorOf("count 5;\n" + box + "size { value 10; }\n"),
+         "solids of 10 m do not fit into a container of 0.1 m: are the sizes in mm? Lengths are in m");
+    says(errorOf("count 5;\n" + box + "sharesOf mass;\nshapes ( { share 0.5; } { file \"flat.obj\"; share 0.6; } );\n" + size),
+         file + "6: the shares of the shapes are 1.1 together: with sharesOf their sum must be 1; without it they are weights");
+    says(errorOf("count 5;\nheight 0.05;\n" + box + size),
+         file + "3: the height decides on the number of solids: leave out count or height");
+    says(errorOf("height 0.2;\n" + box + size), file + "3: the bed cannot be 0.2 m high in a container of 0.1 m");
     says(errorOf("method randomClose;\nporosity 0.3;\n" + box + "size { value 0.03; }\n"), file + "4: spheres still overlap by");
     says(errorOf("count 20;\ncontainer { type box; min (0 0 0); max (0.02 0.02 0.045); }\n" + size),
          "stand out of it. With \"level yes;\"");
