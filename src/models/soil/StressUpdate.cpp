@@ -16,13 +16,26 @@ namespace
 struct SoundSpeed
 {
     double ofLaw, all;
-    SoundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
+    template<class Law> SoundSpeed(const Law& law, const StateOf<Law>& state, double rho, const SoilNumbers& numbers)
     {
-        const double square = law.stiffness(stress) / rho;
+        const double square = law.stiffness(state) / rho;
         ofLaw = std::sqrt(square);
         all = rho > numbers.compactFrom ? std::sqrt(square + sqr(numbers.compactionSpeed)) : ofLaw;
     }
 };
+
+/// Arrays of the state variables of a law, by component.
+template<class Law, int dim> auto variablesOf(FieldStore<dim>& store)
+{
+    std::vector<double*> arrays;
+    typename StateOf<Law>::Variables variables;
+    forEachVariable(variables,
+                    [&]<class Part>(const StateVariable& variable, const Part&)
+                    {
+                        for (int c = 0; c < components<VariableIn<dim, Part>>; ++c) arrays.push_back(store.component(variable.name, c));
+                    });
+    return arrays;
+}
 }
 
 template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
@@ -75,13 +88,16 @@ template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
     double* const c = particles.store().component(SoilSound::info.name, 0);
     const auto& numbers = particles.coefficients().template of<SoilNumbers>();
     std::visit(
-        [&](const auto& law)
+        [&]<class Law>(const Law& law)
         {
+            const auto variables = variablesOf<Law>(particles.store());
             const auto sound = reduce(
                 particles.size(), Counts{},
                 [&](std::size_t i)
                 {
-                    const SoundSpeed of(law, in3D(valueAt<StressTensor<dim>>(sigma, i)), rho[i], numbers);
+                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)),
+                                             variablesAt<dim, typename StateOf<Law>::Variables>(variables, i));
+                    const SoundSpeed of(law, state, rho[i], numbers);
                     c[i] = of.all;
                     return Counts{.fastest = of.all, .ofLaw = of.ofLaw};
                 },
@@ -101,7 +117,8 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const double lastDeltaT = levels_ ? levels_->next(deltaT) : 0, span = lastDeltaT + deltaT;
     const auto older = levels_ ? store.pointers(OlderStress{}) : decltype(store.pointers(OlderStress{})){};
     const auto L = std::as_const(store).pointers(VelocityGradient{});
-    const double *rho = store.component(Density::info.name, 0), *V = store.component(Volume::info.name, 0);
+    double* const rho = store.component(Density::info.name, 0);
+    const double* const V = store.component(Volume::info.name, 0);
     double* const c = store.component(SoilSound::info.name, 0);
     const auto& numbers = particles.coefficients().template of<SoilNumbers>();
     const auto noise = numbers.smoothing > 0 ? std::as_const(store).pointers(StressNoise{})
@@ -112,8 +129,10 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     double* const work = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
-        return [&](std::size_t i)
+        using Variables = typename StateOf<Law>::Variables;
+        return [&, variables = variablesOf<Law>(store)](std::size_t i)
         {
+            const auto variablesBefore = variablesAt<dim, Variables>(variables, i);
             const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
             const auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
             auto start = lastDeltaT > 0 ? in3D(valueAt<StressTensor<dim>>(older, i)) : before;
@@ -124,11 +143,13 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
                 const double fastest = c[i] / h, byStrain = strainsOfNoise * norm(D);
                 const double rate = numbers.smoothing * (numbers.smoothsAtRest ? fastest : std::fmin(fastest, byStrain));
                 const auto smoothed = start - std::expm1(-rate * span) * in3D(valueAt<StressTensor<dim>>(noise, i));
-                if (law.admits(smoothed)) start = smoothed;
+                if (law.admits(StateOf<Law>(smoothed, variablesBefore))) start = smoothed;
             }
-            const auto step = integrateStress(law, start, span * gradient, soil.integration);
+            const auto step = integrateStress(law, StateOf<Law>(start, variablesBefore), span * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
-            const SoundSpeed sound(law, step.stress, rho[i], numbers);
+            storeVariables<dim>(step.variables, variables, i);
+            if constexpr (LawOfState<Law>) rho[i] *= law.solidShare(step.variables) / law.solidShare(variablesBefore);
+            const SoundSpeed sound(law, step, rho[i], numbers);
             c[i] = sound.all;
             const auto mean = levels_ ? before : 0.5 * (start + step.stress);
             if (strain) strain[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
