@@ -25,9 +25,9 @@ struct SoundSpeed
 };
 
 /// Arrays of the state variables of a law, by component.
-template<class Law, int dim> auto variablesOf(FieldStore<dim>& store)
+template<class Law, int dim> auto variablesOf(auto& store)
 {
-    std::vector<double*> arrays;
+    std::vector<decltype(store.component("", 0))> arrays;
     typename StateOf<Law>::Variables variables;
     forEachVariable(variables,
                     [&]<class Part>(const StateVariable& variable, const Part&)
@@ -38,7 +38,8 @@ template<class Law, int dim> auto variablesOf(FieldStore<dim>& store)
 }
 }
 
-template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
+template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored)
+    : particles_(particles), fresh_(restored.empty())
 {
     const auto walls = particles.settings().facts.template get<WallConditions>();
     if (particles.coefficients().template has<TwoLevels>())
@@ -69,7 +70,9 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
         return {{"first sound", "c = sqrt(M/rho), once",
                  [this](Particles<dim>& p, const Substep&)
                  {
-                     if (!std::exchange(measured_, true)) measure(p);
+                     if (std::exchange(measured_, true)) return;
+                     if (fresh_) checkVariables(p);
+                     measure(p);
                  }}};
     if (levels_ && place == JoinPoint::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
@@ -81,6 +84,30 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
              {ofStrain}}};
 }
 
+template<int dim> void StressUpdate<dim>::checkVariables(const Particles<dim>& particles) const
+{
+    const auto& store = particles.store();
+    const auto sigma = store.pointers(SoilStress{});
+    const auto places = store.pointers(Position{});
+    std::visit(
+        [&]<class Law>(const Law& law)
+        {
+            if constexpr (LawOfState<Law>)
+            {
+                const auto variables = variablesOf<Law, dim>(store);
+                for (std::size_t i = 0; i < particles.size(); ++i)
+                {
+                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)), variablesAt<dim, typename Law::Variables>(variables, i));
+                    const auto why = norm(state.stress) > 0 ? law.objection(state) : "";
+                    if (why.empty()) continue;
+                    const auto x = in3D(valueAt<Vector<dim>>(places, i));
+                    throw CaseError({soilProperties, 0}, fmt::format("soil at ({:.6g} {:.6g} {:.6g}) m: {}", x.x, x.y, x.z, why));
+                }
+            }
+        },
+        particles.coefficients().template of<Soil>().law);
+}
+
 template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
 {
     const auto sigma = std::as_const(particles.store()).pointers(SoilStress{});
@@ -90,7 +117,7 @@ template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
     std::visit(
         [&]<class Law>(const Law& law)
         {
-            const auto variables = variablesOf<Law>(particles.store());
+            const auto variables = variablesOf<Law, dim>(particles.store());
             const auto sound = reduce(
                 particles.size(), Counts{},
                 [&](std::size_t i)
@@ -130,7 +157,7 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
         using Variables = typename StateOf<Law>::Variables;
-        return [&, variables = variablesOf<Law>(store)](std::size_t i)
+        return [&, variables = variablesOf<Law, dim>(store)](std::size_t i)
         {
             const auto variablesBefore = variablesAt<dim, Variables>(variables, i);
             const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
