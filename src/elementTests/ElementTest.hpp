@@ -15,8 +15,8 @@ inline constexpr double SymmTensor<3>::*symmComponents[]{&SymmTensor<3>::xx, &Sy
 /// A part of the strain that is found so that a measure of the stress goes where it is to go.
 struct StressControl
 {
-    SymmTensor<3> strain;  ///< its direction
-    SymmTensor<3> measure; ///< measure:sigma [Pa] is what is controlled
+    SymmTensor<3> strain;              ///< its direction
+    SymmTensor<3> measure;             ///< measure:sigma [Pa] is what is controlled
     std::optional<double> target = {}; ///< at the end of the piece [Pa]; none: it stays
 };
 /// A component of the stress that is held by that of the strain.
@@ -35,8 +35,8 @@ struct ElementLeg
 struct ElementTest
 {
     std::string name, type;
-    std::string pathAxis;  ///< what ElementLeg::path is, for the axis of a plot
-    SymmTensor<3> stress;  ///< at the start [Pa]
+    std::string pathAxis;               ///< what ElementLeg::path is, for the axis of a plot
+    SymmTensor<3> stress;               ///< at the start [Pa]
     std::vector<double> variables = {}; ///< those of the law, at the start
     std::vector<ElementLeg> legs = {};
     int points = 100; ///< rows of a leg
@@ -48,8 +48,8 @@ struct ElementRow
 {
     double path = 0;
     SymmTensor<3> strain = {}, stress = {}; ///< the sum of D dt [-]; [Pa], effective
-    std::vector<double> variables = {}; ///< those of the law
-    double porePressure = 0; ///< since the last drained piece [Pa]
+    std::vector<double> variables = {};     ///< those of the law
+    double porePressure = 0;                ///< since the last drained piece [Pa]
     StressState state = StressState::regular;
     SubSteps subSteps = {}; ///< since the row before
     std::string stage = {};

@@ -56,7 +56,8 @@ std::optional<Residuals> residualsOf(const WuBauer& law, const Measurement& m)
     double before = 0, mostVolume = 0;
     for (const auto& point : m.points)
     {
-        if (point.axialStrain > before) test.legs.push_back({{0, 0, 0, 0, 0, 0, 0, 0, before - point.axialStrain}, point.axialStrain, lateral});
+        if (point.axialStrain > before)
+            test.legs.push_back({{0, 0, 0, 0, 0, 0, 0, 0, before - point.axialStrain}, point.axialStrain, lateral});
         before = std::max(before, point.axialStrain);
         mostVolume = std::max(mostVolume, std::abs(point.volumeStrain));
     }

@@ -65,7 +65,7 @@ struct TestType
     std::array<bool, 6> held; ///< xx xy xz yy yz zz
     const ListOf<double>* drivenBy;
     const char* axis = "strain [-]"; ///< of what drives it
-    /// What may drive it in place of the strain, and measure:sigma of that.
+    /// Stress that may drive it in place of the strain, and measure:sigma of that.
     const ListOf<double>* orBy = nullptr;
     SymmTensor<3> measure = {};
     std::optional<Tensor<3>> undrained = {}; ///< for a path of 1 at constant volume
@@ -232,8 +232,7 @@ void readLegs(const Dictionary& d, const TestType& type, ElementTest& test, cons
         type.orBy->error(d, fmt::format("the test is driven twice: keep {} or {}", type.drivenBy->keyword(), type.orBy->keyword()));
     const auto& driver = byStress ? *type.orBy : *type.drivenBy;
     const auto targets = driver.needed(d);
-    if (targets.empty() && driver.given(d))
-        driver.error(d, fmt::format("\"{}\" is empty: give at least one number", driver.keyword()));
+    if (targets.empty() && driver.given(d)) driver.error(d, fmt::format("\"{}\" is empty: give at least one number", driver.keyword()));
     auto unit = type.unit;
     if (type.drivenBy == &entry::angle)
     {
@@ -309,11 +308,12 @@ void readState(const Dictionary& d, const SoilLaw& any, ElementTest& test)
             }
             if (law.admits(state)) return;
             const auto principal = principalValues(test.stress);
-            at.error(d,
-                     fmt::format(
-                         "the start has the principal stresses {:.6g}, {:.6g} and {:.6g} Pa, tension positive, trace {:.6g}: the law needs {}",
-                         principal[0], principal[1], principal[2], trace(test.stress),
-                         Law::tensionless ? "a negative trace and no tension" : "a stress within the soil's strength"));
+            at.error(
+                d,
+                fmt::format(
+                    "the start has the principal stresses {:.6g}, {:.6g} and {:.6g} Pa, tension positive, trace {:.6g}: the law needs {}",
+                    principal[0], principal[1], principal[2], trace(test.stress),
+                    Law::tensionless ? "a negative trace and no tension" : "a stress within the soil's strength"));
         },
         any);
 }
@@ -338,7 +338,8 @@ ElementTest readTest(const Case& c, const Dictionary& d, const SoilLaw& law)
             readPiece(c, stages.subDict(name), test, name);
         }
         else stages.error(name, fmt::format("\"{}\" is to be a dictionary: {} {{ type isotropic; .. }}", name, name));
-    if (stages.keys().empty()) entry::stages.error(d, "there are no stages: give at least one, as stages { shear { type triaxialCompression; .. } }");
+    if (stages.keys().empty())
+        entry::stages.error(d, "there are no stages: give at least one, as stages { shear { type triaxialCompression; .. } }");
     test.pathAxis = "path of each stage";
     return test;
 }
@@ -398,9 +399,8 @@ EntryList elementTestEntries()
 {
     const EntryList piece{{entry::type, typeCases()}};
     return {{entry::tests,
-             {{entry::test,
-               piece + EntryList{entry::pressure, entry::K, entry::stress} + variableEntries() +
-                   EntryList{{entry::stages, {{entry::stage, piece}}}, entry::points}}}},
+             {{entry::test, piece + EntryList{entry::pressure, entry::K, entry::stress} + variableEntries() +
+                                EntryList{{entry::stages, {{entry::stage, piece}}}, entry::points}}}},
             entry::plots,
             {entry::calibration,
              {entry::lateral, entry::initialStiffness, entry::initialVolumeSlope, entry::peak, entry::peakVolumeSlope, entry::measured}}};

@@ -46,7 +46,7 @@ template<ConstitutiveLaw Law> struct Controlled
         for (Eigen::Index k = 0; k < x.size(); ++k) off[k] = doubleDot(controls[std::size_t(k)].measure, whole) - rates[k];
         return off;
     }
-    /// What soil of the law's stiffness would do: of the right direction.
+    /// Elastic soil of the law's stiffness would do this: the direction is right.
     Eigen::VectorXd guess(const Material& s) const
     {
         Eigen::VectorXd x(rates.size());
@@ -149,7 +149,7 @@ ElementRow strainedRow(const Law& law, const StressIntegration& how, const Eleme
     return row;
 }
 
-/// What a message begins with.
+/// Messages begin with this.
 std::string nameOf(const ElementTest& test, const std::string& stage)
 {
     return "test " + test.name + (stage.empty() ? "" : ", stage " + stage);

@@ -17,7 +17,8 @@ namespace sph
 
 /// An option of a law: read from the coefficients of the law beside its own entries, and no word of its own.
 template<class L>
-concept OptionOfLaw = requires(const Dictionary& coeffs, const typename L::Option& law) {
+concept OptionOfLaw = requires(const Dictionary& coeffs, const typename L::Option& law)
+{
     {
         L::read(coeffs, law)
         } -> std::same_as<L>;
@@ -59,7 +60,8 @@ concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTe
     {
         L::entries()
         } -> std::same_as<EntryList>;
-} && (OptionOfLaw<L> || requires(const Dictionary& coeffs) {
+}
+&&(OptionOfLaw<L> || requires(const Dictionary& coeffs) {
     {
         L::read(coeffs)
         } -> std::same_as<L>;

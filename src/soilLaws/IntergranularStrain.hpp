@@ -29,7 +29,7 @@ inline const Scalar R{"R", units::none, required, positiveBelow(0.1), "size of t
     m_T{"m_T", units::none, required, atLeast(1), "stiffness after a turn of 90 degrees"},
     beta_r{"beta_r", units::none, required, positive, "exponent of the evolution of h"},
     chi{"chi", units::none, required, positive, "exponent of the stiffness between the two"};
-/// Of the soil at the start.
+/// The entry of the soil at the start.
 inline const Choice start{"intergranularStrain",
                           {{"none", "h = 0: the past is forgotten, and the soil is stiffest"},
                            {"isotropic", "h = -R/sqrt(3) I: as after isotropic compression"}},
@@ -81,7 +81,7 @@ template<class Law> struct IntergranularStrain
         else stressRate += rhoChi * (m_R - m_T) * along * at.linear(unit);
         return {stressRate, {{(1 + s.variables.voidRatio.e) * trace(D)}, h}};
     }
-    /// That of the law with L taken m_R times.
+    /// The bound is that of the law with L taken m_R times.
     double stiffness(const State& s) const { return -trace(s.stress) > 0 ? law.bound(base(s), std::fmax(m_R, m_T)) : 0; }
     bool admits(const State& s) const { return law.admits(base(s)); }
     bool apart(const State& s) const { return law.apart(base(s)); }

@@ -54,15 +54,8 @@ template<class V> struct SoilState
     constexpr SoilState() = default;
     constexpr SoilState(SymmTensor<3> s, const V& v) : stress(s), variables(v) {}
     // Without state variables the two are one.
-    constexpr SoilState(SymmTensor<3> s)
-    requires std::is_empty_v<V>
-        : stress(s)
-    {}
-    constexpr operator SymmTensor<3>() const
-    requires std::is_empty_v<V>
-    {
-        return stress;
-    }
+    constexpr SoilState(SymmTensor<3> s) requires std::is_empty_v<V> : stress(s) {}
+    constexpr operator SymmTensor<3>() const requires std::is_empty_v<V> { return stress; }
     constexpr SoilState& operator+=(const SoilState& b)
     {
         stress += b.stress;
@@ -84,7 +77,10 @@ template<class V> constexpr SoilState<V> turning(const SoilState<V>& s, Tensor<3
 
 /// A law that has state variables.
 template<class L>
-concept LawWithVariables = requires { typename L::Variables; };
+concept LawWithVariables = requires
+{
+    typename L::Variables;
+};
 
 namespace detail
 {

@@ -41,7 +41,7 @@ inline const Scalar phi_c{"phi_c", degrees, required, Range{0, 90, false, false}
     e_i0{"e_i0", units::none, required, positive, "of the loosest state, above e_c0"},
     alpha{"alpha", units::none, required, nonNegative, "exponent of the relative density in f_d: the peak friction angle"},
     beta{"beta", units::none, required, nonNegative, "exponent of e_c/e in f_e: the stiffness of dense soil"};
-/// Of the soil at the start, beside its stress.
+/// The entry of the soil at the start, beside its stress.
 inline const Scalar voidRatio{"voidRatio", units::none, byScene("needed with a law that has it, where no field gives it"), positive,
                               "e, the volume of the pores over that of the grains, e_d to e_i of the law at the pressure"};
 }
@@ -55,11 +55,13 @@ struct VonWolffersdorff
     double h_s = 0, n = 0, e_d0 = 0, e_c0 = 0, e_i0 = 0, alpha = 0, beta = 0;
     double a = 0;   ///< [1], of phi_c
     double b_0 = 0; ///< f_b without its pressure and 1 + 1/e_i [Pa]
+    double p_0 = 0; ///< pressure at which e_i is e_c0 [Pa]
 
     static VonWolffersdorff of(double phi_c, double h_s, double n, double e_d0, double e_c0, double e_i0, double alpha, double beta)
     {
         const double sine = std::sin(phi_c * std::numbers::pi / 180);
         VonWolffersdorff law{h_s, n, e_d0, e_c0, e_i0, alpha, beta, std::sqrt(0.375) * (3 - sine) / sine};
+        law.p_0 = h_s / 3 * std::pow(std::log(e_i0 / e_c0), 1 / n);
         law.b_0 = h_s / n * std::pow(e_i0 / e_c0, beta) / law.bracket();
         return law;
     }
@@ -79,9 +81,11 @@ struct VonWolffersdorff
     Tangent tangent(const State& s) const
     {
         const auto r = 1 / trace(s.stress) * s.stress, r_d = deviator(r);
-        const double x = -trace(s.stress) / h_s, x_n = std::pow(x, n), limit = std::exp(-x_n), e = s.variables.e;
+        // Powers by one logarithm each: they are most of the cost.
+        const double x = -trace(s.stress) / h_s, x_n = std::exp(n * std::log(x)), limit = std::exp(-x_n), e = s.variables.e;
         const double e_i = e_i0 * limit, density = (e - e_d0 * limit) / ((e_c0 - e_d0) * limit);
-        const double f_d = density > 0 ? std::pow(density, alpha) : 0, f_e = std::pow(e_c0 * limit / e, beta);
+        const double f_d = density > 0 ? std::exp(alpha * std::log(density)) : 0;
+        const double f_e = std::exp(beta * (std::log(e_c0 / e) - x_n));
         const double f_b = b_0 * (1 + e_i) / e_i * x / x_n;
         const double F = shape(r_d), scale = f_b * f_e / doubleDot(r, r);
         return {scale, F * F, a * a, r, scale * f_d * F * a * (r + r_d)};
@@ -91,7 +95,8 @@ struct VonWolffersdorff
     {
         constexpr double root2 = std::numbers::sqrt2;
         const double square_d = doubleDot(r_d, r_d), t = std::sqrt(3 * square_d);
-        const double cubes = doubleDot(square(r_d), r_d), c = square_d > 0 ? -std::sqrt(6.0) * cubes / (square_d * std::sqrt(square_d)) : -1;
+        const double cubes = doubleDot(square(r_d), r_d),
+                     c = square_d > 0 ? -std::sqrt(6.0) * cubes / (square_d * std::sqrt(square_d)) : -1;
         return std::sqrt(t * t / 8 + (2 - t * t) / (2 + root2 * t * std::clamp(c, -1.0, 1.0))) - t / (2 * root2);
     }
 
@@ -111,12 +116,14 @@ struct VonWolffersdorff
     }
     bool admits(const State& s) const
     {
-        return isCompressive(s.stress) && s.variables.e >= (1 - ofRounding) * e_d0 * compression(-trace(s.stress) / 3);
+        if (!isCompressive(s.stress)) return false;
+        return s.variables.e >= e_d0 || s.variables.e >= (1 - ofRounding) * e_d0 * compression(-trace(s.stress) / 3);
     }
     bool apart(const State& s) const
     {
         constexpr double beyond = 1e-4; // the integral of a path on e_i stays nearer to it
-        return s.variables.e > (1 + beyond) * e_i0 * compression(std::fmax(0.0, -trace(s.stress) / 3));
+        const double p = std::fmax(0.0, -trace(s.stress) / 3), e = s.variables.e;
+        return !(e < e_c0 && p < p_0) && e > (1 + beyond) * e_i0 * compression(p);
     }
     SymmTensor<3> returned(SymmTensor<3> sigma) const { return sigma; }
     static double variableError(const VoidRatio& error, const State&) { return std::abs(error.e); }

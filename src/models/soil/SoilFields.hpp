@@ -56,7 +56,6 @@ template<int dim> constexpr StressTensor<dim> stressIn(SymmTensor<3> a)
     else return {a.xx, a.xy, a.yy, a.zz};
 }
 
-
 /// State variables of a law (soilLaws/SoilState.hpp) as fields of particles, in the order of its parts: numbers, and tensors that in two dimensions are those of
 /// plane strain.
 template<int dim, class Part> using VariableIn = std::conditional_t<std::is_same_v<Part, double>, double, StressTensor<dim>>;

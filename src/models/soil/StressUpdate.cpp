@@ -3,6 +3,7 @@
 #include "models/soil/SoilFields.hpp"
 #include "operators/VelocityGradient.hpp"
 #include "parallel/reduce.hpp"
+#include "scene/DensityOfModel.hpp"
 #include "soilLaws/soilLaws.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -38,8 +39,8 @@ template<class Law, int dim> auto variablesOf(auto& store)
 }
 }
 
-template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored)
-    : particles_(particles), fresh_(restored.empty())
+template<int dim>
+StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles), fresh_(restored.empty())
 {
     const auto walls = particles.settings().facts.template get<WallConditions>();
     if (particles.coefficients().template has<TwoLevels>())
@@ -55,6 +56,7 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
 {
+    if (inadmissible + unresolved == 0) place = more.place;
     stressFree += more.stressFree;
     inadmissible += more.inadmissible;
     unresolved += more.unresolved;
@@ -77,9 +79,11 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
     if (levels_ && place == JoinPoint::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
+    const bool hasVariables = particles_.settings().facts.template get<DensityOfModel>().exists;
     return {{"stress",
-             levels_ ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
-                     : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             hasVariables ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
+             : levels_    ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
+                          : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
 }
@@ -97,7 +101,8 @@ template<int dim> void StressUpdate<dim>::checkVariables(const Particles<dim>& p
                 const auto variables = variablesOf<Law, dim>(store);
                 for (std::size_t i = 0; i < particles.size(); ++i)
                 {
-                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)), variablesAt<dim, typename Law::Variables>(variables, i));
+                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)),
+                                             variablesAt<dim, typename Law::Variables>(variables, i));
                     const auto why = norm(state.stress) > 0 ? law.objection(state) : "";
                     if (why.empty()) continue;
                     const auto x = in3D(valueAt<Vector<dim>>(places, i));
@@ -144,6 +149,7 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const double lastDeltaT = levels_ ? levels_->next(deltaT) : 0, span = lastDeltaT + deltaT;
     const auto older = levels_ ? store.pointers(OlderStress{}) : decltype(store.pointers(OlderStress{})){};
     const auto L = std::as_const(store).pointers(VelocityGradient{});
+    const auto places = std::as_const(store).pointers(Position{});
     double* const rho = store.component(Density::info.name, 0);
     const double* const V = store.component(Volume::info.name, 0);
     double* const c = store.component(SoilSound::info.name, 0);
@@ -184,13 +190,15 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
                 if (plastic)
                     plastic[i] += deltaT / span * std::sqrt(2.0) * norm(deviator(plasticStrain(law, start, step.stress, span * gradient)));
             if (work) work[i] += deltaT * doubleDot(mean, D);
+            const bool bad = step.state == StressState::inadmissible || step.state == StressState::unresolved;
             const auto onNeighbours = mean + (numbers.surfacePressure - numbers.compactionPressure(rho[i])) * identity(mean);
             return Counts{step.state == StressState::stressFree,
                           step.state == StressState::inadmissible,
                           step.state == StressState::unresolved,
                           sound.all,
                           sound.ofLaw,
-                          -V[i] * doubleDot(onNeighbours, D)};
+                          -V[i] * doubleDot(onNeighbours, D),
+                          bad ? in3D(valueAt<Vector<dim>>(places, i)) : Vector<3>{}};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
@@ -262,7 +270,9 @@ template<int dim> void StressUpdate<dim>::save(Numbers& numbers) const
 template<int dim> std::string StressUpdate<dim>::note() const
 {
     if (summary_.inadmissible + summary_.unresolved == 0) return "";
-    return fmt::format("  {} stresses inadmissible, {} not resolved", summary_.inadmissible, summary_.unresolved);
+    const auto& x = summary_.place;
+    return fmt::format("  {} stresses inadmissible, {} not resolved, the first at ({:.4g} {:.4g} {:.4g})", summary_.inadmissible,
+                       summary_.unresolved, x.x, x.y, x.z);
 }
 
 template class StressUpdate<2>;

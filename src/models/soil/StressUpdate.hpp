@@ -20,7 +20,7 @@
 ///
 ///   sigma += (1 - exp(-delta min(c/h, k |D|) dt)) noise,    k = 500;    delta c/h in place of the least of both with `smoothingActs always`
 ///
-/// Stress-free, inadmissible and unresolved particles of the last step are counted.
+/// Stress-free, inadmissible and unresolved particles of the last step are counted, and the first of the latter two is named by its place.
 #pragma once
 #include "scene/Particles.hpp"
 #include "scene/TwoLevels.hpp"
@@ -52,13 +52,14 @@ private:
         double fastest = 0; ///< largest c [m/s]
         double ofLaw = 0;   ///< the same by the law alone, without compactionSpeed [m/s]
         double power = 0;   ///< -sum V S:D [W]
+        Vector<3> place{};  ///< of the first that is inadmissible or unresolved [m]
         Counts& operator+=(const Counts&);
     };
     static constexpr double strainsOfNoise = 500; ///< k: by how much strain noise vanishes, 1/(k delta)
     const Particles<dim>& particles_;
     Counts summary_;
     std::optional<TwoLevels> levels_; ///< none where steps start from one
-    bool measured_ = false, fresh_; ///< fresh_: the run begins here, and does not go on from another
+    bool measured_ = false, fresh_;   ///< fresh_: the run begins here, and does not go on from another
 
     void advance(Particles<dim>&, double deltaT);
     void measure(Particles<dim>&); ///< the speeds of sound

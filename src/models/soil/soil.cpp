@@ -209,28 +209,29 @@ void addVariables(Settings& settings, const Soil& soil, const Dictionary& dict)
                 std::optional<Variables> given;
                 if (named.given(d)) given = law.readVariables(d);
                 Variables variables = given.value_or(Variables{});
-                forEachVariable(
-                    variables,
-                    [&]<class Part>(const StateVariable& variable, const Part& part)
-                    {
-                        Evolving evolving{.value = fieldOf(variable, part), .advancedByModel = true, .ofMaterial = true};
-                        evolving.missing = [=, start = part, known = given.has_value()](const Loading& loading)
-                        {
-                            if (!known)
-                                throw CaseError({soilProperties, 0}, fmt::format("initialStress has no `voidRatio`, and the time folder no field {}, "
-                                                                                 "which law {} needs",
-                                                                                 variable.name, Law::name));
-                            const auto fillWith = [&](const auto& value)
-                            {
-                                for (std::size_t i = 0; i < loading.size(); ++i)
-                                    store(value, [&](int c, double q) { loading.values[std::size_t(c)][i] = q; });
-                            };
-                            if constexpr (std::is_same_v<Part, double>) fillWith(start);
-                            else if (dimension == 2) fillWith(stressIn<2>(start));
-                            else fillWith(start);
-                        };
-                        settings.state.push_back(evolving);
-                    });
+                forEachVariable(variables,
+                                [&]<class Part>(const StateVariable& variable, const Part& part)
+                                {
+                                    Evolving evolving{.value = fieldOf(variable, part), .advancedByModel = true, .ofMaterial = true};
+                                    evolving.missing = [=, start = part, known = given.has_value()](const Loading& loading)
+                                    {
+                                        if (!known)
+                                            throw CaseError(
+                                                {soilProperties, 0},
+                                                fmt::format("initialStress has no `voidRatio`, and the time folder no field {}, "
+                                                            "which law {} needs",
+                                                            variable.name, Law::name));
+                                        const auto fillWith = [&](const auto& value)
+                                        {
+                                            for (std::size_t i = 0; i < loading.size(); ++i)
+                                                store(value, [&](int c, double q) { loading.values[std::size_t(c)][i] = q; });
+                                        };
+                                        if constexpr (std::is_same_v<Part, double>) fillWith(start);
+                                        else if (dimension == 2) fillWith(stressIn<2>(start));
+                                        else fillWith(start);
+                                    };
+                                    settings.state.push_back(evolving);
+                                });
                 settings.facts.give(DensityOfModel{true}, soilProperties);
             }
         },
@@ -401,7 +402,8 @@ const Model& soilModel()
           [](const Settings& s) { return isSoil(s) && s.facts.get<DensityOfModel>().exists && s.coefficients.has<TwoLevels>(); },
           "the state variables of this law live at one level of time: take scheme symplecticEuler or leapfrog"}},
         {},
-        {{soilProperties, {entry::confiningPressure, {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()}}},
+        {{soilProperties,
+          {entry::confiningPressure, {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()}}},
          {"system/sphSchemes",
           {{entry::soil,
             {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,

@@ -148,7 +148,8 @@ const std::string ofSand = "phi_c 30; h_s 5.8e9; n 0.28; e_d0 0.53; e_c0 0.84; e
 
 std::string lawOf(const std::string& model)
 {
-    return "rho 1700; law vonWolffersdorff; floorPressure 1e-3; vonWolffersdorffCoeffs { " + ofSand + (model == "plain" ? "" : small) + " }";
+    return "rho 1700; law vonWolffersdorff; floorPressure 1e-3; vonWolffersdorffCoeffs { " + ofSand + (model == "plain" ? "" : small) +
+           " }";
 }
 std::string startOf(const std::string& model, double pressure, double voidRatio)
 {
@@ -223,8 +224,8 @@ TEST(ElementTests, sandOedometer)
         for (const double e0 : {0.58, 0.8})
         {
             const auto t = table("triaxialSands/oedometer", model + ",20000," + shortestText(e0));
-            const auto rows = rowsOf("type oedometer;" + startOf(model, 2e4, e0) + "verticalStress (2e5 5e4 4e5 1e5 1e6); points 1;", tightly,
-                                     lawOf(model));
+            const auto rows = rowsOf("type oedometer;" + startOf(model, 2e4, e0) + "verticalStress (2e5 5e4 4e5 1e5 1e6); points 1;",
+                                     tightly, lawOf(model));
             for (std::size_t k = 0; k < 5; ++k)
             {
                 EXPECT_LT(relative(-rows[k + 1].stress.zz, t.at("sz_Pa")[k]), 1e-9);
@@ -309,7 +310,8 @@ TEST(ElementTests, sandThatCannotBe)
             EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
         }
     };
-    refused("type oedometer; pressure 1e5; strain (0.01); voidRatio 0.95;", "above the loosest: possible at p = 100000 Pa are 0.497604 (e_d) to 0.938876");
+    refused("type oedometer; pressure 1e5; strain (0.01); voidRatio 0.95;",
+            "above the loosest: possible at p = 100000 Pa are 0.497604 (e_d) to 0.938876");
     refused("type oedometer; pressure 1e5; strain (0.01); voidRatio 0.49;", "below the densest");
     refused("type oedometer; pressure 1e5; strain (0.01);", "voidRatio");
     refused("type oedometer; stress (1e5 0 0 1e5 0 1e5); voidRatio 0.7; strain (0.01);", "needs a negative trace");

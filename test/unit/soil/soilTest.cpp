@@ -182,7 +182,8 @@ Files ofVoidRatio(Files files, const std::string& start = "voidRatio 0.7; interg
 {
     files["constant/soilProperties"] =
         "rho 1850;\nlaw vonWolffersdorff;\nvonWolffersdorffCoeffs { phi_c 30; h_s 5.8e9; n 0.28; e_d0 0.53; e_c0 0.84; e_i0 1; alpha 0.13; beta 1.05;\n"
-        "intergranularStrain { R 1e-4; m_R 5; m_T 2; beta_r 0.5; chi 6; } }\ninitialStress { type isotropic; pressure 1e4; " + start + " }\n";
+        "intergranularStrain { R 1e-4; m_R 5; m_T 2; beta_r 0.5; chi 6; } }\ninitialStress { type isotropic; pressure 1e4; " +
+        start + " }\n";
     return files;
 }
 
@@ -1142,8 +1143,10 @@ TEST(SoilMistakes, SayWhereAndWhat)
     // State variables: none said, beyond the law's range, by two levels of time.
     const auto sand = ofVoidRatio(good);
     EXPECT_EQ(mistake(sand), "");
-    says(mistake(ofVoidRatio(good, "")), "constant/soilProperties: initialStress has no `voidRatio`, and the time folder no field voidRatio");
-    says(mistake(ofVoidRatio(good, "voidRatio 0.5;")), "void ratio 0.5 is below the densest: possible at p = 10000 Pa are 0.512744 (e_d) to 0.967441");
+    says(mistake(ofVoidRatio(good, "")),
+         "constant/soilProperties: initialStress has no `voidRatio`, and the time folder no field voidRatio");
+    says(mistake(ofVoidRatio(good, "voidRatio 0.5;")),
+         "void ratio 0.5 is below the densest: possible at p = 10000 Pa are 0.512744 (e_d) to 0.967441");
     says(mistake(ofVoidRatio(good, "voidRatio 1.2;")), "above the loosest");
     says(mistake(changed(sand, "constant/soilProperties", "alpha 0.13", "alpha 9")), "constant/soilProperties:3: 3 + a^2");
     says(mistake(changed(sand, "constant/soilProperties", "e_c0 0.84", "e_c0 1.84")), "void ratios are to grow from e_d0 to e_c0 to e_i0");
