@@ -8,9 +8,9 @@ tables = 'postProcessing/elementTest/'
 set grid
 set style line 1 lc rgb '#0060ad' lw 1.5
 set style line 2 lc rgb '#d95319' lw 1.5
-q = "1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]'))"
+q = "(1e-3*(column('stress.xx [Pa]') - column('stress.zz [Pa]')))"
 # of a table of the reference: plain sand in compression at 100 kPa with this void ratio
-is(e) = stringcolumn(1) eq 'plain' && stringcolumn(2) eq 'compression' && $3 == 1e5 && $4 == e ? 1 : NaN
+is(e) = strcol(1) eq "plain" && strcol(2) eq "compression" && column(3) == 1e5 && column(4) == e ? 1 : NaN
 set xlabel 'axial compression [%]'
 set title 'drained, 100 kPa'
 set ylabel 'q [kPa]'
@@ -34,6 +34,7 @@ plot tables.'denseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 
     1.2*x with lines dt 2 lc 'black' title 'critical state, 30 degrees'
 set autoscale
 set xlabel 'axial compression [%]'
+set key bottom left
 set ylabel 'pore pressure [kPa]'
 set yrange [-150:100]
 plot tables.'denseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 1 title 'dense', tables.'looseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 2 title 'loose', \
@@ -45,7 +46,7 @@ set ylabel 'void ratio'
 set logscale x
 set key bottom left
 plot tables.'oedometer.csv' using (-1e-3*column('stress.zz [Pa]')):'voidRatio [-]' with lines ls 1 title 'loaded, unloaded, reloaded', \
-    'reference/oedometer.csv' using (stringcolumn(1) eq 'plain' && $3 == 0.58 ? 1e-3*$4 : NaN):6 with points pt 6 ps 0.9 lc 'black' title 'reference'
+    'reference/oedometer.csv' using (strcol(1) eq "plain" && $3 == 0.58 ? 1e-3*$4 : NaN):6 with points pt 6 ps 0.9 lc 'black' title 'reference'
 unset logscale x
 set title 'cycles without drainage'
 set xlabel "p' [kPa]"
