@@ -50,13 +50,14 @@ std::optional<Residuals> residualsOf(const WuBauer& law, const Measurement& m)
     ElementTest test;
     const double p = m.figures.pressure;
     test.stress = {-p, 0, 0, -p, 0, -p};
-    test.held = {true, false, false, true};
+    const std::vector<StressControl> lateral{heldComponent(&SymmTensor<3>::xx), heldComponent(&SymmTensor<3>::yy)};
     test.points = 1;
     test.where = m.where;
     double before = 0, mostVolume = 0;
     for (const auto& point : m.points)
     {
-        if (point.axialStrain > before) test.legs.push_back({{0, 0, 0, 0, 0, 0, 0, 0, before - point.axialStrain}, point.axialStrain});
+        if (point.axialStrain > before)
+            test.legs.push_back({{0, 0, 0, 0, 0, 0, 0, 0, before - point.axialStrain}, point.axialStrain, lateral});
         before = std::max(before, point.axialStrain);
         mostVolume = std::max(mostVolume, std::abs(point.volumeStrain));
     }

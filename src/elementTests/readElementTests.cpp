@@ -18,8 +18,21 @@ const Scalar pressure{"pressure", units::pressure, byScene("needed without stres
     K{"K", units::none, 1, nonNegative, "horizontal over vertical stress at the start"};
 const ListOf<double> stress{"stress", units::pressure, byScene("of pressure and K"), "at the start, xx xy xz yy yz zz, tension positive"};
 const Count points{"points", 100, Range{1, 1e6}, "rows of each piece of the path"};
-const ListOf<double> strain{"strain", required, "what is reached one after another, of the sign that the test is named by"},
-    gamma{"gamma", required, "dv_x/dz t: what is reached one after another"},
+const ListOf<double> strain{"strain", byScene("needed without a stress"),
+                            "what is reached one after another, of the sign that the test is named by"},
+    verticalStress{"verticalStress", units::pressure, byScene("strain"), "compression positive, what is reached one after another"},
+    meanPressure{"meanPressure", units::pressure, byScene("strain"), "what is reached one after another"},
+    deviatorStress{"deviatorStress", units::pressure, byScene("strain"),
+                   "axial less lateral stress, compression positive, what is reached one after another"};
+const Count cycles{"cycles", 1, Range{1, 1e6}, "how often the list is gone through"};
+const Choice drainage{"drainage",
+                      {{"drained", "lateral stresses are held"},
+                       {"undrained", "the volume is held, and the total lateral stress: porePressure is what the effective one gives up"}},
+                      "drained",
+                      "of the water in the pores"};
+const SubDictionary stages{"stages", byScene("of type"), "pieces one after another, in place of type: consolidate, then shear"};
+const FreeName stage{"<stage>", "dictionary", "a piece by a name of the case's own"};
+const ListOf<double> gamma{"gamma", required, "dv_x/dz t: what is reached one after another"},
     angle{"angle", required, "[degrees], what is reached one after another"};
 const Direction axis{"axis", Vector<3>{0, 1, 0}, "that the soil turns about"};
 const FileName path{"file", "", required,
@@ -52,28 +65,61 @@ struct TestType
     std::array<bool, 6> held; ///< xx xy xz yy yz zz
     const ListOf<double>* drivenBy;
     const char* axis = "strain [-]"; ///< of what drives it
+    /// Stress that may drive it in place of the strain, and measure:sigma of that.
+    const ListOf<double>* orBy = nullptr;
+    SymmTensor<3> measure = {};
+    std::optional<Tensor<3>> undrained = {}; ///< for a path of 1 at constant volume
 };
 
 const std::vector<TestType>& testTypes()
 {
+    constexpr Tensor<3> compression{0, 0, 0, 0, 0, 0, 0, 0, -1}, extension{0, 0, 0, 0, 0, 0, 0, 0, 1};
+    constexpr SymmTensor<3> q{0.5, 0, 0, 0.5, 0, -1};
+    constexpr auto strain = "strain [-]";
     static const std::vector<TestType> all{
-        {"oedometer", "compression along z, no lateral strain", {0, 0, 0, 0, 0, 0, 0, 0, -1}, {}, &entry::strain},
+        {"oedometer",
+         "compression along z, no lateral strain",
+         compression,
+         {},
+         &entry::strain,
+         strain,
+         &entry::verticalStress,
+         {0, 0, 0, 0, 0, -1}},
         {"triaxialCompression",
-         "drained: compression along z, lateral stresses held",
-         {0, 0, 0, 0, 0, 0, 0, 0, -1},
+         "compression along z, drained: lateral stresses held; undrained: the volume",
+         compression,
          {true, false, false, true},
-         &entry::strain},
+         &entry::strain,
+         strain,
+         &entry::deviatorStress,
+         q,
+         Tensor<3>{0.5, 0, 0, 0, 0.5, 0, 0, 0, -1}},
         {"triaxialExtension",
-         "drained: extension along z, lateral stresses held",
-         {0, 0, 0, 0, 0, 0, 0, 0, 1},
+         "extension along z, drained: lateral stresses held; undrained: the volume",
+         extension,
          {true, false, false, true},
-         &entry::strain},
+         &entry::strain,
+         strain,
+         &entry::deviatorStress,
+         q,
+         Tensor<3>{-0.5, 0, 0, 0, -0.5, 0, 0, 0, 1}},
         {"biaxial",
-         "drained, plane strain: compression along z, no strain along y, stress along x held",
-         {0, 0, 0, 0, 0, 0, 0, 0, -1},
+         "plane strain: compression along z, no strain along y, drained: stress along x held; undrained: the volume",
+         compression,
          {true},
-         &entry::strain},
-        {"isotropic", "compression of the volume", {-1. / 3, 0, 0, 0, -1. / 3, 0, 0, 0, -1. / 3}, {}, &entry::strain},
+         &entry::strain,
+         strain,
+         &entry::deviatorStress,
+         {1, 0, 0, 0, 0, -1},
+         Tensor<3>{1, 0, 0, 0, 0, 0, 0, 0, -1}},
+        {"isotropic",
+         "compression of the volume",
+         {-1. / 3, 0, 0, 0, -1. / 3, 0, 0, 0, -1. / 3},
+         {},
+         &entry::strain,
+         strain,
+         &entry::meanPressure,
+         {-1. / 3, 0, 0, -1. / 3, 0, -1. / 3}},
         {"simpleShear",
          "at constant vertical stress",
          {0, 0, 1, 0, 0, 0, 0, 0, 0},
@@ -96,6 +142,9 @@ Cases typeCases()
         if (type.drivenBy) beside.push_back(*type.drivenBy);
         else beside.push_back(entry::path);
         if (type.drivenBy == &entry::angle) beside.push_back(entry::axis);
+        if (type.orBy) beside.push_back(*type.orBy);
+        if (type.undrained) beside.push_back(entry::drainage);
+        if (type.drivenBy) beside.push_back(entry::cycles);
         cases.push_back({{type.name, type.meaning}, beside});
     }
     return cases;
@@ -105,7 +154,7 @@ Cases typeCases()
 
 namespace entry
 {
-const Choice type{"type", wordsOf(typeCases()), required, "what is done to the soil"};
+const Choice type{"type", wordsOf(typeCases()), byScene("needed without stages"), "what is done to the soil"};
 }
 
 namespace
@@ -159,9 +208,9 @@ std::vector<std::vector<double>> readTable(const Case& c, const std::string& fil
     return rows;
 }
 
-void readStrainPath(const Case& c, const Dictionary& d, ElementTest& test)
+void readStrainPath(const Case& c, const Dictionary& d, ElementTest& test, const std::string& stage)
 {
-    const auto file = entry::path(d);
+    const auto file = entry::path.needed(d);
     if (!entry::path.given(d)) return;
     SymmTensor<3> before;
     double path = 0;
@@ -171,28 +220,54 @@ void readStrainPath(const Case& c, const Dictionary& d, ElementTest& test)
         for (std::size_t k = 0; k < row.size(); ++k) strain.*symmComponents[k] = row[k];
         const auto change = strain - before;
         path += norm(change);
-        test.legs.push_back({full(change), path});
+        test.legs.push_back({.deformation = full(change), .path = path, .stage = stage});
         before = strain;
     }
 }
 
-void readLegs(const Dictionary& d, const TestType& type, ElementTest& test)
+void readLegs(const Dictionary& d, const TestType& type, ElementTest& test, const std::string& stage)
 {
-    const auto targets = (*type.drivenBy)(d);
-    if (targets.empty() && type.drivenBy->given(d))
-        type.drivenBy->error(d, fmt::format("\"{}\" is empty: give at least one number", type.drivenBy->keyword()));
+    const bool byStress = type.orBy && type.orBy->given(d);
+    if (byStress && type.drivenBy->given(d))
+        type.orBy->error(d, fmt::format("the test is driven twice: keep {} or {}", type.drivenBy->keyword(), type.orBy->keyword()));
+    const auto& driver = byStress ? *type.orBy : *type.drivenBy;
+    const auto targets = driver.needed(d);
+    if (targets.empty() && driver.given(d)) driver.error(d, fmt::format("\"{}\" is empty: give at least one number", driver.keyword()));
     auto unit = type.unit;
     if (type.drivenBy == &entry::angle)
     {
         const auto n = std::numbers::pi / 180 * entry::axis(d);
         unit = {0, -n.z, n.y, n.z, 0, -n.x, -n.y, n.x, 0};
     }
+    const bool drained = !type.undrained || entry::drainage(d) == "drained";
+    if (!drained) unit = *type.undrained;
+    std::vector<StressControl> held;
+    for (std::size_t k = 0; drained && k < type.held.size(); ++k)
+        if (type.held[k]) held.push_back(heldComponent(symmComponents[k]));
+    if (byStress) test.pathAxis = fmt::format("{} [Pa]", driver.keyword());
     double before = 0;
-    for (const double target : targets)
-    {
-        test.legs.push_back({(target - before) * unit, target});
-        before = target;
-    }
+    const int cycles = entry::cycles(d);
+    for (int cycle = 0; cycle < cycles; ++cycle)
+        for (const double target : targets)
+        {
+            ElementLeg leg{.path = target, .controls = held, .drains = drained, .stage = stage};
+            if (byStress) leg.controls.push_back({symm(unit), type.measure, target});
+            else leg.deformation = (target - before) * unit;
+            test.legs.push_back(leg);
+            before = target;
+        }
+}
+
+/// What is done in a test without stages, or in one of its stages.
+void readPiece(const Case& c, const Dictionary& d, ElementTest& test, const std::string& stage)
+{
+    const auto word = entry::type.known(d);
+    if (!word) return;
+    const auto& type = testTypes()[std::size_t(entry::type.indexOf(*word))];
+    test.type += (test.type.empty() ? "" : ", ") + *word;
+    test.pathAxis = type.axis;
+    if (type.drivenBy) readLegs(d, type, test, stage);
+    else readStrainPath(c, d, test, stage);
 }
 
 SymmTensor<3> readStart(const Dictionary& d)
@@ -210,31 +285,62 @@ SymmTensor<3> readStart(const Dictionary& d)
     return {-1, 0, 0, -1, 0, -1};
 }
 
+/// The state at the start, where the law does not hold for it an error at the entry that is wrong.
+void readState(const Dictionary& d, const SoilLaw& any, ElementTest& test)
+{
+    test.stress = readStart(d);
+    const auto& at = entry::stress.given(d) ? static_cast<const Parameter&>(entry::stress) : entry::pressure;
+    std::visit(
+        [&]<class Law>(const Law& law)
+        {
+            StateOf<Law> state;
+            state.stress = test.stress;
+            if constexpr (LawOfState<Law>)
+            {
+                state.variables = law.readVariables(d);
+                test.variables = numbersOf(state.variables);
+                const auto& named = entry::vonWolffersdorff::voidRatio;
+                if (const auto why = law.objection(state); named.given(d) && !why.empty() && -trace(state.stress) > 0)
+                {
+                    named.error(d, why);
+                    return;
+                }
+            }
+            if (law.admits(state)) return;
+            const auto principal = principalValues(test.stress);
+            at.error(
+                d,
+                fmt::format(
+                    "the start has the principal stresses {:.6g}, {:.6g} and {:.6g} Pa, tension positive, trace {:.6g}: the law needs {}",
+                    principal[0], principal[1], principal[2], trace(test.stress),
+                    Law::tensionless ? "a negative trace and no tension" : "a stress within the soil's strength"));
+        },
+        any);
+}
+
 ElementTest readTest(const Case& c, const Dictionary& d, const SoilLaw& law)
 {
     ElementTest test;
     test.name = d.keyword();
     test.where = d.location();
     test.points = entry::points(d);
-    test.stress = readStart(d);
-    const auto word = entry::type.known(d);
-    if (!word) return test;
-    test.type = *word;
-    const auto& type = testTypes()[std::size_t(entry::type.indexOf(*word))];
-    test.pathAxis = type.axis;
-    test.held = type.held;
-    if (type.drivenBy) readLegs(d, type, test);
-    else readStrainPath(c, d, test);
-    if (!std::visit([&](const auto& l) { return l.admits(test.stress); }, law))
-    {
-        const auto principal = principalValues(test.stress);
-        const auto& at = entry::stress.given(d) ? static_cast<const Parameter&>(entry::stress) : entry::pressure;
-        at.error(d,
-                 fmt::format(
-                     "the start has the principal stresses {:.6g}, {:.6g} and {:.6g} Pa, tension positive, trace {:.6g}: the law needs {}",
-                     principal[0], principal[1], principal[2], trace(test.stress),
-                     std::holds_alternative<WuBauer>(law) ? "a negative trace and no tension" : "a stress within the soil's strength"));
-    }
+    readState(d, law, test);
+    const bool staged = entry::stages.given(d);
+    if (staged && entry::type.given(d)) entry::type.error(d, "what is done is said twice: keep `type`, or `stages` with a type each");
+    if (!staged) entry::type.needed(d);
+    if (entry::type.given(d)) readPiece(c, d, test, "");
+    if (!staged) return test;
+    const auto stages = entry::stages(d);
+    for (const auto& name : stages.keys())
+        if (stages.isDictionary(name))
+        {
+            entry::type.needed(stages.subDict(name));
+            readPiece(c, stages.subDict(name), test, name);
+        }
+        else stages.error(name, fmt::format("\"{}\" is to be a dictionary: {} {{ type isotropic; .. }}", name, name));
+    if (stages.keys().empty())
+        entry::stages.error(d, "there are no stages: give at least one, as stages { shear { type triaxialCompression; .. } }");
+    test.pathAxis = "path of each stage";
     return test;
 }
 
@@ -291,7 +397,10 @@ Measurement readMeasurement(const Case& c)
 
 EntryList elementTestEntries()
 {
-    return {{entry::tests, {{entry::test, {{entry::type, typeCases()}, entry::pressure, entry::K, entry::stress, entry::points}}}},
+    const EntryList piece{{entry::type, typeCases()}};
+    return {{entry::tests,
+             {{entry::test, piece + EntryList{entry::pressure, entry::K, entry::stress} + variableEntries() +
+                                EntryList{{entry::stages, {{entry::stage, piece}}}, entry::points}}}},
             entry::plots,
             {entry::calibration,
              {entry::lateral, entry::initialStiffness, entry::initialVolumeSlope, entry::peak, entry::peakVolumeSlope, entry::measured}}};

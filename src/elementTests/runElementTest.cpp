@@ -8,114 +8,130 @@ namespace sph
 namespace
 {
 
-/// Stress and strain together: where stresses are held, the strain is part of what is solved for.
-struct ElementState
+/// State and strain together: where stresses are controlled, the strain is part of what is solved for.
+template<class Material> struct ElementState
 {
-    SymmTensor<3> stress, strain;
+    Material soil;
+    SymmTensor<3> strain;
     ElementState& operator+=(const ElementState& b)
     {
-        stress += b.stress;
+        soil += b.soil;
         strain += b.strain;
         return *this;
     }
-    friend ElementState operator*(double s, const ElementState& a) { return {s * a.stress, s * a.strain}; }
+    friend ElementState operator*(double s, const ElementState& a) { return {s * a.soil, s * a.strain}; }
 };
 
-/// The stress rates that are to vanish, 0 for components that are not held.
-template<class Law>
-SymmTensor<3> heldRates(const Law& law, SymmTensor<3> stress, SymmTensor<3> D, SymmTensor<3> spun, const std::array<bool, 6>& held)
+/// The strain rates that controls find: rates of their measures as they are to be.
+template<ConstitutiveLaw Law> struct Controlled
 {
-    auto rate = law.rate(stress, D) + spun;
-    for (std::size_t k = 0; k < held.size(); ++k)
-        if (!held[k]) rate.*symmComponents[k] = 0;
-    return rate;
-}
+    using Material = StateOf<Law>;
+    const Law& law;
+    SymmTensor<3> prescribed; ///< D without what is found
+    Tensor<3> W;
+    const std::vector<StressControl>& controls;
+    Eigen::VectorXd rates; ///< of the measures
 
-/// The change of D by which the rates would vanish if they were linear; of components that are not held it is 0.
-template<class Law>
-SymmTensor<3> newtonChange(const Law& law, SymmTensor<3> stress, SymmTensor<3> D, SymmTensor<3> spun, const std::array<bool, 6>& held,
-                           SymmTensor<3> rates, double step)
-{
-    Eigen::Matrix<double, 6, 6> slope = law.stiffness(stress) * Eigen::Matrix<double, 6, 6>::Identity();
-    Eigen::Matrix<double, 6, 1> right;
-    for (std::size_t j = 0; j < held.size(); ++j)
+    SymmTensor<3> D(const Eigen::VectorXd& x) const
     {
-        right[Eigen::Index(j)] = -(rates.*symmComponents[j]);
-        if (!held[j]) continue;
-        auto above = D, below = D;
-        above.*symmComponents[j] += step;
-        below.*symmComponents[j] -= step;
-        const auto column = 1 / (2 * step) * (heldRates(law, stress, above, spun, held) - heldRates(law, stress, below, spun, held));
-        for (std::size_t i = 0; i < held.size(); ++i) slope(Eigen::Index(i), Eigen::Index(j)) = column.*symmComponents[i];
+        auto D = prescribed;
+        for (Eigen::Index k = 0; k < x.size(); ++k) D += x[k] * controls[std::size_t(k)].strain;
+        return D;
     }
-    const Eigen::Matrix<double, 6, 1> solved = slope.fullPivLu().solve(right);
-    SymmTensor<3> change;
-    for (std::size_t i = 0; i < held.size(); ++i) change.*symmComponents[i] = solved[Eigen::Index(i)];
-    return change;
-}
-
-/// Newton's method, with steps halved until the rates fall: they have kinks where loading turns to unloading.
-template<class Law>
-std::optional<SymmTensor<3>> solveHeld(const Law& law, SymmTensor<3> stress, SymmTensor<3> D, Tensor<3> W, const std::array<bool, 6>& held)
-{
-    constexpr double exact = 1e-13, byRounding = 1e-10, difference = 1e-6;
-    constexpr int iterations = 60, halvings = 30;
-    const auto spun = turning(stress, W);
-    const double size = std::sqrt(doubleDot(D, D) + doubleDot(W, W)), stiffness = law.stiffness(stress);
-    auto rates = heldRates(law, stress, D, spun, held);
-    for (int k = 0; k < iterations; ++k)
+    Eigen::VectorXd off(const Material& s, const Eigen::VectorXd& x) const
     {
-        const double unit = std::fmax(size, norm(D));
-        if (norm(rates) <= exact * stiffness * unit) return D;
-        const auto change = newtonChange(law, stress, D, spun, held, rates, difference * unit);
-        const auto reduced = [&]
+        const Material rate = law.rate(s, D(x));
+        const auto whole = rate.stress + turning(s.stress, W);
+        Eigen::VectorXd off(x.size());
+        for (Eigen::Index k = 0; k < x.size(); ++k) off[k] = doubleDot(controls[std::size_t(k)].measure, whole) - rates[k];
+        return off;
+    }
+    /// Elastic soil of the law's stiffness would do this: the direction is right.
+    Eigen::VectorXd guess(const Material& s) const
+    {
+        Eigen::VectorXd x(rates.size());
+        for (Eigen::Index k = 0; k < x.size(); ++k)
         {
-            double share = 1;
-            for (int n = 0; n < halvings; ++n, share *= 0.5)
-                if (const auto left = heldRates(law, stress, D + share * change, spun, held); norm(left) < norm(rates))
-                {
-                    D += share * change;
-                    rates = left;
-                    return true;
-                }
-            return false;
-        };
-        if (!reduced()) return norm(rates) <= byRounding * stiffness * unit ? std::optional(D) : std::nullopt;
+            const auto& control = controls[std::size_t(k)];
+            x[k] = rates[k] / (law.stiffness(s) * doubleDot(control.measure, control.strain));
+        }
+        return x;
     }
-    return {};
-}
+    /// Newton's method, with steps halved until the rates fall: they have kinks where loading turns to unloading.
+    std::optional<Eigen::VectorXd> solve(const Material& s, Eigen::VectorXd x) const
+    {
+        constexpr double exact = 1e-13, byRounding = 1e-10, difference = 1e-6;
+        constexpr int iterations = 60, halvings = 30;
+        const double stiffness = law.stiffness(s), asked = rates.norm() / stiffness;
+        const double size = std::fmax(asked, std::sqrt(doubleDot(prescribed, prescribed) + doubleDot(W, W)));
+        auto now = off(s, x);
+        for (int k = 0; k < iterations; ++k)
+        {
+            const double unit = std::fmax(size, norm(D(x)));
+            if (now.norm() <= exact * stiffness * unit) return x;
+            Eigen::MatrixXd slope(x.size(), x.size());
+            for (Eigen::Index j = 0; j < x.size(); ++j)
+            {
+                auto above = x, below = x;
+                above[j] += difference * unit;
+                below[j] -= difference * unit;
+                slope.col(j) = (off(s, above) - off(s, below)) / (2 * difference * unit);
+            }
+            const Eigen::VectorXd change = slope.fullPivLu().solve(-now);
+            const auto reduced = [&]
+            {
+                double share = 1;
+                for (int n = 0; n < halvings; ++n, share *= 0.5)
+                    if (const auto left = off(s, x + share * change); left.norm() < now.norm())
+                    {
+                        x += share * change;
+                        now = left;
+                        return true;
+                    }
+                return false;
+            };
+            if (!reduced()) return now.norm() <= byRounding * stiffness * unit ? std::optional(x) : std::nullopt;
+        }
+        return {};
+    }
+};
 
-/// One row where stresses are held: the strain rate follows from the stress at every stage of the integration.
+/// One row where stresses are controlled: the strain rate follows from the state at every stage of the integration.
 template<ConstitutiveLaw Law>
-ElementRow heldRow(const Law& law, const StressIntegration& how, const ElementRow& from, Tensor<3> deformation,
-                   const std::array<bool, 6>& held)
+ElementRow controlledRow(const Law& law, const StressIntegration& how, const ElementRow& from, Tensor<3> deformation,
+                         const std::vector<StressControl>& controls, const Eigen::VectorXd& changes)
 {
+    using Material = StateOf<Law>;
     auto row = from;
-    const auto prescribed = symm(deformation);
-    const auto W = skew(deformation);
-    auto guess = prescribed;
-    ElementState state{from.stress, from.strain};
-    const auto rate = [&](double, const ElementState& s)
+    const Controlled<Law> controlled{law, symm(deformation), skew(deformation), controls, changes};
+    ElementState<Material> now{stateFrom<Material>(from.stress, from.variables), from.strain};
+    auto guess = controlled.guess(now.soil);
+    const auto rate = [&](double, const ElementState<Material>& s)
     {
-        const auto D = solveHeld(law, s.stress, guess, W, held);
+        const auto x = controlled.solve(s.soil, guess);
         // A strain rate that does not exist makes the substep shorter.
-        if (!D) return std::numeric_limits<double>::quiet_NaN() * s;
-        guess = *D;
-        return ElementState{law.rate(s.stress, *D) + turning(s.stress, W), *D};
+        if (!x) return std::numeric_limits<double>::quiet_NaN() * s;
+        guess = *x;
+        const auto D = controlled.D(*x);
+        Material soil = law.rate(s.soil, D);
+        soil += turning(s.soil, controlled.W);
+        return ElementState<Material>{soil, D};
     };
-    const auto error = [&](const ElementState& e, const ElementState& s)
+    const auto error = [&](const ElementState<Material>& e, const ElementState<Material>& s)
     {
-        const double strained = norm(e.strain) * law.stiffness(s.stress) / (std::fmax(norm(state.stress), norm(s.stress)) * how.tolerance);
-        return substepError(law, e.stress, from.stress, state.stress, s.stress, how.tolerance) + strained;
+        const double strained =
+            norm(e.strain) * law.stiffness(s.soil) / (std::fmax(norm(now.soil.stress), norm(s.soil.stress)) * how.tolerance);
+        return substepError(law, e.soil, from.stress, now.soil, s.soil, how.tolerance) + strained;
     };
-    const auto admits = [&](const ElementState& s) { return !Law::tensionless || law.admits(s.stress); };
-    const auto settled = [&](ElementState& s) { return settle(law, how, s.stress, row.state); };
+    const auto admits = [&](const ElementState<Material>& s) { return !Law::tensionless || isCompressive(s.soil.stress); };
+    const auto settled = [&](ElementState<Material>& s) { return settle(law, how, s.soil, row.state); };
     row.state = StressState::regular;
-    const double size = std::sqrt(doubleDot(deformation, deformation));
-    row.subSteps =
-        integrate(*how.pair, state, how.pair->firstStrain / size, rate, error, admits, settled, [](const ElementState&) { return false; });
-    row.stress = state.stress;
-    row.strain = state.strain;
+    const double size = std::sqrt(doubleDot(deformation, deformation)) + norm(controlled.D(guess));
+    row.subSteps = integrate(*how.pair, now, how.pair->firstStrain / size, rate, error, admits, settled,
+                             [](const ElementState<Material>&) { return false; });
+    row.stress = now.soil.stress;
+    row.variables = numbersOf(now.soil.variables);
+    row.strain = now.strain;
     if (!row.subSteps.resolved) row.state = StressState::unresolved;
     return row;
 }
@@ -124,50 +140,90 @@ template<ConstitutiveLaw Law>
 ElementRow strainedRow(const Law& law, const StressIntegration& how, const ElementRow& from, Tensor<3> deformation)
 {
     auto row = from;
-    const auto step = integrateStress(law, from.stress, deformation, how);
+    const auto step = integrateStress(law, stateFrom<StateOf<Law>>(from.stress, from.variables), deformation, how);
     row.stress = step.stress;
+    row.variables = numbersOf(step.variables);
     row.strain += symm(deformation);
     row.state = step.state;
     row.subSteps = step.subSteps;
     return row;
 }
 
+/// Messages begin with this.
+std::string nameOf(const ElementTest& test, const std::string& stage)
+{
+    return "test " + test.name + (stage.empty() ? "" : ", stage " + stage);
+}
+
+}
+
+StressControl heldComponent(double SymmTensor<3>::*component)
+{
+    SymmTensor<3> unit;
+    unit.*component = 1;
+    return {unit, unit};
 }
 
 std::optional<SymmTensor<3>> heldStrainRate(const SoilLaw& any, SymmTensor<3> stress, SymmTensor<3> D, Tensor<3> W,
-                                            const std::array<bool, 6>& held)
+                                            const std::array<bool, 6>& held, const std::vector<double>& variables)
 {
-    return std::visit([&](const auto& law) { return solveHeld(law, stress, D, W, held); }, any);
+    std::vector<StressControl> controls;
+    for (std::size_t k = 0; k < held.size(); ++k)
+        if (held[k]) controls.push_back(heldComponent(symmComponents[k]));
+    return std::visit(
+        [&]<class Law>(const Law& law) -> std::optional<SymmTensor<3>>
+        {
+            const Controlled<Law> controlled{law, D, W, controls, Eigen::VectorXd::Zero(Eigen::Index(controls.size()))};
+            const auto state = stateFrom<StateOf<Law>>(stress, variables);
+            const auto x = controlled.solve(state, controlled.guess(state));
+            return x ? std::optional(controlled.D(*x)) : std::nullopt;
+        },
+        any);
 }
 
 std::vector<ElementRow> runElementTest(const Soil& soil, const ElementTest& test)
 {
-    const bool holds = std::ranges::any_of(test.held, [](bool h) { return h; });
-    std::vector<ElementRow> rows{{0, {}, test.stress, StressState::regular, {}}};
+    std::vector<ElementRow> rows{{.stress = test.stress, .variables = test.variables}};
     double from = 0;
     for (const auto& leg : test.legs)
     {
+        const auto start = rows.back();
+        if (start.stage != leg.stage) from = 0;
+        if (rows.size() == 1) rows[0].stage = leg.stage;
+        Eigen::VectorXd changes = Eigen::VectorXd::Zero(Eigen::Index(leg.controls.size()));
+        for (std::size_t k = 0; k < leg.controls.size(); ++k)
+            if (const auto& control = leg.controls[k]; control.target)
+            {
+                const double now = doubleDot(control.measure, start.stress);
+                changes[Eigen::Index(k)] = (*control.target - now) / test.points;
+                from = now;
+            }
         for (int k = 0; k < test.points; ++k)
         {
             const auto part = 1.0 / test.points * leg.deformation;
             auto row = std::visit(
-                [&](const auto& law) {
-                    return holds ? heldRow(law, soil.integration, rows.back(), part, test.held)
-                                 : strainedRow(law, soil.integration, rows.back(), part);
+                [&](const auto& law)
+                {
+                    return leg.controls.empty() ? strainedRow(law, soil.integration, rows.back(), part)
+                                                : controlledRow(law, soil.integration, rows.back(), part, leg.controls, changes);
                 },
                 soil.law);
             row.path = from + (leg.path - from) * (k + 1) / test.points;
+            row.stage = leg.stage;
+            row.porePressure = leg.drains ? 0 : start.porePressure + row.stress.xx - start.stress.xx;
             if (row.state == StressState::inadmissible)
                 throw CaseError(test.where,
-                                fmt::format("test {}: a principal stress is tensile at path {:.6g}, or the stress is beyond the soil's "
-                                            "strength",
-                                            test.name, rows.back().path));
+                                fmt::format("{}: a principal stress is tensile at path {:.6g}, or the stress is beyond the soil's "
+                                            "strength{}",
+                                            nameOf(test, leg.stage), rows.back().path,
+                                            test.variables.empty() ? "" : ", or the void ratio beyond the law's range"));
             if (row.state == StressState::unresolved)
                 throw CaseError(
                     test.where,
-                    fmt::format("test {}: stopped behind path {:.6g}, where {}", test.name, rows.back().path,
-                                holds ? "no strain rate holds the stresses that are to be held"
-                                      : "substeps have become too short or too many: the law is too stiff for the steps between rows"));
+                    fmt::format("{}: stopped behind path {:.6g}, where {}", nameOf(test, leg.stage), rows.back().path,
+                                leg.controls.empty()
+                                    ? "substeps have become too short or too many: the law is too stiff for the steps between rows"
+                                    : "no strain rate gives the stresses that are asked for"));
             rows.push_back(row);
         }
         from = leg.path;

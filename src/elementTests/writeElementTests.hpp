@@ -9,9 +9,9 @@ namespace sph
 
 /// Its columns, whose names have their units.
 TableInfo elementTestTable();
-void writeElementTable(const std::filesystem::path&, const std::vector<ElementRow>&);
+void writeElementTable(const std::filesystem::path&, const ElementTest&, const SoilLaw&, const std::vector<ElementRow>&);
 
 /// Draws <name>.png beside each table, in the folder that it is started in.
-std::string elementPlots(const std::vector<ElementTest>&);
+std::string elementPlots(const std::vector<ElementTest>&, const SoilLaw&);
 
 }

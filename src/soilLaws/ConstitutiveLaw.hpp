@@ -1,4 +1,5 @@
-/// The concept of a constitutive law of soil: a value with a few constants, and pure functions of the stress.
+/// The concept of a constitutive law of soil: a value with a few constants, and pure functions of the state, which is the stress, and for
+/// some laws state variables with it (SoilState.hpp).
 ///
 /// Tension is positive in stresses, extension in strains and their rates, D = (grad v + grad v^T)/2, in three dimensions also where the flow
 /// has two (`in3D` of base/StressTensor.hpp). A law that is elastic within a yield surface says so by ElastoPlasticLaw. A law of one's own
@@ -7,13 +8,27 @@
 #include "base/StressTensor.hpp"
 #include "dictionary/EntryList.hpp"
 #include "soilLaws/EmbeddedPair.hpp"
+#include "soilLaws/SoilState.hpp"
 #include <concepts>
+#include <string>
 
 namespace sph
 {
 
+/// An option of a law: read from the coefficients of the law beside its own entries, and no word of its own.
 template<class L>
-concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTensor<3> D, const Dictionary& coeffs)
+concept OptionOfLaw = requires(const Dictionary& coeffs, const typename L::Option& law)
+{
+    {
+        L::read(coeffs, law)
+        } -> std::same_as<L>;
+    {
+        L::given(coeffs)
+        } -> std::same_as<bool>;
+};
+
+template<class L>
+concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTensor<3> stress, SymmTensor<3> D)
 {
     {
         L::name
@@ -26,17 +41,17 @@ concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTenso
     {
         L::tensionless
         } -> std::convertible_to<bool>;
-    /// Jaumann rate of the stress [Pa/s].
+    /// Jaumann rate of the stress [Pa/s], and of the state variables.
     {
-        law.rate(stress, D)
-        } -> std::same_as<SymmTensor<3>>;
+        law.rate(state, D)
+        } -> std::convertible_to<StateOf<L>>;
     /// Bound of the moduli d(stress)/d(strain) of all directions [Pa]; the square of the speed of sound times the density.
     {
-        law.stiffness(stress)
+        law.stiffness(state)
         } -> std::same_as<double>;
-    /// False where the law does not hold for the stress.
+    /// False where the law does not hold for the state.
     {
-        law.admits(stress)
+        law.admits(state)
         } -> std::same_as<bool>;
     /// The stress itself, or where rounding and truncation have brought it out of the law's range, what it is put back to.
     {
@@ -45,9 +60,45 @@ concept ConstitutiveLaw = requires(const L& law, SymmTensor<3> stress, SymmTenso
     {
         L::entries()
         } -> std::same_as<EntryList>;
+}
+&&(OptionOfLaw<L> || requires(const Dictionary& coeffs) {
     {
         L::read(coeffs)
         } -> std::same_as<L>;
+});
+
+/// What a law with state variables has beside that.
+template<class L>
+concept LawOfState = ConstitutiveLaw<L> && LawWithVariables<L> &&
+    requires(const L& law, const StateOf<L>& state, SymmTensor<3> strain, const Dictionary& d)
+{
+    /// The error of the variables at a state, as a relative error of the stress counts.
+    {
+        law.variableError(state.variables, state)
+        } -> std::same_as<double>;
+    /// True where the grains do not touch: the soil is free of stress.
+    {
+        law.apart(state)
+        } -> std::same_as<bool>;
+    /// The variables of soil that is strained while its law does not hold, or at no stress.
+    {
+        law.strainedFreely(state.variables, strain)
+        } -> std::same_as<typename L::Variables>;
+    /// Volume of the grains over that of the soil, which the density is proportional to.
+    {
+        law.solidShare(state.variables)
+        } -> std::same_as<double>;
+    /// Why a state cannot be, in words with the values that are possible; empty where it can.
+    {
+        law.objection(state)
+        } -> std::same_as<std::string>;
+    /// The variables at the start, from where the start is said, and their entries there.
+    {
+        law.readVariables(d)
+        } -> std::same_as<typename L::Variables>;
+    {
+        L::variableEntries()
+        } -> std::same_as<EntryList>;
 };
 
 /// A law that is linearly elastic within a yield surface. Given the strain rate, a step is then an elastic part that is known in closed

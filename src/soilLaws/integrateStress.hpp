@@ -46,11 +46,10 @@ enum class StressState
     unresolved ///< substeps became too short or too many: the stress is that of the last one
 };
 
-struct StressStep
+template<class Variables> struct StressStep : SoilState<Variables>
 {
-    SymmTensor<3> stress;
     StressState state = StressState::regular;
-    SubSteps subSteps;
+    SubSteps subSteps = {};
 };
 
 /// exp(W): the rotation by the angle |w|, w the axial vector of the skew W. Rodrigues (1840).
@@ -62,16 +61,19 @@ inline Tensor<3> rotationOf(Tensor<3> W)
 }
 
 /// Applies what the law puts back and what happens to the stress-free; true where that has changed the stress.
-template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegration& how, SymmTensor<3>& stress, StressState& state)
+template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegration& how, StateOf<Law>& now, StressState& state)
 {
+    auto& stress = now.stress;
     if constexpr (Law::tensionless)
     {
         const double p = -trace(stress) / 3;
-        if (p >= how.floorPressure) return false;
+        bool apart = false;
+        if constexpr (LawOfState<Law>) apart = law.apart(now);
+        if (p >= how.floorPressure && !apart) return false;
         state = StressState::stressFree;
         const auto isotropic = -how.floorPressure * identity(stress);
         if (how.stressFree == StressFree::detached) stress = {};
-        else stress = p > 0 ? how.floorPressure / p * stress : isotropic;
+        else stress = p > 0 && !apart ? how.floorPressure / p * stress : isotropic;
         return true;
     }
     else
@@ -88,60 +90,72 @@ template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegratio
 /// within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate there,
 /// and so finds the place.
 template<ConstitutiveLaw Law>
-double substepError(const Law& law, SymmTensor<3> error, SymmTensor<3> start, SymmTensor<3> from, SymmTensor<3> to, double tolerance)
+double substepError(const Law& law, const StateOf<Law>& error, SymmTensor<3> start, const StateOf<Law>& from, const StateOf<Law>& to,
+                    double tolerance)
 {
+    double ofVariables = 0;
+    if constexpr (LawOfState<Law>) ofVariables = law.variableError(error.variables, to) / tolerance;
     if constexpr (Law::tensionless)
     {
-        const double size = std::fmax(doubleDot(from, from), doubleDot(to, to)), off = doubleDot(error, error);
-        return off == 0 ? 0 : std::sqrt(off / size) / tolerance; // not a number stays so
+        const double size = std::fmax(doubleDot(from.stress, from.stress), doubleDot(to.stress, to.stress)),
+                     off = doubleDot(error.stress, error.stress);
+        return ofVariables + (off == 0 ? 0 : std::sqrt(off / size) / tolerance); // not a number stays so
     }
-    double off = norm(error);
+    double off = norm(error.stress);
     if constexpr (ElastoPlasticLaw<Law>)
-        if (!law.yields(from)) off += norm(law.returned(to) - to);
-    return off / (tolerance * std::fmax(smallStrain * law.stiffness(to), std::fmax(norm(start), norm(to))));
+        if (!law.yields(from)) off += norm(law.returned(to.stress) - to.stress);
+    return ofVariables + off / (tolerance * std::fmax(smallStrain * law.stiffness(to), std::fmax(norm(start), norm(to.stress))));
 }
 
 /// `deformation` = L dt [1].
 template<ConstitutiveLaw Law>
-StressStep integrateStress(const Law& law, SymmTensor<3> stress, Tensor<3> deformation, const StressIntegration& how)
+StressStep<typename StateOf<Law>::Variables> integrateStress(const Law& law, const std::type_identity_t<StateOf<Law>>& start,
+                                                             Tensor<3> deformation, const StressIntegration& how)
 {
-    StressStep step{.stress = stress, .subSteps = {}};
+    using Material = StateOf<Law>;
+    StressStep<typename Material::Variables> step{start};
+    Material& now = step;
     const auto strain = symm(deformation);
     const auto turn = skew(deformation);
-    const bool turns = doubleDot(turn, turn) > 0, none = doubleDot(stress, stress) == 0;
-    if (!none && !law.admits(stress))
+    const bool turns = doubleDot(turn, turn) > 0, none = doubleDot(start.stress, start.stress) == 0;
+    if (!none && !law.admits(start))
     {
         step.state = StressState::inadmissible;
+        if constexpr (LawOfState<Law>) now.variables = law.strainedFreely(now.variables, strain);
         if constexpr (Law::tensionless) return step;
     }
-    settle(law, how, step.stress, step.state);
-    const auto ends = [&](SymmTensor<3>) { return step.state == StressState::stressFree && how.stressFree == StressFree::detached; };
-    if (ends(step.stress)) return step;
+    settle(law, how, now, step.state);
+    const auto ends = [&](const Material&) { return step.state == StressState::stressFree && how.stressFree == StressFree::detached; };
+    if (ends(now))
+    {
+        if constexpr (LawOfState<Law>) now.variables = law.strainedFreely(start.variables, strain);
+        return step;
+    }
 
     const auto half = rotationOf(0.5 * turn);
-    if (turns) step.stress = rotated(step.stress, half);
+    if (turns) now = rotated(now, half);
     const double size = norm(strain);
     const bool varies = turns && how.turning == Turning::within;
     const auto substeps = [&]
     {
-        const auto rate = [&](double t, SymmTensor<3> s)
+        const auto rate = [&](double t, const Material& s) -> Material
         { return law.rate(s, varies ? rotated(strain, rotationOf((0.5 - t) * turn)) : strain); };
-        const auto error = [&](SymmTensor<3> e, SymmTensor<3> s) { return substepError(law, e, stress, step.stress, s, how.tolerance); };
-        const auto admits = [&](SymmTensor<3> s) { return !Law::tensionless || law.admits(s); };
-        const auto settled = [&](SymmTensor<3>& s) { return settle(law, how, s, step.state); };
-        return integrate(*how.pair, step.stress, how.pair->firstStrain / size, rate, error, admits, settled, ends);
+        const auto error = [&](const Material& e, const Material& s) { return substepError(law, e, start.stress, now, s, how.tolerance); };
+        const auto admits = [&](const Material& s) { return !Law::tensionless || isCompressive(s.stress); };
+        const auto settled = [&](Material& s) { return settle(law, how, s, step.state); };
+        return integrate(*how.pair, now, how.pair->firstStrain / size, rate, error, admits, settled, ends);
     };
     if (size > 0)
     {
         if constexpr (ElastoPlasticLaw<Law>)
         {
             if (varies) step.subSteps = substeps();
-            else step.stress = law.strained(step.stress, strain, *how.pair, how.tolerance, step.subSteps);
+            else now = law.strained(now, strain, *how.pair, how.tolerance, step.subSteps);
         }
         else step.subSteps = substeps();
         if (!step.subSteps.resolved) step.state = StressState::unresolved;
     }
-    if (turns) step.stress = rotated(step.stress, half);
+    if (turns) now = rotated(now, half);
     return step;
 }
 

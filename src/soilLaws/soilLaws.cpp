@@ -19,11 +19,15 @@ SubDictionary coefficients(const std::string& law) { return {coeffsOf(law), bySc
 
 Cases lawCases()
 {
-    Cases cases;
+    std::vector<std::pair<ChoiceWord, EntryList>> laws;
     forEachLaw(
-        [&]<ConstitutiveLaw Law>(Law) {
-            cases.push_back({{Law::name, Law::meaning}, {{coefficients(Law::name), Law::entries()}}});
+        [&]<ConstitutiveLaw Law>(Law)
+        {
+            if constexpr (OptionOfLaw<Law>) laws.back().second += Law::entries();
+            else laws.push_back({{Law::name, Law::meaning}, Law::entries()});
         });
+    Cases cases;
+    for (const auto& [word, entries] : laws) cases.push_back({word, {{coefficients(word.word), entries}}});
     return cases;
 }
 
@@ -75,7 +79,12 @@ Soil readSoil(const Dictionary& d, const std::string& turning)
         forEachLaw(
             [&]<ConstitutiveLaw Law>(Law)
             {
-                if (name == Law::name) soil.law = Law::read(d.subDict(coeffsOf(name)));
+                if constexpr (OptionOfLaw<Law>)
+                {
+                    const auto coeffs = d.subDictOrEmpty(coeffsOf(name));
+                    if (name == Law::name && Law::given(coeffs)) soil.law = Law::read(coeffs, std::get<typename Law::Option>(soil.law));
+                }
+                else if (name == Law::name) soil.law = Law::read(d.subDict(coeffsOf(name)));
                 else if (d.found(coeffsOf(Law::name))) Law::read(d.subDict(coeffsOf(Law::name))); // of a law to change to: checked alone
             });
     auto& how = soil.integration;
@@ -85,6 +94,22 @@ Soil readSoil(const Dictionary& d, const std::string& turning)
     how.stressFree = entry::stressFree(d) == "detached" ? StressFree::detached : StressFree::floor;
     how.floorPressure = entry::floorPressure(d);
     return soil;
+}
+
+EntryList variableEntries()
+{
+    EntryList entries;
+    forEachLaw(
+        [&]<ConstitutiveLaw Law>(Law)
+        {
+            if constexpr (LawOfState<Law>)
+            {
+                auto all = Law::variableEntries();
+                if constexpr (OptionOfLaw<Law>) entries = all; // with those of its law
+                else entries += all;
+            }
+        });
+    return entries;
 }
 
 EntryList soilEntries()

@@ -10,6 +10,7 @@
 ///     floorPressure 10;              // [Pa]
 #pragma once
 #include "soilLaws/DruckerPrager.hpp"
+#include "soilLaws/IntergranularStrain.hpp"
 #include "soilLaws/WuBauer.hpp"
 #include "soilLaws/integrateStress.hpp"
 #include <variant>
@@ -17,8 +18,8 @@
 namespace sph
 {
 
-/// A law more is a word more here.
-using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw>;
+/// A law more is a word more here. One with an `Option` is that law with a sub-dictionary more in its coefficients.
+using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw, VonWolffersdorff, IntergranularStrain<VonWolffersdorff>>;
 
 struct Soil
 {
@@ -33,6 +34,9 @@ inline constexpr const char *initialStressKeyword = "initialStress", *confiningP
 
 /// The friction angles that act, in words, of laws that have some; else "".
 std::string strengthInWords(const SoilLaw&);
+
+/// Entries of the state variables at the start, of all laws that have some, without repetition.
+EntryList variableEntries();
 
 /// Mistakes are recorded with file and line. `turning`: what is taken where the file does not say.
 Soil readSoil(const Dictionary&, const std::string& turning = "halves");

@@ -4,6 +4,7 @@
 #include "models/density/DensityScale.hpp"
 #include "models/density/densityTerms.hpp"
 #include "parallel/reduce.hpp"
+#include "scene/DensityOfModel.hpp"
 #include "scene/TwoLevels.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -143,7 +144,16 @@ void read(const Reading& reading)
                                           : "numberDensity");
     const bool byMass = reading.choose(entry::continuityForm) == "mass";
     if (!integrated && byMass) entry::continuityForm.error(reading.schemes, "goes with `density continuity;`: no density is integrated");
-    reading.select(!integrated ? "summedDensity" : byMass ? "massContinuity" : "continuity");
+    if (settings.facts.get<DensityOfModel>().exists)
+    {
+        for (auto& evolving : settings.state)
+            if (evolving.value.name == Density::info.name)
+            {
+                evolving.rate.reset();
+                evolving.advancedByModel = true;
+            }
+    }
+    else reading.select(!integrated ? "summedDensity" : byMass ? "massContinuity" : "continuity");
     if (integrated && volume == "numberDensity") settings.shown.emplace_back(Volume::info.name, Volume::info.name); // not m/rho
     const bool normalises =
         reading.choose(entry::normalisation, reading.paper() || volume == "continuity" ? "none" : "secondMoment") == "secondMoment";

@@ -1,6 +1,8 @@
 /// Fields and numbers of soil.
 #pragma once
 #include "fields/fieldTags.hpp"
+#include "scene/State.hpp"
+#include "soilLaws/SoilState.hpp"
 #include <cmath>
 
 namespace sph
@@ -52,6 +54,53 @@ template<int dim> constexpr StressTensor<dim> stressIn(SymmTensor<3> a)
 {
     if constexpr (dim == 3) return a;
     else return {a.xx, a.xy, a.yy, a.zz};
+}
+
+/// State variables of a law (soilLaws/SoilState.hpp) as fields of particles, in the order of its parts: numbers, and tensors that in two dimensions are those of
+/// plane strain.
+template<int dim, class Part> using VariableIn = std::conditional_t<std::is_same_v<Part, double>, double, StressTensor<dim>>;
+
+/// Calls f(name, part) with each state variable.
+template<class Variables> void forEachVariable(Variables& variables, const auto& f)
+{
+    [[maybe_unused]] std::size_t k = 0;
+    Variables::parts(variables, [&](auto&... part) { (f(Variables::names[k++], part), ...); });
+}
+
+template<class Part> StateField fieldOf(const StateVariable& variable, const Part&)
+{
+    return {{variable.name, variable.unit, std::is_same_v<Part, double> ? Image::copied : Image::mirrored},
+            variable.name,
+            {valueType<VariableIn<2, Part>>, valueType<VariableIn<3, Part>>}};
+}
+
+/// The variables of particle i, from the arrays of all components in order; and back.
+template<int dim, class Variables> Variables variablesAt(const auto& arrays, std::size_t i)
+{
+    Variables variables;
+    [[maybe_unused]] std::size_t first = 0;
+    forEachVariable(variables,
+                    [&]<class Part>(const StateVariable&, Part& part)
+                    {
+                        VariableIn<dim, Part> q;
+                        fetch(q, [&](int c) { return arrays[first + std::size_t(c)][i]; });
+                        first += std::size_t(components<VariableIn<dim, Part>>);
+                        if constexpr (std::is_same_v<Part, double>) part = q;
+                        else part = in3D(q);
+                    });
+    return variables;
+}
+template<int dim, class Variables> void storeVariables(const Variables& variables, const auto& arrays, std::size_t i)
+{
+    [[maybe_unused]] std::size_t first = 0;
+    forEachVariable(variables,
+                    [&]<class Part>(const StateVariable&, const Part& part)
+                    {
+                        const auto set = [&](int c, double q) { arrays[first + std::size_t(c)][i] = q; };
+                        if constexpr (std::is_same_v<Part, double>) store(part, set);
+                        else store(stressIn<dim>(part), set);
+                        first += std::size_t(components<VariableIn<dim, Part>>);
+                    });
 }
 
 }

@@ -3,6 +3,7 @@
 #include "models/soil/SoilFields.hpp"
 #include "operators/VelocityGradient.hpp"
 #include "parallel/reduce.hpp"
+#include "scene/DensityOfModel.hpp"
 #include "soilLaws/soilLaws.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -16,16 +17,30 @@ namespace
 struct SoundSpeed
 {
     double ofLaw, all;
-    SoundSpeed(const auto& law, SymmTensor<3> stress, double rho, const SoilNumbers& numbers)
+    template<class Law> SoundSpeed(const Law& law, const StateOf<Law>& state, double rho, const SoilNumbers& numbers)
     {
-        const double square = law.stiffness(stress) / rho;
+        const double square = law.stiffness(state) / rho;
         ofLaw = std::sqrt(square);
         all = rho > numbers.compactFrom ? std::sqrt(square + sqr(numbers.compactionSpeed)) : ofLaw;
     }
 };
+
+/// Arrays of the state variables of a law, by component.
+template<class Law, int dim> auto variablesOf(auto& store)
+{
+    std::vector<decltype(store.component("", 0))> arrays;
+    typename StateOf<Law>::Variables variables;
+    forEachVariable(variables,
+                    [&]<class Part>(const StateVariable& variable, const Part&)
+                    {
+                        for (int c = 0; c < components<VariableIn<dim, Part>>; ++c) arrays.push_back(store.component(variable.name, c));
+                    });
+    return arrays;
+}
 }
 
-template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles)
+template<int dim>
+StressUpdate<dim>::StressUpdate(Particles<dim>& particles, const Numbers& restored) : particles_(particles), fresh_(restored.empty())
 {
     const auto walls = particles.settings().facts.template get<WallConditions>();
     if (particles.coefficients().template has<TwoLevels>())
@@ -41,6 +56,7 @@ template<int dim> StressUpdate<dim>::StressUpdate(Particles<dim>& particles, con
 
 template<int dim> typename StressUpdate<dim>::Counts& StressUpdate<dim>::Counts::operator+=(const Counts& more)
 {
+    if (inadmissible + unresolved == 0) place = more.place;
     stressFree += more.stressFree;
     inadmissible += more.inadmissible;
     unresolved += more.unresolved;
@@ -56,16 +72,45 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
         return {{"first sound", "c = sqrt(M/rho), once",
                  [this](Particles<dim>& p, const Substep&)
                  {
-                     if (!std::exchange(measured_, true)) measure(p);
+                     if (std::exchange(measured_, true)) return;
+                     if (fresh_) checkVariables(p);
+                     measure(p);
                  }}};
     if (levels_ && place == JoinPoint::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
+    const bool hasVariables = particles_.settings().facts.template get<DensityOfModel>().exists;
     return {{"stress",
-             levels_ ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
-                     : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             hasVariables ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
+             : levels_    ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
+                          : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
+}
+
+template<int dim> void StressUpdate<dim>::checkVariables(const Particles<dim>& particles) const
+{
+    const auto& store = particles.store();
+    const auto sigma = store.pointers(SoilStress{});
+    const auto places = store.pointers(Position{});
+    std::visit(
+        [&]<class Law>(const Law& law)
+        {
+            if constexpr (LawOfState<Law>)
+            {
+                const auto variables = variablesOf<Law, dim>(store);
+                for (std::size_t i = 0; i < particles.size(); ++i)
+                {
+                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)),
+                                             variablesAt<dim, typename Law::Variables>(variables, i));
+                    const auto why = norm(state.stress) > 0 ? law.objection(state) : "";
+                    if (why.empty()) continue;
+                    const auto x = in3D(valueAt<Vector<dim>>(places, i));
+                    throw CaseError({soilProperties, 0}, fmt::format("soil at ({:.6g} {:.6g} {:.6g}) m: {}", x.x, x.y, x.z, why));
+                }
+            }
+        },
+        particles.coefficients().template of<Soil>().law);
 }
 
 template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
@@ -75,13 +120,16 @@ template<int dim> void StressUpdate<dim>::measure(Particles<dim>& particles)
     double* const c = particles.store().component(SoilSound::info.name, 0);
     const auto& numbers = particles.coefficients().template of<SoilNumbers>();
     std::visit(
-        [&](const auto& law)
+        [&]<class Law>(const Law& law)
         {
+            const auto variables = variablesOf<Law, dim>(particles.store());
             const auto sound = reduce(
                 particles.size(), Counts{},
                 [&](std::size_t i)
                 {
-                    const SoundSpeed of(law, in3D(valueAt<StressTensor<dim>>(sigma, i)), rho[i], numbers);
+                    const StateOf<Law> state(in3D(valueAt<StressTensor<dim>>(sigma, i)),
+                                             variablesAt<dim, typename StateOf<Law>::Variables>(variables, i));
+                    const SoundSpeed of(law, state, rho[i], numbers);
                     c[i] = of.all;
                     return Counts{.fastest = of.all, .ofLaw = of.ofLaw};
                 },
@@ -101,7 +149,9 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     const double lastDeltaT = levels_ ? levels_->next(deltaT) : 0, span = lastDeltaT + deltaT;
     const auto older = levels_ ? store.pointers(OlderStress{}) : decltype(store.pointers(OlderStress{})){};
     const auto L = std::as_const(store).pointers(VelocityGradient{});
-    const double *rho = store.component(Density::info.name, 0), *V = store.component(Volume::info.name, 0);
+    const auto places = std::as_const(store).pointers(Position{});
+    double* const rho = store.component(Density::info.name, 0);
+    const double* const V = store.component(Volume::info.name, 0);
     double* const c = store.component(SoilSound::info.name, 0);
     const auto& numbers = particles.coefficients().template of<SoilNumbers>();
     const auto noise = numbers.smoothing > 0 ? std::as_const(store).pointers(StressNoise{})
@@ -112,8 +162,10 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     double* const work = store.has(StressWork{}) ? store.component(StressWork::info.name, 0) : nullptr;
     const auto advanced = [&]<ConstitutiveLaw Law>(const Law& law)
     {
-        return [&](std::size_t i)
+        using Variables = typename StateOf<Law>::Variables;
+        return [&, variables = variablesOf<Law, dim>(store)](std::size_t i)
         {
+            const auto variablesBefore = variablesAt<dim, Variables>(variables, i);
             const auto gradient = in3D(valueAt<Tensor<dim>>(L, i));
             const auto before = in3D(valueAt<StressTensor<dim>>(sigma, i));
             auto start = lastDeltaT > 0 ? in3D(valueAt<StressTensor<dim>>(older, i)) : before;
@@ -124,11 +176,13 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
                 const double fastest = c[i] / h, byStrain = strainsOfNoise * norm(D);
                 const double rate = numbers.smoothing * (numbers.smoothsAtRest ? fastest : std::fmin(fastest, byStrain));
                 const auto smoothed = start - std::expm1(-rate * span) * in3D(valueAt<StressTensor<dim>>(noise, i));
-                if (law.admits(smoothed)) start = smoothed;
+                if (law.admits(StateOf<Law>(smoothed, variablesBefore))) start = smoothed;
             }
-            const auto step = integrateStress(law, start, span * gradient, soil.integration);
+            const auto step = integrateStress(law, StateOf<Law>(start, variablesBefore), span * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
-            const SoundSpeed sound(law, step.stress, rho[i], numbers);
+            storeVariables<dim>(step.variables, variables, i);
+            if constexpr (LawOfState<Law>) rho[i] *= law.solidShare(step.variables) / law.solidShare(variablesBefore);
+            const SoundSpeed sound(law, step, rho[i], numbers);
             c[i] = sound.all;
             const auto mean = levels_ ? before : 0.5 * (start + step.stress);
             if (strain) strain[i] += deltaT * std::sqrt(2.0) * norm(deviator(D));
@@ -136,13 +190,15 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
                 if (plastic)
                     plastic[i] += deltaT / span * std::sqrt(2.0) * norm(deviator(plasticStrain(law, start, step.stress, span * gradient)));
             if (work) work[i] += deltaT * doubleDot(mean, D);
+            const bool bad = step.state == StressState::inadmissible || step.state == StressState::unresolved;
             const auto onNeighbours = mean + (numbers.surfacePressure - numbers.compactionPressure(rho[i])) * identity(mean);
             return Counts{step.state == StressState::stressFree,
                           step.state == StressState::inadmissible,
                           step.state == StressState::unresolved,
                           sound.all,
                           sound.ofLaw,
-                          -V[i] * doubleDot(onNeighbours, D)};
+                          -V[i] * doubleDot(onNeighbours, D),
+                          bad ? in3D(valueAt<Vector<dim>>(places, i)) : Vector<3>{}};
         };
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
@@ -214,7 +270,9 @@ template<int dim> void StressUpdate<dim>::save(Numbers& numbers) const
 template<int dim> std::string StressUpdate<dim>::note() const
 {
     if (summary_.inadmissible + summary_.unresolved == 0) return "";
-    return fmt::format("  {} stresses inadmissible, {} not resolved", summary_.inadmissible, summary_.unresolved);
+    const auto& x = summary_.place;
+    return fmt::format("  {} stresses inadmissible, {} not resolved, the first at ({:.4g} {:.4g} {:.4g})", summary_.inadmissible,
+                       summary_.unresolved, x.x, x.y, x.z);
 }
 
 template class StressUpdate<2>;

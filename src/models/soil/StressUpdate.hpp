@@ -13,11 +13,14 @@
 ///
 ///   dt <= f h/max_i(c_i + |v|),    dt <= 0.5 h/(alpha max_i c_i)        c_i = sqrt(M_i/rho_i), M the law's stiffness, h = H/2, f = soundFactor
 ///
+/// State variables of the law (soilLaws/SoilState.hpp) are integrated with the stress, and live where it does; the density goes with the share of the solids in the
+/// volume, rho (1 + e) constant for a void ratio e, and no continuity equation runs.
+///
 /// With `stressSmoothing` delta the stress relaxes meanwhile towards that of its surroundings (StressNoise.hpp), where the law admits the result:
 ///
 ///   sigma += (1 - exp(-delta min(c/h, k |D|) dt)) noise,    k = 500;    delta c/h in place of the least of both with `smoothingActs always`
 ///
-/// Stress-free, inadmissible and unresolved particles of the last step are counted.
+/// Stress-free, inadmissible and unresolved particles of the last step are counted, and the first of the latter two is named by its place.
 #pragma once
 #include "scene/Particles.hpp"
 #include "scene/TwoLevels.hpp"
@@ -49,16 +52,19 @@ private:
         double fastest = 0; ///< largest c [m/s]
         double ofLaw = 0;   ///< the same by the law alone, without compactionSpeed [m/s]
         double power = 0;   ///< -sum V S:D [W]
+        Vector<3> place{};  ///< of the first that is inadmissible or unresolved [m]
         Counts& operator+=(const Counts&);
     };
     static constexpr double strainsOfNoise = 500; ///< k: by how much strain noise vanishes, 1/(k delta)
     const Particles<dim>& particles_;
     Counts summary_;
     std::optional<TwoLevels> levels_; ///< none where steps start from one
-    bool measured_ = false;
+    bool measured_ = false, fresh_;   ///< fresh_: the run begins here, and does not go on from another
 
     void advance(Particles<dim>&, double deltaT);
     void measure(Particles<dim>&); ///< the speeds of sound
+    /// Throws CaseError where the state variables at the start are outside of the law's range.
+    void checkVariables(const Particles<dim>&) const;
     /// -sum V/dx (S n).v_w of the row at the walls [W]
     double powerOfWalls(const Particles<dim>&) const;
 };

@@ -5,6 +5,7 @@
 #include "models/soil/WallFriction.hpp"
 #include "models/soil/soilTerms.hpp"
 #include "operators/VelocityGradient.hpp"
+#include "scene/DensityOfModel.hpp"
 #include "soilLaws/soilLaws.hpp"
 #include <algorithm>
 #include <cmath>
@@ -151,7 +152,14 @@ template<int dim> void checkStress(const Loading& loading, const Soil& soil)
     for (std::size_t i = 0; i < loading.size(); ++i)
     {
         const auto s = in3D(valueAt<StressTensor<dim>>(loading.values, i));
-        const bool admitted = std::visit([&](const auto& law) { return norm(s) == 0 || law.admits(s); }, soil.law);
+        // Laws with state variables are asked when those are there, too.
+        const bool admitted = std::visit(
+            [&]<class Law>(const Law& law)
+            {
+                if constexpr (LawOfState<Law>) return norm(s) == 0 || isCompressive(s);
+                else return norm(s) == 0 || law.admits(s);
+            },
+            soil.law);
         if (admitted && std::isfinite(norm(s))) continue;
         throw CaseError(
             where,
@@ -184,6 +192,50 @@ Evolving stressOf(const Soil& soil, const InitialStress& initial, int dimension)
         if (!loading.restarted) dimension == 2 ? checkStress<2>(loading, soil) : checkStress<3>(loading, soil);
     };
     return sigma;
+}
+
+/// State variables of the law as fields: from the time folder, or as `initialStress` says.
+void addVariables(Settings& settings, const Soil& soil, const Dictionary& dict)
+{
+    const int dimension = settings.coefficients.dimension;
+    std::visit(
+        [&]<class Law>(const Law& law)
+        {
+            if constexpr (LawOfState<Law>)
+            {
+                using Variables = typename Law::Variables;
+                const auto d = entry::initialStress(dict);
+                const auto& named = entry::vonWolffersdorff::voidRatio;
+                std::optional<Variables> given;
+                if (named.given(d)) given = law.readVariables(d);
+                Variables variables = given.value_or(Variables{});
+                forEachVariable(variables,
+                                [&]<class Part>(const StateVariable& variable, const Part& part)
+                                {
+                                    Evolving evolving{.value = fieldOf(variable, part), .advancedByModel = true, .ofMaterial = true};
+                                    evolving.missing = [=, start = part, known = given.has_value()](const Loading& loading)
+                                    {
+                                        if (!known)
+                                            throw CaseError(
+                                                {soilProperties, 0},
+                                                fmt::format("initialStress has no `voidRatio`, and the time folder no field {}, "
+                                                            "which law {} needs",
+                                                            variable.name, Law::name));
+                                        const auto fillWith = [&](const auto& value)
+                                        {
+                                            for (std::size_t i = 0; i < loading.size(); ++i)
+                                                store(value, [&](int c, double q) { loading.values[std::size_t(c)][i] = q; });
+                                        };
+                                        if constexpr (std::is_same_v<Part, double>) fillWith(start);
+                                        else if (dimension == 2) fillWith(stressIn<2>(start));
+                                        else fillWith(start);
+                                    };
+                                    settings.state.push_back(evolving);
+                                });
+                settings.facts.give(DensityOfModel{true}, soilProperties);
+            }
+        },
+        soil.law);
 }
 
 /// Entries of fluids, which would do nothing, or move particles without their stress.
@@ -258,8 +310,9 @@ void prepare(const Reading& reading)
     SoilNumbers numbers;
     numbers.surfacePressure = readSurfacePressure(dict, soil);
     c.set(numbers);
-    dict.reportUnused();
     settings.state.push_back(stressOf(soil, initial, c.dimension));
+    addVariables(settings, soil, dict);
+    dict.reportUnused();
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
     for (const auto& field : entry::shown(entry::soil(reading.schemes)))
         if (field == StrainRate::info.name) settings.shown.emplace_back(field, field);
@@ -344,9 +397,13 @@ const Model& soilModel()
               return isSoil(s) && s.integration.scheme != "symplecticEuler" && s.integration.scheme != "leapfrog" &&
                      !s.coefficients.has<TwoLevels>();
           },
-          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"}},
+          "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
+         {"integration",
+          [](const Settings& s) { return isSoil(s) && s.facts.get<DensityOfModel>().exists && s.coefficients.has<TwoLevels>(); },
+          "the state variables of this law live at one level of time: take scheme symplecticEuler or leapfrog"}},
         {},
-        {{soilProperties, {entry::confiningPressure, {entry::initialStress, {{entry::type, entry::initialCases()}}}}},
+        {{soilProperties,
+          {entry::confiningPressure, {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()}}},
          {"system/sphSchemes",
           {{entry::soil,
             {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,

@@ -62,6 +62,150 @@ TEST(WuBauer, stiffnessIsABound)
     EXPECT_EQ(karlsruhe.stiffness({}), 0);
 }
 
+/// The symmetric tensor of columns <letter>11 ... of a table.
+SymmTensor<3> tensorIn(const std::map<std::string, std::vector<double>>& t, const std::string& letter, std::size_t row)
+{
+    const auto c = [&](const char* place) { return t.at(letter + place)[row]; };
+    return {c("11"), c("12"), c("13"), c("22"), c("23"), c("33")};
+}
+Tensor<3> gradientIn(const std::map<std::string, std::vector<double>>& t, std::size_t row)
+{
+    const auto c = [&](const char* place) { return t.at(std::string("L") + place)[row]; };
+    return {c("11"), c("12"), c("13"), c("21"), c("22"), c("23"), c("31"), c("32"), c("33")};
+}
+
+// The largest difference of rates, those by spin with them, of random states, over the largest rate. The table has ten digits.
+template<class Law> double rateError(const Law& law, const std::string& only, const auto& variables)
+{
+    const auto t = table("triaxialSands/states", only);
+    Largest error;
+    for (std::size_t k = 0; k < t.at("e").size(); ++k)
+    {
+        const auto L = gradientIn(t, k);
+        const StateOf<Law> state(tensorIn(t, "T", k), variables(t.at("e")[k], tensorIn(t, "h", k)));
+        StateOf<Law> rate = law.rate(state, symm(L));
+        rate += turning(state, skew(L));
+        const auto expected = tensorIn(t, "dT", k), h = tensorIn(t, "dh", k);
+        error(norm(rate.stress - expected) / norm(expected));
+        const auto its = variables(t.at("de")[k], h);
+        auto off = rate.variables;
+        off += -1.0 * its;
+        error(law.variableError(off, state) / law.variableError(its, state));
+    }
+    EXPECT_GE(t.at("e").size(), 4u);
+    return error.value();
+}
+
+TEST(VonWolffersdorff, ratesOfRandomStates)
+{
+    EXPECT_LT(rateError(karlsruheOfVoidRatio, "plain", [](double e, SymmTensor<3>) { return VoidRatio{e}; }), 1e-8);
+    EXPECT_LT(rateError(karlsruheIntergranular, "intergranular", [](double e, SymmTensor<3> h) { return GranularState{{e}, h}; }), 1e-8);
+}
+
+// On e = e_c and the cone of Matsuoka and Nakai, I1 I2/I3 = (9 - sin^2)/(1 - sin^2), there is a direction of flow at constant volume in
+// which the stress stays: along N, L^-1 N being of size 1 and without trace.
+TEST(VonWolffersdorff, criticalStates)
+{
+    const auto& law = karlsruheOfVoidRatio;
+    const double p = 1e5, e_c = law.e_c0 * law.compression(p);
+    EXPECT_NEAR(e_c, 0.788656, 5e-7);
+    EXPECT_NEAR(law.e_i0 * law.compression(p), 0.938876, 5e-7);
+    EXPECT_NEAR(law.e_d0 * law.compression(p), 0.497604, 5e-7);
+    for (const double lode : {0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0})
+    {
+        const auto at = [&](double radius)
+        {
+            const auto part = [&](double turn) { return -p * (1 - radius * std::cos((lode + turn) * std::numbers::pi / 180)); };
+            return principal(part(180), part(60), part(-60));
+        };
+        double low = 0, high = 0.9;
+        for (int bisections = 0; bisections < 60; ++bisections)
+        {
+            const double radius = 0.5 * (low + high);
+            const auto s = at(radius);
+            const double I1 = trace(s), I2 = s.xx * s.yy + s.yy * s.zz + s.zz * s.xx, I3 = s.xx * s.yy * s.zz;
+            (I3 < 0 && I1 * I2 / I3 < (9 - 0.25) / (1 - 0.25) ? low : high) = radius;
+        }
+        const auto s = at(low);
+        const auto tangent = law.tangent({s, {e_c}});
+        // D with L:D = -N: F^2 D + a^2 r (r:D) = -N/scale.
+        const auto right = -1 / tangent.scale * tangent.N;
+        const double along = doubleDot(tangent.r, right) / (tangent.F2 + tangent.a2 * doubleDot(tangent.r, tangent.r));
+        const auto D = 1 / tangent.F2 * (right - tangent.a2 * along * tangent.r);
+        EXPECT_NEAR(norm(D), 1, 1e-9) << lode;
+        EXPECT_NEAR(trace(D), 0, 1e-9) << lode;
+        EXPECT_LT(norm(law.rate({s, {e_c}}, D).stress), 1e-9 * norm(tangent.N));
+    }
+}
+
+// Isotropic compression from e_i, from 10 kPa to 2.7 MPa, stays on it: whatever is wrong in f_b leaves it.
+TEST(VonWolffersdorff, loosestStateStays)
+{
+    const auto& law = karlsruheOfVoidRatio;
+    StateOf<VonWolffersdorff> now(principal(-1e4, -1e4, -1e4), {law.e_i0 * law.compression(1e4)});
+    for (int k = 0; k < 10; ++k) now = integrateStress(law, now, -1e-2 / 3 * diagonal(1, 1, 1), tight());
+    EXPECT_GT(-now.stress.xx, 1e5);
+    EXPECT_NEAR(now.variables.e, law.e_i0 * law.compression(-now.stress.xx), 1e-9);
+}
+
+// Full mobilisation along the strain rate is the law itself, none of it m_R L.
+TEST(IntergranularStrain, limits)
+{
+    const auto& law = karlsruheIntergranular;
+    const auto s = principal(-1e5, -2e5, -3e5);
+    const SymmTensor<3> D{0.1, 0.3, -0.2, -0.4, 0.2, 0.05};
+    const auto plain = law.law.rate({s, {0.7}}, D).stress;
+    EXPECT_LT(norm(law.rate({s, {{0.7}, law.R / norm(D) * D}}, D).stress - plain), 1e-12 * norm(plain));
+    const auto elastic = law.m_R * law.law.tangent({s, {0.7}}).linear(D);
+    EXPECT_LT(norm(law.rate({s, {{0.7}, {}}}, D).stress - elastic), 1e-12 * norm(elastic));
+    // |h| comes to R and stays.
+    StateOf<IntergranularStrain<VonWolffersdorff>> now(s, {{0.7}, {}});
+    for (int k = 0; k < 20; ++k) now = integrateStress(law, now, 1e-3 * diagonal(0, 0, -1), tight(1e-9));
+    EXPECT_NEAR(norm(now.variables.h), law.R, 1e-9 * law.R);
+}
+
+// No modulus of a plane wave is above `stiffness`.
+TEST(VonWolffersdorff, stiffnessIsABound)
+{
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> share(0.05, 1), voidRatio(0.52, 0.9), part(0, 1);
+    std::normal_distribution<double> any;
+    const auto& law = karlsruheIntergranular;
+    for (int k = 0; k < 20000; ++k)
+    {
+        const auto s = 1e5 * principal(-share(generator), -share(generator), -1);
+        const VoidRatio e{voidRatio(generator)};
+        Vector<3> n{any(generator), any(generator), any(generator)};
+        const auto D = 1 / dot(n, n) * outer(n);
+        const auto modulus = [&](SymmTensor<3> rate) { return dot(n, rate * n) / dot(n, n); };
+        ASSERT_LE(modulus(law.law.rate({s, e}, D).stress), law.law.stiffness({s, e}));
+        const SymmTensor<3> any6{any(generator), any(generator), any(generator), any(generator), any(generator), any(generator)};
+        const auto h = part(generator) * law.R / norm(any6) * any6;
+        ASSERT_LE(modulus(law.rate({s, {e, h}}, D).stress), law.stiffness({s, {e, h}}));
+    }
+}
+
+// Soil looser than e_i is free of stress, and takes load again when it has been pushed together; the void ratio follows the strain meanwhile.
+TEST(VonWolffersdorff, apart)
+{
+    const auto& law = karlsruheOfVoidRatio;
+    StressIntegration how;
+    StateOf<VonWolffersdorff> now(principal(-1e3, -1e3, -1e3), {0.9});
+    auto step = integrateStress(law, now, 0.05 * diagonal(1, 1, 1), how);
+    EXPECT_EQ(step.state, StressState::stressFree);
+    EXPECT_NEAR(step.variables.e, 1.9 * std::exp(0.15) - 1, 1e-6);
+    EXPECT_NEAR(-step.stress.xx, how.floorPressure, 1e-9);
+    step = integrateStress(law, step, -0.03 * diagonal(1, 1, 1), how);
+    EXPECT_NEAR(-step.stress.xx, how.floorPressure, 1e-9);
+    step = integrateStress(law, step, -0.02 * diagonal(1, 1, 1), how);
+    EXPECT_GT(-step.stress.xx, 1e3);
+    // Denser than e_d: refused, the stress stays.
+    now = {principal(-1e5, -1e5, -1e5), {0.49}};
+    step = integrateStress(law, now, 1e-3 * diagonal(0, 0, -1), how);
+    EXPECT_EQ(step.state, StressState::inadmissible);
+    EXPECT_EQ(step.stress.xx, now.stress.xx);
+}
+
 TEST(Elastic, Hooke)
 {
     const double E = 2e7, nu = 0.3;

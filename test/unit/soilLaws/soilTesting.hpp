@@ -11,11 +11,16 @@ namespace sph::test
 {
 
 inline constexpr WuBauer karlsruhe{-69.4, -673.1, -655.9, 699.6};
+/// Medium Karlsruhe sand with void ratio, and with intergranular strain.
+inline const auto karlsruheOfVoidRatio = VonWolffersdorff::of(30, 5.8e9, 0.28, 0.53, 0.84, 1, 0.13, 1.05);
+inline const IntergranularStrain<VonWolffersdorff> karlsruheIntergranular{karlsruheOfVoidRatio, 1e-4, 5, 2, 0.5, 6};
 
-/// Columns by name; words are left out.
+/// Columns by name; words are left out. `name` may have the tutorial before it, whose table it is.
 inline std::map<std::string, std::vector<double>> table(const std::string& name, const std::string& onlyWith = "")
 {
-    std::ifstream file(std::string(SPH_SOIL_REFERENCE) + "/" + name + ".csv");
+    const auto slash = name.find('/');
+    const auto tutorial = slash == std::string::npos ? "elementTests" : name.substr(0, slash);
+    std::ifstream file(std::string(SPH_GEOMECHANICS) + "/" + tutorial + "/reference/" + name.substr(slash + 1) + ".csv");
     std::vector<std::string> names;
     std::map<std::string, std::vector<double>> columns;
     for (std::string line; std::getline(file, line);)

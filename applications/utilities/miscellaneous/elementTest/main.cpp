@@ -14,7 +14,7 @@ namespace
 
 const std::filesystem::path output = "postProcessing/elementTest";
 
-void draw(const sph::Case& c, const std::vector<sph::ElementTest>& tests)
+void draw(const sph::Case& c, const std::vector<sph::ElementTest>& tests, const sph::SoilLaw& law)
 {
     const auto gnuplot = sph::findProgram("gnuplot");
     if (!gnuplot)
@@ -22,7 +22,7 @@ void draw(const sph::Case& c, const std::vector<sph::ElementTest>& tests)
             {sph::elementTestDictionary, 0},
             "the plots need gnuplot, which is not installed: install the package gnuplot-nox (etc/setup does), or say `plots no;`");
     const auto folder = c.folder() / output;
-    sph::writeFile(folder / "elementTests.gp", sph::elementPlots(tests));
+    sph::writeFile(folder / "elementTests.gp", sph::elementPlots(tests, law));
     sph::ProcessTask task;
     task.command = {gnuplot->string(), "elementTests.gp"};
     task.folder = folder;
@@ -65,10 +65,10 @@ int runTests(const sph::Case& c)
     for (const auto& test : plan.tests)
     {
         const auto rows = sph::runElementTest(soil, test);
-        sph::writeElementTable(c.folder() / output / (test.name + ".csv"), rows);
+        sph::writeElementTable(c.folder() / output / (test.name + ".csv"), test, soil.law, rows);
         printTest(test, rows);
     }
-    if (plan.plots) draw(c, plan.tests);
+    if (plan.plots) draw(c, plan.tests, soil.law);
     fmt::print("\nEnd\n");
     return 0;
 }
