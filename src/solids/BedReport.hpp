@@ -46,7 +46,7 @@ BedMeasures measure(const SolidsPlan&, const Bed&);
 ///
 ///     A(r) = r int h dtheta,   h = 2 (R^2 - c^2 - r^2 + 2 c r cos theta)^1/2     over the angles where the root is real, h cut off at the heights,
 ///
-/// and the porosity there is 1 - sum A/(2 pi r (high - low)); its mean over a shell is by Gauss's rule. The integrals are exact to some 1e-4 of the porosity (test
+/// and the porosity there is 1 - sum A/(2 pi r (high - low)); its mean over a shell is by Gauss's rule. The integrals are exact to some 2e-4 of the porosity (test
 /// Bed.RadialPorosity). Of beds with meshes: the share of random points that lie in no solid.
 std::vector<RadialShell> radialPorosity(const SolidContainer&, const Bed&, double low, double high);
 
