@@ -322,11 +322,16 @@ std::pair<std::string, double> latestIn(const std::filesystem::path& folder)
     return latest;
 }
 
-/// A run without end of which one rank is killed: it ends soon, and not as a success.
+/// A run without end of which one rank is killed once a time has been written: it ends soon, and not as a success.
 void runUntilOneDies(const TestCase& c)
 {
     c.replace("system/controlDict", "endTime 0.08", "endTime 1000");
-    const auto outcome = runParallel(c, 3, "sleep 3; pkill -9 -n -f 'sphFoamLike -parallel -case " + c.folder().string() + "';");
+    const std::string folder = c.folder().string();
+    const auto outcome =
+        runParallel(c, 3,
+                    "for k in $(seq 300); do [ -z \"$(find " + folder +
+                        " -maxdepth 2 -name 0.02)\" ] || break; sleep 0.1; done; sleep 1; pkill -9 -n -f 'sphFoamLike -parallel -case " +
+                        folder + "';");
     EXPECT_NE(outcome.code, 0);
     EXPECT_NE(outcome.code, 124) << "they went on until they were stopped";
 }
