@@ -1,5 +1,7 @@
 #include "geometry/TriangleMesh.hpp"
 #include "geometry/components.hpp"
+#include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -31,16 +33,17 @@ TriangleSurface TriangleMesh::triangles(const Box& within, double size) const
     TriangleSurface surface;
     const auto add = [&](auto& self, Vector<3> a, Vector<3> b, Vector<3> c) -> void
     {
-        // Halved along the longest edge, where it crosses the box.
-        const double longest = std::max({mag(b - a), mag(c - b), mag(a - c)});
+        // Halved along the longest edge, where it crosses the box. Lengths are computed once: those of a second time may round otherwise.
+        const std::array lengths{mag(b - a), mag(c - b), mag(a - c)};
+        const auto longest = std::ranges::max_element(lengths);
         const bool isNear =
             std::ranges::all_of(coordinates,
                                 [&](auto k) {
                                     return std::max({a.*k, b.*k, c.*k}) >= within.low.*k && std::min({a.*k, b.*k, c.*k}) <= within.high.*k;
                                 });
-        if (longest > 2 * size && isNear)
+        if (*longest > 2 * size && isNear)
         {
-            while (mag(b - a) < longest) std::tie(a, b, c) = std::tuple(b, c, a);
+            for (auto edge = lengths.begin(); edge != longest; ++edge) std::tie(a, b, c) = std::tuple(b, c, a);
             const auto middle = 0.5 * (a + b);
             self(self, a, middle, c);
             self(self, middle, b, c);
