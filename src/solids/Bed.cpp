@@ -195,11 +195,6 @@ void shrink(const SolidsPlan& plan, Bed& bed)
     }
 }
 
-}
-
-namespace
-{
-
 void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)
 {
     bed.meanSize = plan.size.mean(count);
