@@ -27,6 +27,7 @@ template<class T> struct AlignedAllocator
     friend bool operator==(AlignedAllocator, AlignedAllocator) { return true; }
 };
 using Array = std::vector<double, AlignedAllocator<double>>;
+using SingleArray = std::vector<float, AlignedAllocator<float>>;
 
 template<int dim> class FieldStore
 {

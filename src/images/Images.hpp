@@ -18,6 +18,7 @@
 #include "images/WallLayers.hpp"
 #include "images/makeImages.hpp"
 #include "neighbours/Halo.hpp"
+#include "neighbours/records.hpp"
 #include <optional>
 
 namespace sph
@@ -30,6 +31,8 @@ public:
     /// support and the `skin` [m] of the lists; `nearWalls` knows walls within `reachOfWalls` [m], where that is more.
     Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr, double reachOfWalls = 0);
 
+    /// Units of records in single precision, those of columns 1.
+    SingleUnits<dim> singleUnits() const { return {in<dim>(walls_.geometry().low), in<dim>(walls_.geometry().high)}; }
     /// The walls around a place, as far as images reach.
     const NearWalls& nearWalls() const { return walls_.near(); }
     /// Rules by which images beyond walls get the values of fields.

@@ -144,6 +144,9 @@ void prepare(const Reading& reading)
             "goes with explicit integration: an implicit step is limited by surface tension alone, and with semiImplicit a drop was less exact by parts, and no faster");
 }
 
+/// Least tolerance of a solve whose products see values in single precision, 6e-8 of them.
+constexpr double leastOfSinglePrecision = 1e-6;
+
 void readSolve(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
@@ -180,7 +183,8 @@ void readSolve(const Reading& reading, const Dictionary& dict)
                                .terms = integration.responses,
                                .changed = {VelocityChange::info.name},
                                .inputs = {VelocityChange::info.name},
-                               .repeats = true});
+                               .repeats = true,
+                               .bearsSingle = integration.tolerance >= leastOfSinglePrecision});
     if (integration.solvesPressure) settings.state.push_back({.value = stateField(DelayedImpulse{}), .advancedByModel = true});
     settings.runningModels.push_back(running<ImplicitSolve>());
 }

@@ -158,14 +158,17 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
     }
 }
 
-template<int dim> void NeighbourLists<dim>::makeRoomForSlopes()
+template<int dim> void NeighbourLists<dim>::makeRoomForSlopes(bool inSinglePrecision)
 {
+    const auto makeRoom = []<class Slopes>(Slopes& slopes, std::size_t size)
+    {
+        if (slopes.size() >= size) return;
+        slopes = Slopes();
+        slopes.resize(size);
+    };
     for (auto& c : chunks_)
-        if (const auto size = c.withinBegin(chunkSize); c.slopes.size() < size)
-        {
-            c.slopes = Array();
-            c.slopes.resize(size);
-        }
+        if (const auto size = c.withinBegin(chunkSize); inSinglePrecision) makeRoom(c.singleSlopes, size);
+        else makeRoom(c.slopes, size);
 }
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const
@@ -173,7 +176,8 @@ template<int dim> std::size_t NeighbourLists<dim>::bytes() const
     std::size_t n = (interior_.capacity() + border_.capacity()) * sizeof(int) + seen_.capacity();
     for (const auto& c : chunks_)
         n += sizeof(Chunk) + c.codes.capacity() * sizeof(std::uint16_t) +
-             (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int) + c.slopes.capacity() * sizeof(double);
+             (c.wide.capacity() + c.within.capacity() + c.withinCount.capacity()) * sizeof(int) + c.slopes.capacity() * sizeof(double) +
+             c.singleSlopes.capacity() * sizeof(float);
     return n;
 }
 

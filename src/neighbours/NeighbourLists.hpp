@@ -8,11 +8,31 @@
 #pragma once
 #include "neighbours/CellList.hpp"
 #include "neighbours/IndexPages.hpp"
+#include <algorithm>
 #include <span>
 #include <vector>
 
 namespace sph
 {
+
+/// (dW/dr)/r of the pairs of one particle as they are kept, in one of the two precisions.
+struct KeptSlopes
+{
+    double* exact = nullptr;
+    float* single = nullptr;
+
+    explicit operator bool() const { return exact || single; }
+    void keep(const double* from, int n) const
+    {
+        if (single) std::copy_n(from, n, single);
+        else std::copy_n(from, n, exact);
+    }
+    void read(double* to, int n) const
+    {
+        if (single) std::copy_n(single, n, to);
+        else std::copy_n(exact, n, to);
+    }
+};
 
 template<int dim> class NeighbourLists
 {
@@ -72,11 +92,26 @@ public:
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
     /// (dW/dr)/r of those pairs, one number for each entry of `within(i)`, likewise: room is made before a loop that writes them.
-    void makeRoomForSlopes();
-    double* slopes(std::size_t i)
+    void makeRoomForSlopes(bool inSinglePrecision);
+    KeptSlopes slopes(std::size_t i)
     {
         Chunk& c = chunks_[i / chunkSize];
-        return c.slopes.data() + c.withinBegin(i % chunkSize);
+        const auto first = c.withinBegin(i % chunkSize);
+        return {c.slopes.empty() ? nullptr : c.slopes.data() + first, c.singleSlopes.empty() ? nullptr : c.singleSlopes.data() + first};
+    }
+    /// Has the processor fetch what is kept of the pairs of a particle, some turns before they are read: each of these streams ends before it would follow.
+    void fetchKept(std::size_t i)
+    {
+        constexpr int lineOfInts = 16, lineOfDoubles = 8;
+        const auto list = within(i);
+        const auto kept = slopes(i);
+        for (std::size_t t = 0; t < list.size(); t += lineOfDoubles)
+        {
+            if (kept.exact) __builtin_prefetch(kept.exact + t);
+            if (t % lineOfInts) continue;
+            __builtin_prefetch(list.data() + t);
+            if (kept.single) __builtin_prefetch(kept.single + t);
+        }
     }
     /// Each build of stored lists from now on divides the owned particles into those whose neighbours are all owned, and the others, both ascending: the former
     /// are those that a rank can compute before it has heard of the others.
@@ -99,6 +134,7 @@ private:
         std::array<unsigned, chunkSize + 1> begin; ///< of each list
         std::vector<int> within, withinCount;      ///< none where no pass keeps
         Array slopes;                              ///< likewise
+        SingleArray singleSlopes;                  ///< in place of slopes
         /// Lists within the support are padded.
         std::size_t withinBegin(std::size_t k) const { return begin[k] + k * lanes; }
     };

@@ -27,9 +27,9 @@ template<int dim> struct Pair
 /// What is known of the neighbours of a particle before its stencil is filled.
 struct KnownNeighbours
 {
-    std::span<const int> list;         ///< padded
-    bool within = false;               ///< all of them lie within the support
-    const double* dWdrOverR = nullptr; ///< those of the pairs, factors applied; null where they are to be computed
+    std::span<const int> list; ///< padded
+    bool within = false;       ///< all of them lie within the support
+    KeptSlopes slopes = {};    ///< (dW/dr)/r of the pairs, factors applied; none where they are to be computed
 };
 
 template<int dim> struct Stencil
@@ -37,8 +37,9 @@ template<int dim> struct Stencil
     static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 32;
     using Column = double[capacity];
 
-    int i, n;     ///< particle; entries, a multiple of the lanes
-    const int* j; ///< of each entry
+    int i, n;            ///< particle; entries, a multiple of the lanes
+    bool single = false; ///< values of neighbours are those of single precision
+    const int* j;        ///< of each entry
     alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
     int kept[capacity]; ///< of a list with a skin, those within the support
 
@@ -75,6 +76,7 @@ template<int dim> struct Stencil
                                bool readsW, long nullParticle)
     {
         i = particle;
+        single = false;
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return position[c][particle]; });
         j = known.list.data();
@@ -86,9 +88,9 @@ template<int dim> struct Stencil
             j = kept;
         }
         const int count = int(columns.size()), packed = std::min(count, packedColumns);
-        fromRecords(records, x_i, sqr(kernel.H), packed, readsW || !known.dWdrOverR);
+        fromRecords(records, x_i, sqr(kernel.H), packed, readsW || !known.slopes);
 
-        if (known.dWdrOverR) std::copy_n(known.dWdrOverR, n, dWdrOverR);
+        if (known.slopes) known.slopes.read(dWdrOverR, n);
         else
 #pragma GCC ivdep
             for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
@@ -107,6 +109,20 @@ template<int dim> struct Stencil
 #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = columns[c][j[t]];
     }
+
+    /// As `fill`, from records of single precision, where the neighbours within the support and (dW/dr)/r of their pairs are known.
+    void fillSingle(int particle, const KnownNeighbours& known, const float* records, int columnCount, const SingleUnits<dim>& units)
+    {
+        i = particle;
+        single = true;
+        j = known.list.data();
+        n = int(known.list.size());
+        gatherSingleRecords<dim>(records, columnCount, units, i, j, n, *this);
+        known.slopes.read(dWdrOverR, n);
+    }
+
+    /// A value of the particle itself, as its neighbours see it: what two particles exert on one another then cancels.
+    double valueOf(double q) const { return single ? toSinglePrecision(q) : q; }
 
     /// `factors` names the columns of the factors that W and gradW carry; gradW that was known has its own.
     void applyFactors(const Factors factors, std::span<const double* const> columns, bool readsW, bool knownGradW)

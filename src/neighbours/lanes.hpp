@@ -8,8 +8,10 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 #if defined(__AVX2__)
 #include <immintrin.h>
@@ -27,6 +29,7 @@ inline constexpr int pageBits = 12, pageSize = 1 << pageBits, pageCount = 16;
 template<int lanes> struct AnyLanes
 {
     typedef double Doubles __attribute__((vector_size(8 * lanes)));
+    typedef float Floats __attribute__((vector_size(4 * lanes)));
     typedef long Longs __attribute__((vector_size(8 * lanes)));
     typedef int Ints __attribute__((vector_size(4 * lanes)));
     using Mask = Longs;
@@ -59,6 +62,14 @@ private:
     }
 };
 
+/// The nearest whole number, or the least of all integers where it is none of them.
+inline int rounded(double q)
+{
+    constexpr double limit = 1L << 31;
+    const double whole = std::nearbyint(q);
+    return whole >= -limit && whole < limit ? int(whole) : std::numeric_limits<int>::min();
+}
+
 /// Order in which a compress leaves the lanes, for each set of kept ones; a lane has so many `parts`.
 template<int lanes, int parts> constexpr auto compressOrders()
 {
@@ -71,6 +82,8 @@ template<int lanes, int parts> constexpr auto compressOrders()
 }
 }
 
+/// `widened` integers or floats are as many of twice the size, `narrowed` does the reverse; `rounded` doubles are the nearest integers, or the least of all
+/// where there is none.
 /// `bits` of a mask: one a lane, the first the lowest. `compress` moves the lanes of these bits to the front; what follows them is undefined.
 /// `loadFirst` reads 0 < n < lanes elements. `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse. `unpack` makes
 /// 8 indices of their codes.
@@ -79,6 +92,10 @@ template<int lanes> struct Lanes;
 template<> struct Lanes<2> : detail::AnyLanes<2>
 {
     static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
+    static Doubles widened(Floats v) { return Doubles{v[0], v[1]}; }
+    static Doubles asDoubles(Ints v) { return Doubles{double(v[0]), double(v[1])}; }
+    static Ints rounded(Doubles v) { return Ints{detail::rounded(v[0]), detail::rounded(v[1])}; }
+    static Floats narrowed(Doubles v) { return Floats{float(v[0]), float(v[1])}; }
     static unsigned bits(Mask m) { return unsigned(m[0] & 1) | unsigned(m[1] & 2); }
     static Doubles sqrt(Doubles v) { return Doubles{__builtin_sqrt(v[0]), __builtin_sqrt(v[1])}; }
     template<class V> static V compress(V v, unsigned bits) { return V{bits & 1 ? v[0] : v[1], v[1]}; }
@@ -92,6 +109,10 @@ template<> struct Lanes<2> : detail::AnyLanes<2>
 template<> struct Lanes<4> : detail::AnyLanes<4>
 {
     static Longs widened(Ints v) { return Longs(_mm256_cvtepi32_epi64(__m128i(v))); }
+    static Doubles widened(Floats v) { return _mm256_cvtps_pd(v); }
+    static Doubles asDoubles(Ints v) { return _mm256_cvtepi32_pd(__m128i(v)); }
+    static Ints rounded(Doubles v) { return Ints(_mm256_cvtpd_epi32(v)); }
+    static Floats narrowed(Doubles v) { return _mm256_cvtpd_ps(v); }
     static unsigned bits(Mask m) { return unsigned(_mm256_movemask_pd(__m256d(m))); }
     static Doubles sqrt(Doubles v) { return _mm256_sqrt_pd(v); }
     static Ints compress(Ints v, unsigned bits) { return Ints(_mm_permutevar_ps(__m128(v), load<__m128i>(&orders[bits]))); }
@@ -132,6 +153,10 @@ template<> struct Lanes<8> : detail::AnyLanes<8>
     static Mask less(Doubles a, Doubles b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
     static Doubles choose(Mask mask, Doubles a, Doubles b) { return _mm512_mask_mov_pd(b, mask, a); }
     static Longs widened(Ints v) { return Longs(_mm512_cvtepi32_epi64(__m256i(v))); }
+    static Doubles widened(Floats v) { return _mm512_cvtps_pd(v); }
+    static Doubles asDoubles(Ints v) { return _mm512_cvtepi32_pd(__m256i(v)); }
+    static Ints rounded(Doubles v) { return Ints(_mm512_cvtpd_epi32(v)); }
+    static Floats narrowed(Doubles v) { return _mm512_cvtpd_ps(v); }
     static unsigned bits(Mask m) { return m; }
     static Doubles sqrt(Doubles v) { return _mm512_sqrt_pd(v); }
     static Doubles compress(Doubles v, unsigned bits) { return _mm512_maskz_compress_pd(Mask(bits), v); }
@@ -177,6 +202,80 @@ template<class L, class At> void storeColumns(const At& at, TwoColumns<L> column
 {
     L::storePairs([&](int k) { return at(2 * k); }, L::evenOf(columns.first, columns.second));
     L::storePairs([&](int k) { return at(2 * k + 1); }, L::oddOf(columns.first, columns.second));
+}
+
+/// Four columns next to one another of as many rows of floats as there are lanes, at(k) the address of row k in the first of them.
+template<class L> struct FourColumns
+{
+    typename L::Floats column[4];
+};
+
+namespace detail
+{
+typedef float FourFloats __attribute__((vector_size(16)));
+inline FourFloats loadFour(const float* from)
+{
+    FourFloats v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/// The rows of four floats at(k), and at(k + 4) behind it where a vector holds both.
+template<class L, class At> typename L::Floats rowsOf(const At& at, int k)
+{
+    if constexpr (L::count == 8) return __builtin_shufflevector(loadFour(at(k)), loadFour(at(k + 4)), 0, 1, 2, 3, 4, 5, 6, 7);
+    else return loadFour(at(k));
+}
+template<class L, class At> void storeRowsOf(const At& at, int k, typename L::Floats rows)
+{
+    std::memcpy(at(k), &rows, sizeof(FourFloats));
+    if constexpr (L::count == 8) std::memcpy(at(k + 4), reinterpret_cast<const char*>(&rows) + sizeof(FourFloats), sizeof(FourFloats));
+}
+
+/// Of each four floats of two vectors: a_0 b_0 a_1 b_1 (half 0) or a_2 b_2 a_3 b_3 (half 1); and a_0 a_1 b_0 b_1 or a_2 a_3 b_2 b_3.
+template<int half, class V, int... k> V alternating(V a, V b, std::integer_sequence<int, k...>)
+{
+    return __builtin_shufflevector(a, b, (k / 4 * 4 + 2 * half + k % 4 / 2 + k % 2 * int(sizeof...(k)))...);
+}
+template<int half, class V, int... k> V joined(V a, V b, std::integer_sequence<int, k...>)
+{
+    return __builtin_shufflevector(a, b, (k / 4 * 4 + 2 * half + k % 2 + k % 4 / 2 * int(sizeof...(k)))...);
+}
+/// Rows of columns, or columns of rows: transposes of four by four in each part of 16 bytes.
+template<class L> FourColumns<L> transposed(const FourColumns<L>& of)
+{
+    constexpr std::make_integer_sequence<int, L::count> all;
+    const auto& [a, b, c, d] = of.column;
+    const auto ab = alternating<0>(a, b, all), cd = alternating<0>(c, d, all), restOfAb = alternating<1>(a, b, all),
+               restOfCd = alternating<1>(c, d, all);
+    return {{joined<0>(ab, cd, all), joined<1>(ab, cd, all), joined<0>(restOfAb, restOfCd, all), joined<1>(restOfAb, restOfCd, all)}};
+}
+}
+
+template<class L, class At> FourColumns<L> loadFourColumns(const At& at)
+{
+    if constexpr (L::count == 2)
+    {
+        FourColumns<L> columns;
+        for (int c = 0; c < 4; ++c) columns.column[c] = typename L::Floats{at(0)[c], at(1)[c]};
+        return columns;
+    }
+    else
+        return detail::transposed<L>(
+            {{detail::rowsOf<L>(at, 0), detail::rowsOf<L>(at, 1), detail::rowsOf<L>(at, 2), detail::rowsOf<L>(at, 3)}});
+}
+template<class L, class At> void storeFourColumns(const At& at, const FourColumns<L>& columns)
+{
+    if constexpr (L::count == 2)
+    {
+        for (int k = 0; k < 2; ++k)
+            for (int c = 0; c < 4; ++c) at(k)[c] = columns.column[c][k];
+    }
+    else
+    {
+        const auto rows = detail::transposed<L>(columns);
+        for (int k = 0; k < 4; ++k) detail::storeRowsOf<L>(at, k, rows.column[k]);
+    }
 }
 
 }

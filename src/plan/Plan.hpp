@@ -40,6 +40,8 @@ struct Group
     /// Fields by which the caller chooses BoundaryShare, by which each neighbour then counts in place of its volume factor; none: by that factor.
     std::set<std::string> sharesBy = {};
     bool repeats = false; ///< runs several times between two evaluations, as the iterations of a solve do
+    /// Its pair passes see values of single precision, sums stay double; where neighbours and (dW/dr)/r are kept for them.
+    bool bearsSingle = false;
 };
 
 template<int dim> class Plan
@@ -75,9 +77,9 @@ public:
     /// Number of pair passes run since the start, of all groups.
     long pairPassesRun() const { return pairPassesRun_; }
     /// Scratch memory between evaluations: the next one packs its records into it anew.
-    std::span<double> idle() { return records_; }
+    std::span<double> idle() { return {packed<double>(), records_.size() / sizeof(double)}; }
     /// Memory of the packed records.
-    std::size_t bytes() const { return records_.capacity() * sizeof(double); }
+    std::size_t bytes() const { return records_.capacity(); }
     bool has(const std::string& term) const;
     bool provides(const std::string& field) const;
 
@@ -106,6 +108,7 @@ private:
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
         bool within = false, keepsWithin = false;     ///< reads the neighbours within the support that a pass before has kept; keeps them
         bool slopes = false, keepsSlopes = false;     ///< likewise (dW/dr)/r of their pairs, with all factors
+        bool single = false;                          ///< gathers in single precision
         bool pair() const { return entries[0]->over == Over::pairs; }
     };
     struct Passes
@@ -121,7 +124,9 @@ private:
     std::set<std::string> state_;
     std::map<std::string, std::vector<FieldUse<dim>>> ruleReads_;
     std::vector<Passes> groups_;
-    Array records_; ///< positions and first columns of the pass at hand, packed
+    /// Positions and columns of the pass at hand, packed, as doubles or floats.
+    std::vector<std::byte, AlignedAllocator<std::byte>> records_;
+    bool keepsSingleSlopes_ = false;
     Counts* counts_ = nullptr;
     long pairPassesRun_ = 0;
 
@@ -136,8 +141,11 @@ private:
     /// `only`: the particles that the pass is for; all where there is none.
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only = {});
-    /// Positions and columns of the particles [begin, end), in packed arrays of Stencil::recordWidth doubles.
-    const double* pack(const Pass&, FieldStore<dim>&, std::size_t begin, std::size_t end);
+    template<class Real> Real* packed() { return reinterpret_cast<Real*>(records_.data()); }
+    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision.
+    void pack(const Pass&, FieldStore<dim>&, const SingleUnits<dim>&, std::size_t begin, std::size_t end);
+    /// Units of a pass in single precision.
+    SingleUnits<dim> unitsOf(const Pass&, const Images<dim>&) const;
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };

@@ -3,6 +3,7 @@
 #include "parallel/Stretches.hpp"
 #include "plan/Plan.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -111,43 +112,70 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
     }
 }
 
-template<int dim> const double* Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, std::size_t begin, std::size_t end)
+template<int dim>
+void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const SingleUnits<dim>& units, std::size_t begin, std::size_t end)
 {
     const std::size_t n = store.size();
-    const int columns = int(pass.sources.size());
-    if (const auto width = std::size_t(Stencil<dim>::recordsWidth(columns)); records_.size() < width * n)
+    const int columns = int(pass.sources.size()), single = pass.single ? singleRecordSize<dim>(columns) : 0;
+    const auto bytes =
+        n * (single ? std::size_t(single) * sizeof(float) : std::size_t(Stencil<dim>::recordsWidth(columns)) * sizeof(double));
+    if (records_.size() < bytes)
     {
-        records_ = Array();
-        records_.resize(width * (n + n / 50));
+        records_ = {};
+        records_.resize(bytes + bytes / 50);
     }
     std::vector<const double*> from;
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
-    from.resize(from.size() + recordSize, from[0]);
+    from.resize(from.size() + std::size_t(std::max(recordSize, single)), from[0]);
     const std::size_t block = 512, images = std::clamp(store.owned(), begin, end);
     // Each thread packs its share of particles and of images: those that it has computed, and gathers.
 #pragma omp parallel
     {
-        double* to = records_.data();
+        const auto inBlocks = [&](const auto& packBlock)
+        {
+#pragma omp for schedule(static) nowait
+            for (std::size_t b = begin; b < images; b += block) packBlock(b, std::min(block, images - b));
+#pragma omp for schedule(static) nowait
+            for (std::size_t b = images; b < end; b += block) packBlock(b, std::min(block, end - b));
+        };
+        const auto at = [&](const double* const* of, int width, std::size_t b)
+        {
+            std::array<const double*, 64> part;
+            for (int c = 0; c < width; ++c) part[std::size_t(c)] = of[c] + b;
+            return part;
+        };
+        if (single)
+            inBlocks(
+                [&](std::size_t b, std::size_t count) {
+                    packSingleRecords(at(from.data(), single, b).data(), columns, units, count, packed<float>() + b * std::size_t(single));
+                });
+        double* to = packed<double>();
         const double* const* of = from.data();
-        for (int a = 0; Stencil<dim>::recordWidth(a, columns) > 0; ++a)
+        for (int a = 0; !single && Stencil<dim>::recordWidth(a, columns) > 0; ++a)
         {
             const int width = Stencil<dim>::recordWidth(a, columns);
-            const auto packBlock = [&](std::size_t b, std::size_t last)
-            {
-                const double* part[recordSize];
-                for (int c = 0; c < width; ++c) part[c] = of[c] + b;
-                packRecords(part, width, std::min(block, last - b), to + b * width);
-            };
-#pragma omp for schedule(static) nowait
-            for (std::size_t b = begin; b < images; b += block) packBlock(b, images);
-#pragma omp for schedule(static) nowait
-            for (std::size_t b = images; b < end; b += block) packBlock(b, end);
-            to += width * n;
+            inBlocks([&](std::size_t b, std::size_t count)
+                     { packRecords(at(of, width, b).data(), width, count, to + b * std::size_t(width)); });
+            to += std::size_t(width) * n;
             of += width;
         }
     }
-    return records_.data();
+}
+
+template<int dim> SingleUnits<dim> Plan<dim>::unitsOf(const Pass& pass, const Images<dim>& images) const
+{
+    auto units = images.singleUnits();
+    if (!pass.single) return units;
+    const std::size_t n = images.owned(), sampled = 1024;
+    for (std::size_t c = 0; c < pass.sources.size(); ++c)
+    {
+        double size = 0;
+        for (std::size_t stride : {std::max<std::size_t>(1, n / sampled), std::size_t(1)}) // all of them where those are 0
+            for (std::size_t i = 0; i < n && (size == 0 || stride > 1); i += stride) size = std::max(size, std::fabs(pass.sources[c][i]));
+        units.setScale(dim + int(c), size);
+    }
+    return units;
 }
 
 template<int dim>
@@ -155,7 +183,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                               const Kernel<dim>& kernel, std::optional<std::span<const int>> only)
 {
     if (pass.keepsWithin) lists.makeRoomWithin();
-    if (pass.keepsSlopes) lists.makeRoomForSlopes();
+    if (pass.keepsSlopes) lists.makeRoomForSlopes(keepsSingleSlopes_);
     const auto pointers = store.pointers(Position{});
     std::array<const double*, dim> x;
     std::copy(pointers.begin(), pointers.end(), x.begin());
@@ -164,9 +192,10 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     std::vector<InLayersOf> inLayers; // of the columns
     for (const auto& f : pass.columns) inLayers.push_back({images.rules().any(f.info.ofRule), images.rules().interpolates(f.info)});
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
-    const double* records = nullptr;
+    const auto units = unitsOf(pass, images);
 
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
+    constexpr std::size_t ahead = 2;
     const auto over = [&](std::size_t n, const int* which, const auto& k)
     {
         const auto gather = [&](std::size_t begin, std::size_t end)
@@ -177,12 +206,14 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
                 const KnownNeighbours known{pass.within ? lists.within(i) : lists.of(i, room), pass.within,
-                                            pass.slopes ? lists.slopes(i) : nullptr};
-                stencil.fill(int(i), known, x, records, store.size(), pass.sources, k, pass.readsKernel, null);
+                                            pass.slopes ? lists.slopes(i) : KeptSlopes{}};
+                if (pass.slopes && place + ahead < end) lists.fetchKept(which ? std::size_t(which[place + ahead]) : place + ahead);
+                if (pass.single) stencil.fillSingle(int(i), known, packed<float>(), int(pass.sources.size()), units);
+                else stencil.fill(int(i), known, x, packed<double>(), store.size(), pass.sources, k, pass.readsKernel, null);
                 if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel, pass.slopes);
                 if (pass.keepsWithin) lists.keepWithin(i, stencil.j, stencil.n);
-                if (pass.keepsSlopes) std::copy_n(stencil.dWdrOverR, stencil.n, lists.slopes(i));
+                if (pass.keepsSlopes) lists.slopes(i).keep(stencil.dWdrOverR, stencil.n);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
             if (halo && omp_get_thread_num() == 0) halo->progress();
@@ -195,7 +226,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
         [&](const auto& k)
         {
             const std::size_t owned = images.owned();
-            std::size_t packed = 0;
+            std::size_t firstToPack = 0;
             if (halo)
             {
                 halo->start(store, copiedFor(pass, store));
@@ -203,14 +234,14 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                 for (const auto& f : pass.refresh)
                     for (int c = 0; f.info.image != Image::placed && c < f.type.components; ++c)
                         images.setNullParticle(store.component(f.name, c));
-                records = pack(pass, store, 0, owned);
-                pack(pass, store, std::size_t(null), std::size_t(null) + 1);
+                pack(pass, store, units, 0, owned);
+                pack(pass, store, units, std::size_t(null), std::size_t(null) + 1);
                 if (!only) over(lists.interior().size(), lists.interior().data(), k);
                 halo->finish();
-                packed = owned;
+                firstToPack = owned;
             }
             for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
-            records = pack(pass, store, packed, store.size());
+            pack(pass, store, units, firstToPack, store.size());
             if (only) over(only->size(), only->data(), k);
             else if (halo) over(lists.border().size(), lists.border().data(), k);
             else over(owned, nullptr, k);
@@ -279,11 +310,12 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
             out << "          gathers    positions";
             for (const auto& f : pass.columns) out << ' ' << f.name;
             if (pass.normalised && !pass.slopes) out << ' ' << GradientScale::info.name;
+            if (pass.single) out << " in single precision";
             out << "\n          images     positions";
             for (const auto& f : pass.refresh) out << ' ' << f.name;
             if (pass.keepsWithin || pass.keepsSlopes) out << "\n          keeps     ";
             if (pass.keepsWithin) out << " neighbours";
-            if (pass.keepsSlopes) out << " (dW/dr)/r";
+            if (pass.keepsSlopes) out << " (dW/dr)/r" << (keepsSingleSlopes_ ? " in single precision" : "");
             out << '\n';
         }
     }

@@ -48,7 +48,7 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
     keepPairs();
 }
 
-/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, where at least two passes do, or one that repeats. Raw and
+/// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, or four where a group bears it, where at least two passes do, or one that repeats. Raw and
 /// normalised gradients differ: those are kept that more passes read.
 template<int dim> void Plan<dim>::keepPairs()
 {
@@ -70,6 +70,12 @@ template<int dim> void Plan<dim>::keepPairs()
     if (readers[normalised] < 2) return;
     auto& alike = kind[normalised];
     for (auto* pass : alike) (pass == alike[0] ? pass->keepsSlopes : pass->slopes) = true;
+    for (auto& g : groups_)
+        for (auto& pass : g.passes)
+        {
+            pass.single = g.group.bearsSingle && pass.slopes && pass.within && !pass.readsKernel;
+            keepsSingleSlopes_ = keepsSingleSlopes_ || pass.single;
+        }
 }
 
 /// The changed fields, and all that the groups so far have made of them.

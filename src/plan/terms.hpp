@@ -284,7 +284,7 @@ public:
             const T term = term_;
             std::array<const double*, nNeighbour> column;
             for (int k = 0; k < nNeighbour; ++k) column[k] = stencil.field[column_[k]];
-            const auto i = read<dim>(Own{}, [&](int k) { return own_[k][stencil.i]; });
+            const auto i = read<dim>(Own{}, [&](int k) { return stencil.valueOf(own_[k][stencil.i]); });
             const auto j = [&](int t) { return read<dim>(Neighbour{}, [&](int k) { return column[k][t]; }); };
             Result total{};
             if constexpr (Swept<T, dim>)

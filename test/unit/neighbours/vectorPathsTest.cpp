@@ -1,6 +1,7 @@
 /// The loops over lanes do what plain loops do, in the same order, to the same bits, at every width that the build has: with AVX-512
 /// 8, 4 and 2 lanes, with AVX2 (preset avx2) 4 and 2. The code of a width is the same in either build.
 #include "neighbours/NeighbourLists.hpp"
+#include "neighbours/Stencil.hpp"
 #include "neighbours/records.hpp"
 #include "neighbours/select.hpp"
 #include "particlesByHand.hpp"
@@ -191,6 +192,62 @@ template<int dim, class L> void gatheringEqualsAPlainLoop()
 }
 TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn2D) { gatheringEqualsAPlainLoop<2, TypeParam>(); }
 TYPED_TEST(AtEveryWidth, GathersAsAPlainLoopIn3D) { gatheringEqualsAPlainLoop<3, TypeParam>(); }
+
+// Places are whole numbers of 2^-30 of the domain's extent, columns are floats of their scale, and may lie far beyond the range of floats; a null particle far away is at
+// some finite distance.
+template<int dim, class L> void singleRecordsEqualAPlainLoop()
+{
+    const Scene<dim> scene(300);
+    std::vector<int> list;
+    for (int k = 0; k < 200; ++k) list.push_back(k * 37 % 300);
+    while (list.size() % 8) list.push_back(300);
+    list.resize(list.size() + 8, 300);
+    Vector<dim> low, high;
+    fetch(low, [](int c) { return -0.5 - c; });
+    fetch(high, [](int c) { return 1.5 + c; });
+    SingleUnits<dim> units(low, high);
+    const auto place = [&](int c, double x) { return std::nearbyint((x - 0.5) * std::ldexp(1, 30) / (2 + 2 * c)); };
+    for (const int nFields : {1, 2, 5, 13, 14, 29})
+    {
+        const auto numbers = std::size_t(singleRecordSize<dim>(nFields));
+        ASSERT_GE(numbers, dim + nFields);
+        const auto size = [](std::size_t c) { return c % 3 == 0 ? 1e-60 : c % 3 == 1 ? 1 : 1e60; };
+        std::vector<Array> columns(numbers, Array(301));
+        std::vector<const double*> from;
+        for (std::size_t c = 0; c < numbers; ++c)
+        {
+            for (std::size_t i = 0; i < 300; ++i)
+                columns[c][i] = c < dim ? scene.coordinate[c][i] : size(c) * (100. * double(c) + double(i) + 1 / 3.);
+            columns[c][300] = c < dim ? 1e300 : columns[c][0];
+            if (c >= dim) units.setScale(int(c), columns[c][0]);
+            from.push_back(columns[c].data());
+        }
+        SingleArray records(301 * numbers);
+        packSingleRecords<dim, L>(from.data(), nFields, units, 301, records.data());
+
+        static Stencil<dim> block;
+        gatherSingleRecords<dim, L>(records.data(), nFields, units, 11, list.data(), int(list.size()), block);
+        for (std::size_t k = 0; k < list.size(); ++k)
+        {
+            const auto j = std::size_t(list[k]);
+            for (std::size_t c = 0; c < dim; ++c)
+                if (j == 300) EXPECT_TRUE(std::isfinite(block.x[c][k]));
+                else
+                    EXPECT_EQ(block.x[c][k],
+                              (place(int(c), columns[c][11]) - place(int(c), columns[c][j])) * (2 + 2 * double(c)) * std::ldexp(1, -30))
+                        << c << ' ' << k;
+            for (std::size_t f = 0; f < std::size_t(nFields); ++f)
+                EXPECT_EQ(block.field[f][k], toSinglePrecision(columns[dim + f][j])) << f << ' ' << k;
+        }
+    }
+}
+TEST(SinglePrecision, HasTheDigitsOfAFloatAndTheRangeOfADouble)
+{
+    for (const double q : {0., 1., -1 / 3., 1e7 / 3, 16777217., 33554435., 1 - 1e-9, -1e-9 / 7}) EXPECT_EQ(toSinglePrecision(q), float(q));
+    EXPECT_EQ(toSinglePrecision(std::ldexp(1 / 3., -300)), std::ldexp(double(float(1 / 3.)), -300));
+}
+TYPED_TEST(AtEveryWidth, GathersRecordsInSinglePrecisionAsAPlainLoopIn2D) { singleRecordsEqualAPlainLoop<2, TypeParam>(); }
+TYPED_TEST(AtEveryWidth, GathersRecordsInSinglePrecisionAsAPlainLoopIn3D) { singleRecordsEqualAPlainLoop<3, TypeParam>(); }
 
 }
 }

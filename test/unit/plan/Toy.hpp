@@ -119,8 +119,8 @@ struct Toy
         plan.allocate(store);
         (store.allocateState(State{}), ...);
         std::vector<Vector<dim>> points;
-        for (double x = 0.05; x < geometry.high.x; x += 0.1)
-            for (double y = 0.05; y < geometry.high.y; y += 0.1) points.push_back({x, y});
+        for (double x = geometry.low.x + 0.05; x < geometry.high.x; x += 0.1)
+            for (double y = geometry.low.y + 0.05; y < geometry.high.y; y += 0.1) points.push_back({x, y});
         n = points.size();
         setPositions(store, points);
         double value = 1;

@@ -161,6 +161,66 @@ TEST(Groups, KeepNeighboursAloneForOnePassMore)
     EXPECT_NEAR(toy.of("d")[3], value, 1e-12 * std::fabs(value));
 }
 
+/// c_i = sum_j (a_i - a_j) (dW_ij/dr)/r, whose sum over i is 0
+struct DifferenceOfA
+{
+    static constexpr auto name = "differenceOfA";
+    using Provides = C;
+    using Reads = Fields<A>;
+    double operator()(const auto& ij, const auto& i, const auto& j) const { return (i.a - j.a) * ij.dWdrOverR; }
+};
+/// d_i = sum_j (c_i - c_j) (dW_ij/dr) r, likewise
+struct DifferenceOfC
+{
+    static constexpr auto name = "differenceOfC";
+    using Provides = D;
+    using Reads = Fields<C>;
+    double operator()(const auto& ij, const auto& i, const auto& j) const { return (i.c - j.c) * ij.dWdrOverR * ij.rr; }
+};
+
+// A group that bears single precision sums what it would, to the round-off of floats, wherever the domain lies; what a pair exerts on one of its two
+// particles and on the other cancels as doubles do, across the periods too.
+TEST(Groups, BearSinglePrecision)
+{
+    for (const double place : {0., 1e5})
+    {
+        auto geometry = torus();
+        for (auto* corner : {&geometry.low, &geometry.high}) *corner += Vector<3>{place, place, 0};
+        const auto terms = catalogue<2, DifferenceOfA, DifferenceOfC>();
+        Toy toy(geometry, terms,
+                {{"first", {"differenceOfC"}},
+                 {.name = "again", .terms = {"differenceOfC"}, .changed = {"a"}, .repeats = true, .bearsSingle = true}},
+                Fields<A, Z>{});
+        toy.evaluate("first");
+        const auto slope = [&](double r) { return toy.kernel.dWdrOverR(r); };
+        const auto differenceOfA = [&](std::size_t i)
+        { return toy.over(i, toy.kernel, [&](std::size_t j, double r) { return (toy.of("a")[i] - toy.of("a")[j]) * slope(r); }); };
+        const auto differenceOfC = [&](std::size_t i)
+        { return toy.over(i, toy.kernel, [&](std::size_t j, double r) { return (toy.of("c")[i] - toy.of("c")[j]) * slope(r) * sqr(r); }); };
+        for (std::size_t i = 0; i < toy.n; ++i) toy.of("a")[i] += 0.1 * std::sin(double(i));
+        toy.evaluate("again");
+        double sumOfC = 0, sumOfD = 0, scaleOfC = 0, scaleOfD = 0, furthest = 0;
+        for (std::size_t i = 0; i < toy.n; ++i)
+        {
+            sumOfC += toy.of("c")[i];
+            sumOfD += toy.of("d")[i];
+            scaleOfC += std::fabs(toy.of("c")[i]);
+            scaleOfD += std::fabs(toy.of("d")[i]);
+            furthest = std::max(furthest, std::fabs(toy.of("c")[i] - differenceOfA(i)));
+        }
+        EXPECT_LT(std::fabs(sumOfC), 1e-13 * scaleOfC);
+        EXPECT_LT(std::fabs(sumOfD), 1e-13 * scaleOfD);
+        const double roundOff = 1e-6 * scaleOfC / double(toy.n);
+        EXPECT_LT(furthest, 20 * roundOff);
+        EXPECT_GT(furthest, 1e-3 * roundOff) << "sums of doubles";
+        for (std::size_t i = 0; i < toy.n; ++i) EXPECT_NEAR(toy.of("d")[i], differenceOfC(i), 20e-6 * scaleOfD / double(toy.n)) << i;
+        std::ostringstream log;
+        toy.plan.print(log, toy.store);
+        EXPECT_NE(log.str().find("keeps      neighbours (dW/dr)/r in single precision\n"), std::string::npos) << log.str();
+        EXPECT_NE(log.str().find("gathers    positions c in single precision\n"), std::string::npos) << log.str();
+    }
+}
+
 // A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of
 // the scene's kernel as they were.
 TEST(Groups, SeeNeighboursByAKernelOfTheirOwn)
