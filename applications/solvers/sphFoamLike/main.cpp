@@ -1,7 +1,7 @@
-#include "Run.hpp"
 #include "base/CommandLine.hpp"
 #include "case/CaseLock.hpp"
 #include "parallel/Ranks.hpp"
+#include "run/Run.hpp"
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <fstream>
