@@ -1,0 +1,138 @@
+/// Laplacian of the pore pressure, the sum that makes the flux of scalars (ScalarFlux.hpp), with free surfaces that drain.
+///
+///   (lap p)_i = 1/V_i sum_j (V_i^2 + V_j^2) (dW_ij/dr)/r_ij (p_i - p_j) - alpha_i p_i
+///
+/// The gradient is normalised (KernelMoment.hpp). Pairs exchange what they lose, and the matrix is symmetric with the weights V, positive with alpha. Where the soil ends the sum lacks neighbours, and sees no flux: nothing passes.
+/// Where a free surface drains, p goes on linearly through 0 on it, at the depth d_i of the particle,
+///
+///   alpha_i = |sum_j w_ij x_ji|/(V_i d_i),    w_ij = -(V_i^2 + V_j^2) (dW_ij/dr)/r_ij
+///
+/// by which the sum is 0 for a p that is linear in the depth, however the particles lie: the neighbours that are missing have the first moment that the others lack. d from the first moment of the raw slope (DepthOfSlope),
+/// and only beside particles of the surface: a lattice in disorder has first moments, too.
+///
+/// p [Pa], V [m^3], W [1/m^3], alpha [1/m^2]. Verified by test/unit/soil (linear and quadratic pressures below a surface; conservation).
+#pragma once
+#include "models/soil/PoreWater.hpp"
+#include "models/soil/SoilFields.hpp"
+#include "operators/GradientCorrection.hpp"
+#include "plan/Coefficients.hpp"
+
+namespace sph
+{
+
+// clang-format off
+struct SurfaceRow        { static constexpr FieldInfo info{"surfaceRow", "1"};                        template<int dim> struct At { double isSurface; }; };
+struct KernelSlope       { static constexpr FieldInfo info{"kernelSlope", "1/m"};                     template<int dim> struct At { double m_1; }; };
+struct PoreLaplacian     { static constexpr FieldInfo info{"porePressureLaplacian", "Pa/m^2"};        template<int dim> struct At { double lap; }; };
+struct LaplacianOfChange { static constexpr FieldInfo info{"porePressureChangeLaplacian", "Pa/m^2"};  template<int dim> struct At { double lap; }; };
+struct SurfaceDrainage   { static constexpr FieldInfo info{"surfaceDrainage", "1/m^2"};               template<int dim> struct At { double alpha; }; };
+struct SeepageDiagonal   { static constexpr FieldInfo info{"seepageDiagonal", "1/m^2"};               template<int dim> struct At { double diagonal; }; };
+// clang-format on
+
+template<int dim> struct SlopeMoments
+{
+    SymmTensor<dim> B;
+    Vector<dim> m_1;
+    static constexpr auto parts(auto& q, const auto& f) { return f(q.B, q.m_1); }
+};
+
+/// Rows that end the soil, by the least eigenvalue of the moment tensor (FreeSurface.hpp), and the first moment |sum_j V_j (dW/dr)/r x_ij|.
+struct SurfaceOfSoil
+{
+    static constexpr auto name = "surfaceOfSoil";
+    using Provides = Fields<SurfaceRow, KernelSlope>;
+    using Reads = Fields<Volume>;
+    static constexpr bool ofRawGradient = true;
+    /// lambda is 0.49 in the first row below a plane surface, 0.84 and more in the second, 0.8 and more in disorder.
+    static constexpr double mostAtSurface = 0.7;
+
+    auto operator()(const auto& ij, const auto&, const auto& j) const
+    {
+        const double w = -j.V * ij.dWdrOverR;
+        return SlopeMoments<dimensions(decltype(ij.x){})>{w * outer(ij.x), -w * ij.x};
+    }
+    auto finish(const auto&, const auto& sum) const
+    {
+        return Values<Provides, dimensions(decltype(sum.m_1){})>{{leastEigenvalue(sum.B) < mostAtSurface ? 1.0 : 0.0}, {mag(sum.m_1)}};
+    }
+};
+
+/// w_ij
+constexpr double seepageWeight(const auto& ij, const auto& i, const auto& j) { return -(sqr(i.V) + sqr(j.V)) * ij.dWdrOverR; }
+
+/// The sum where no free surface drains.
+struct SeepageInside
+{
+    static constexpr auto name = "seepageInside";
+    using Provides = Fields<PoreLaplacian, SeepageDiagonal>;
+    using Reads = Fields<Volume, PorePressure>;
+    template<int dim> struct Sums
+    {
+        double flow, weight;
+        static constexpr auto parts(auto& q, const auto& f) { return f(q.flow, q.weight); }
+    };
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        const double w = seepageWeight(ij, i, j);
+        return Sums<dimensions(decltype(ij.x){})>{w * (j.p_w - i.p_w), w};
+    }
+    template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
+    {
+        return Values<Provides, dim>{{sum.flow / i.V}, {sum.weight / i.V}};
+    }
+};
+
+/// The sum with free surfaces that drain.
+struct SeepageToSurface
+{
+    static constexpr auto name = "seepageToSurface";
+    using Provides = Fields<PoreLaplacian, SurfaceDrainage, SeepageDiagonal>;
+    using Reads = Fields<Volume, PorePressure, SurfaceRow>;
+    using ReadsOwn = Fields<KernelSlope>;
+    template<int dim> struct Sums
+    {
+        double flow, weight, besideSurface;
+        Vector<dim> moment;
+        static constexpr auto parts(auto& q, const auto& f) { return f(q.flow, q.weight, q.besideSurface, q.moment); }
+    };
+    DepthOfSlope depth;
+
+    explicit SeepageToSurface(const Coefficients& c) : depth(c.of<PoreWater>().depth) {}
+    auto operator()(const auto& ij, const auto& i, const auto& j) const
+    {
+        const double w = seepageWeight(ij, i, j);
+        return Sums<dimensions(decltype(ij.x){})>{w * (j.p_w - i.p_w), w, w * j.isSurface, -w * ij.x};
+    }
+    template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
+    {
+        const double d = i.isSurface + sum.besideSurface > 0 ? depth(i.m_1) : 0;
+        const double alpha = d > 0 ? mag(sum.moment) / (i.V * d) : 0;
+        return Values<Provides, dim>{{sum.flow / i.V - alpha * i.p_w}, {alpha}, {sum.weight / i.V + alpha}};
+    }
+};
+
+/// The same sums of the change that a solver tries.
+struct SeepageOfChangeInside
+{
+    static constexpr auto name = "seepageOfChangeInside";
+    using Provides = LaplacianOfChange;
+    using Reads = Fields<Volume, PorePressureChange>;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return seepageWeight(ij, i, j) * (j.dp_w - i.dp_w); }
+    double finish(const auto& i, double sum) const { return sum / i.V; }
+};
+struct SeepageOfChangeToSurface : SeepageOfChangeInside
+{
+    static constexpr auto name = "seepageOfChangeToSurface";
+    using ReadsOwn = Fields<SurfaceDrainage>;
+    double finish(const auto& i, double sum) const { return sum / i.V - i.alpha * i.dp_w; }
+};
+
+struct StressOfPorePressure
+{
+    static constexpr auto name = "poreStress";
+    using Provides = PoreStress;
+    using ReadsOwn = Fields<PorePressure, SoilStress>;
+    auto operator()(const auto& i) const { return -i.p_w * identity(inPlane(i.sigma)); }
+};
+
+}
