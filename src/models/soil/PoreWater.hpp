@@ -36,24 +36,25 @@ struct WaterAtWall
     double flux = 0;                ///< [m/s]
 };
 
-/// Distance of a particle from a plane free surface, by the first moment of its kernel's slope: on a lattice, whose rows lie 1/2, 3/2, .. spacings deep.
-struct DepthOfSlope
+/// Sums over a cubic lattice at rest, which those over particles are measured by.
+struct LatticeSums
 {
     double spacing = 1;          ///< [m]
-    int rows = 0;                ///< rows that lack neighbours
-    std::array<double, 8> m_1{}; ///< of each [1/m]
+    double secondMoment = 1;     ///< -1/d sum_j V (dW/dr) r, 1 in the continuum
+    int rows = 0;                ///< rows below a plane surface that lack neighbours
+    std::array<double, 8> m_1{}; ///< first moment of the slope in each, |sum_j V (dW/dr)/r x_ij| [1/m]
 
-    /// 0 where no neighbours are missing: m_1 below half of that of the last row.
-    double operator()(double slope) const
+    /// Distance from a plane free surface by the first moment [m], between the rows, which lie 1/2, 3/2, .. spacings deep; 0 where no neighbours are
+    /// missing: m_1 below half of that of the last row.
+    double depth(double slope) const
     {
         if (rows == 0 || slope < 0.5 * m_1[std::size_t(rows - 1)]) return 0;
-        for (int row = 0; row < rows; ++row)
-            if (slope >= m_1[std::size_t(row)])
-            {
-                const double shallower = row > 0 ? m_1[std::size_t(row - 1)] : slope;
-                const double share = row > 0 ? (slope - m_1[std::size_t(row)]) / (shallower - m_1[std::size_t(row)]) : 0;
-                return (row + 0.5 - share) * spacing;
-            }
+        if (slope >= m_1[0]) return 0.5 * spacing;
+        for (int row = 1; row < rows; ++row)
+        {
+            const double above = m_1[std::size_t(row - 1)], here = m_1[std::size_t(row)];
+            if (slope >= here) return (row + 0.5 - (slope - here) / (above - here)) * spacing;
+        }
         return (rows - 0.5) * spacing;
     }
 };
@@ -68,7 +69,7 @@ struct PoreWater
     double tolerance = 1e-6;   ///< of the solve, of the residual at its start [1]
     int maxIter = 1000;
     std::vector<WaterAtWall> walls;
-    DepthOfSlope depth;
+    LatticeSums lattice;
 
     /// m/s^2, of the unit weight that permeabilities are measured with, whatever gravity the scene has.
     static constexpr double standardGravity = 9.81;

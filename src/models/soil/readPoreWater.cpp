@@ -1,14 +1,14 @@
 #include "models/soil/readPoreWater.hpp"
 #include "base/words.hpp"
+#include "kernels/overLattice.hpp"
 #include "models/soil/PoreWaterStep.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilFields.hpp"
-#include "operators/KernelMoment.hpp"
-#include "scene/planOfScene.hpp"
 #include "soilLaws/soilLaws.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace sph
 {
@@ -83,25 +83,24 @@ std::vector<WaterAtWall> readWalls(const Dictionary& d, const Geometry& geometry
     return all;
 }
 
-/// First moments of the slope on a lattice that ends above the row.
-template<int dim> DepthOfSlope depthOnLattice(const Resolution& resolution)
+template<int dim> LatticeSums sumsOnLattice(const Resolution& resolution)
 {
-    DepthOfSlope depth{.spacing = resolution.spacing};
     const Kernel<dim> kernel(resolution.kernel, resolution.H());
     const double dx = resolution.spacing, volume = std::pow(dx, dim);
-    const int reach = int(std::ceil(resolution.support));
-    for (int row = 0; row < std::min(reach, int(depth.m_1.size())); ++row)
+    LatticeSums lattice{.spacing = dx, .secondMoment = volume * momentOnLattice(kernel, dx)};
+    const int reach = int(std::ceil(resolution.support)), ofDepth = dim == 3 ? reach : 0;
+    std::vector<double> above(std::size_t(reach) + 1); // of the plane so many rows up
+    for (int up = 1; up <= reach; ++up)
+        for (int a = -reach; a <= reach; ++a)
+            for (int b = -ofDepth; b <= ofDepth; ++b)
+                above[std::size_t(up)] -= volume * kernel.dWdrOverR(dx * std::sqrt(double(up * up + a * a + b * b))) * up * dx;
+    for (int row = 0; row < std::min(reach, int(lattice.m_1.size())); ++row)
     {
-        double sum = 0;
-        for (int up = row + 1; up <= reach; ++up)
-            for (int a = -reach; a <= reach; ++a)
-                for (int b = dim == 3 ? -reach : 0; b <= (dim == 3 ? reach : 0); ++b)
-                    if (const double r = dx * std::sqrt(up * up + a * a + b * b); r < resolution.H())
-                        sum -= volume * kernel.dWdrOverR(r) * up * dx;
-        if (!(sum > 0)) break;
-        depth.m_1[std::size_t(depth.rows++)] = sum;
+        const double missing = std::accumulate(above.begin() + row + 1, above.end(), 0.0);
+        if (!(missing > 0)) break;
+        lattice.m_1[std::size_t(lattice.rows++)] = missing;
     }
-    return depth;
+    return lattice;
 }
 
 InitialPorePressure readInitial(const Dictionary& d, const PoreWater& water, Vector<3> g)
@@ -153,7 +152,7 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
     water.tolerance = entry::waterTolerance(d);
     water.maxIter = entry::waterIterations(d);
     water.walls = readWalls(d, reading.geometry, water.permeability);
-    water.depth = settings.coefficients.dimension == 2 ? depthOnLattice<2>(settings.resolution) : depthOnLattice<3>(settings.resolution);
+    water.lattice = settings.coefficients.dimension == 2 ? sumsOnLattice<2>(settings.resolution) : sumsOnLattice<3>(settings.resolution);
     const bool drains = water.surfaceDrains || std::ranges::any_of(water.walls, [](const auto& wall) { return wall.pressure.has_value(); });
     if (water.permeability > 0 && !drains)
         entry::permeability.error(d, "no boundary drains, so that the water has nowhere to go: give a wall a porePressure in `walls`, take "
@@ -170,17 +169,14 @@ void selectPoreWater(const Reading& reading, bool corrected)
     const auto& water = settings.coefficients.of<PoreWater>();
     const std::vector<std::string> force = corrected ? std::vector<std::string>{"poreStressDifference", "poreStressAtSurface"}
                                                      : std::vector<std::string>{"poreStressDivergence"};
+    reading.select(StressOfPorePressure::name);
     for (const auto& term : force) reading.select(term);
     settings.groups.push_back({.name = ofPoreForce,
                                .terms = force,
                                .changed = {PoreStress::info.name},
                                .names = {{Acceleration::info.name, poreAcceleration}},
                                .inputs = {PoreStress::info.name}});
-    // The gradient of soil is not normalised, and the laplacian is of no order without.
-    std::vector<std::string> sums{water.surfaceDrains ? SeepageToSurface::name : SeepageInside::name};
-    const bool normalised = std::ranges::any_of(settings.terms, [](const auto& term) { return term.find("ormalisation") != std::string::npos; });
-    if (!normalised) sums.push_back(GradientNormalisation::name);
-    settings.groups.push_back({.name = ofSeepage, .terms = sums});
+    settings.groups.push_back({.name = ofSeepage, .terms = {water.surfaceDrains ? SeepageToSurface::name : SeepageInside::name}});
     settings.groups.push_back({.name = ofSeepageChange,
                                .terms = {water.surfaceDrains ? SeepageOfChangeToSurface::name : SeepageOfChangeInside::name},
                                .changed = {PorePressureChange::info.name},
