@@ -55,7 +55,7 @@ template<int dim> std::vector<Stage<dim>> PoreWaterStep<dim>::stages(JoinPoint p
 {
     if (place != JoinPoint::afterKick) return {};
     return {{"pore pressure",
-             "(n/K_w/dt - (kappa + dt/rho) lap) dp = -div v + kappa lap p, conjugate gradients; p += dp, v += dt a(dp)",
+             "(n/K_w/dt - kappa lap - dt/rho lap') dp = -div v + kappa lap p, conjugate gradients; p += dp, v += dt a(dp)",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain, ofSeepage, ofSeepageChange, ofPoreForce}}};
 }
@@ -70,13 +70,15 @@ template<int dim> void PoreWaterStep<dim>::advance(Particles<dim>& particles, do
     const double* const lap = store.component(PoreLaplacian::info.name, 0);
     const double* const V = store.component(Volume::info.name, 0);
     double* const p = store.component(PorePressure::info.name, 0);
-    const double kappa = water_.mobility(), inertia = deltaT / particles.coefficients().restDensity[0];
+    const double* const alpha = store.component(SurfaceDrainage::info.name, 0);
+    const double kappa = water_.mobility(), throughSurface = water_.surfaceDrains ? kappa : 0;
     change_.resize(n);
     residual_.resize(n);
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) residual_[i] = -trace(valueAt<Tensor<dim>>(L, i)) + kappa * lap[i];
-    solve(particles, deltaT, kappa + inertia);
-    // What the solve leaves of the divergence follows from the balance of the water.
+    for (std::size_t i = 0; i < n; ++i)
+        residual_[i] = -trace(valueAt<Tensor<dim>>(L, i)) + kappa * lap[i] - throughSurface * alpha[i] * p[i];
+    solve(particles, deltaT);
+    // The divergence is that before the water answers, an upper bound of what the pressure does.
     const auto poreStress = store.pointers(PoreStress{});
     const double* const dp = change_.data();
     power_ = sum(n,
@@ -95,23 +97,26 @@ template<int dim> void PoreWaterStep<dim>::advance(Particles<dim>& particles, do
         for (int c = 0; c < dim; ++c) v[c][i] += deltaT * store.component(poreAcceleration, c)[i];
 }
 
-template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, double deltaT, double diffusivity)
+template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, double deltaT)
 {
     auto& store = particles.store();
     const std::size_t n = particles.size();
-    const double storage = water_.storage() / deltaT;
+    const double storage = water_.storage() / deltaT, ofGrains = deltaT / particles.coefficients().restDensity[0];
+    const double diffusivity = water_.mobility() + ofGrains, atSurface = (water_.surfaceDrains ? water_.mobility() : 0) + ofGrains;
+    const double* const alpha = store.component(SurfaceDrainage::info.name, 0);
     const double* const ofOthers = store.component(SeepageDiagonal::info.name, 0);
     const double* const lap = store.component(LaplacianOfChange::info.name, 0);
     double* const direction = store.component(PorePressureChange::info.name, 0);
-    const auto diagonal = [=](std::size_t i) { return storage + diffusivity * ofOthers[i]; };
-    const auto applied = [=](int, std::size_t i) { return storage * direction[i] - diffusivity * lap[i]; };
+    const auto diagonal = [=](std::size_t i) { return storage + diffusivity * ofOthers[i] + atSurface * alpha[i]; };
+    const auto applied = [=](int, std::size_t i) { return (storage + atSurface * alpha[i]) * direction[i] - diffusivity * lap[i]; };
     const auto apply = [&] { particles.evaluate(ofSeepageChange); };
     double start = 0;
     const auto done = [&](const ResidualSums<Nothing>& now, int iterations)
     {
         if (iterations == 0) start = now.rz;
         if (!std::isfinite(now.rz))
-            throw DivergedError(fmt::format("the pore pressure is no longer finite after {} iterations. Choose a smaller step", iterations));
+            throw DivergedError(
+                fmt::format("the pore pressure is no longer finite after {} iterations. Choose a smaller step", iterations));
         if (now.rz <= sqr(water_.tolerance) * start) return true;
         if (iterations == water_.maxIter)
             throw StepTooLong(fmt::format("the pore pressure has not converged in {} iterations: the residual is {:.3g} of that at the "
@@ -119,9 +124,10 @@ template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, doub
                                           iterations, std::sqrt(now.rz / start), water_.tolerance));
         return false;
     };
-    const LinearSystem<1> system{"the pore pressure", n,           store.component(Volume::info.name, 0),
-                                 {change_.data()},    {residual_.data()}, {direction}};
-    iterations_ = conjugateGradients(system, diagonal, apply, applied, [](std::size_t) { return Nothing{}; }, done);
+    const LinearSystem<1> system{"the pore pressure", n,          store.component(Volume::info.name, 0), {change_.data()},
+                                 {residual_.data()},  {direction}};
+    iterations_ = conjugateGradients(
+        system, diagonal, apply, applied, [](std::size_t) { return Nothing{}; }, done);
 }
 
 template<int dim> Numbers PoreWaterStep<dim>::columns(const Particles<dim>& particles) const
@@ -136,8 +142,7 @@ template<int dim> Numbers PoreWaterStep<dim>::columns(const Particles<dim>& part
 template<int dim> std::string PoreWaterStep<dim>::report(const Particles<dim>& particles) const
 {
     const auto of = columns(particles);
-    return of.empty() ? ""
-                      : fmt::format("pore water: {:.6g} .. {:.6g} Pa\n", of.at("minPorePressure"), of.at("maxPorePressure"));
+    return of.empty() ? "" : fmt::format("pore water: {:.6g} .. {:.6g} Pa\n", of.at("minPorePressure"), of.at("maxPorePressure"));
 }
 
 template<int dim> std::string PoreWaterStep<dim>::note() const

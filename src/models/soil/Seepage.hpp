@@ -1,10 +1,10 @@
-/// Laplacian of the pore pressure, the sum that makes the flux of scalars (ScalarFlux.hpp), with free surfaces that drain.
+/// Laplacian of the pore pressure, the sum that makes the flux of scalars (ScalarFlux.hpp), and what free surfaces add to it.
 ///
-///   (lap p)_i = 1/V_i sum_j w_ij (p_j - p_i) - alpha_i p_i,    w_ij = -(V_i^2 + V_j^2) (dW_ij/dr)/r_ij/N
+///   (lap p)_i = 1/V_i sum_j w_ij (p_j - p_i) [- alpha_i p_i],    w_ij = -(V_i^2 + V_j^2) (dW_ij/dr)/r_ij/N
 ///
 /// N is the second moment of the slope on a lattice (KernelMoment.hpp), the same everywhere: with that of each particle, which falls to 0.6 at a surface, the outermost rows conducted too well, and rates of
-/// consolidation were 2 % off at 32 particles across, of first order; so they are 0.03 %, of second. Pairs exchange what they lose, and the matrix is symmetric with the weights V, positive with alpha. Where the soil ends the sum lacks neighbours, and sees no flux: nothing passes.
-/// Where a free surface drains, p goes on linearly through 0 on it, at the depth d_i of the particle,
+/// consolidation were 2 % off at 32 particles across, of first order. Pairs exchange what they lose, and the matrix is symmetric with the weights V. Where the soil ends the sum lacks neighbours, and sees no flux: nothing passes.
+/// Where p is 0 on a free surface it goes on linearly through it, at the depth d_i of the particle,
 ///
 ///   alpha_i = |sum_j w_ij x_ji|/(V_i d_i)
 ///
@@ -71,43 +71,21 @@ struct SeepageWeight
     }
 };
 
-/// The sum where no free surface drains.
-struct SeepageInside : SeepageWeight
+/// The sum, without alpha; alpha; and the diagonal of both.
+struct Seepage : SeepageWeight
 {
-    using SeepageWeight::SeepageWeight;
-    static constexpr auto name = "seepageInside";
-    using Provides = Fields<PoreLaplacian, SeepageDiagonal>;
-    using Reads = Fields<Volume, PorePressure>;
-    template<int dim> struct Sums
-    {
-        double flow, weight;
-        static constexpr auto parts(auto& q, const auto& f) { return f(q.flow, q.weight); }
-    };
-    auto operator()(const auto& ij, const auto& i, const auto& j) const
-    {
-        const double w = weight(ij, i, j);
-        return Sums<dimensions(decltype(ij.x){})>{w * (j.p_w - i.p_w), w};
-    }
-    template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
-    {
-        return Values<Provides, dim>{{sum.flow / i.V}, {sum.weight / i.V}};
-    }
-};
-
-/// The sum with free surfaces that drain.
-struct SeepageToSurface : SeepageWeight
-{
-    using SeepageWeight::SeepageWeight;
-    static constexpr auto name = "seepageToSurface";
+    static constexpr auto name = "seepage";
     using Provides = Fields<PoreLaplacian, SurfaceDrainage, SeepageDiagonal>;
     using Reads = Fields<Volume, PorePressure, SurfaceRow>;
     using ReadsOwn = Fields<KernelSlope>;
+    using SeepageWeight::SeepageWeight;
     template<int dim> struct Sums
     {
         double flow, weight, besideSurface;
         Vector<dim> moment;
         static constexpr auto parts(auto& q, const auto& f) { return f(q.flow, q.weight, q.besideSurface, q.moment); }
     };
+
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double w = weight(ij, i, j);
@@ -116,27 +94,20 @@ struct SeepageToSurface : SeepageWeight
     template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
     {
         const double d = i.isSurface + sum.besideSurface > 0 ? lattice.depth(i.m_1) : 0;
-        const double alpha = d > 0 ? mag(sum.moment) / (i.V * d) : 0;
-        return Values<Provides, dim>{{sum.flow / i.V - alpha * i.p_w}, {alpha}, {sum.weight / i.V + alpha}};
+        return Values<Provides, dim>{{sum.flow / i.V}, {d > 0 ? mag(sum.moment) / (i.V * d) : 0}, {sum.weight / i.V}};
     }
 };
 
-/// The same sums of the change that a solver tries.
-struct SeepageOfChangeInside : SeepageWeight
+/// The same sum of the change that a solver tries.
+struct SeepageOfChange : SeepageWeight
 {
-    using SeepageWeight::SeepageWeight;
-    static constexpr auto name = "seepageOfChangeInside";
+    static constexpr auto name = "seepageOfChange";
     using Provides = LaplacianOfChange;
     using Reads = Fields<Volume, PorePressureChange>;
+    using SeepageWeight::SeepageWeight;
+
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return weight(ij, i, j) * (j.dp_w - i.dp_w); }
     double finish(const auto& i, double sum) const { return sum / i.V; }
-};
-struct SeepageOfChangeToSurface : SeepageOfChangeInside
-{
-    using SeepageOfChangeInside::SeepageOfChangeInside;
-    static constexpr auto name = "seepageOfChangeToSurface";
-    using ReadsOwn = Fields<SurfaceDrainage>;
-    double finish(const auto& i, double sum) const { return sum / i.V - i.alpha * i.dp_w; }
 };
 
 struct StressOfPorePressure

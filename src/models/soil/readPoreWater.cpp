@@ -32,7 +32,8 @@ const Choice freeSurface{"freeSurface",
                          "drained",
                          "what free surfaces do to the water"};
 const SubDictionary waterWalls{"walls", notGiven, "pressure or flux at walls; nothing passes those that are left out"},
-    waterInitial{"initial", byScene("the field porePressure of the time folder, else 0"), "pore pressure at the start where there is no field of it"};
+    waterInitial{"initial", byScene("the field porePressure of the time folder, else 0"),
+                 "pore pressure at the start where there is no field of it"};
 const FreeName waterWall{"<wall>", "dictionary", "a wall of constant/geometry of that name, with porePressure or flux"};
 
 Cases initialWaterCases()
@@ -166,7 +167,6 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
 void selectPoreWater(const Reading& reading, bool corrected)
 {
     auto& settings = reading.settings;
-    const auto& water = settings.coefficients.of<PoreWater>();
     const std::vector<std::string> force = corrected ? std::vector<std::string>{"poreStressDifference", "poreStressAtSurface"}
                                                      : std::vector<std::string>{"poreStressDivergence"};
     reading.select(StressOfPorePressure::name);
@@ -176,9 +176,9 @@ void selectPoreWater(const Reading& reading, bool corrected)
                                .changed = {PoreStress::info.name},
                                .names = {{Acceleration::info.name, poreAcceleration}},
                                .inputs = {PoreStress::info.name}});
-    settings.groups.push_back({.name = ofSeepage, .terms = {water.surfaceDrains ? SeepageToSurface::name : SeepageInside::name}});
+    settings.groups.push_back({.name = ofSeepage, .terms = {Seepage::name}});
     settings.groups.push_back({.name = ofSeepageChange,
-                               .terms = {water.surfaceDrains ? SeepageOfChangeToSurface::name : SeepageOfChangeInside::name},
+                               .terms = {SeepageOfChange::name},
                                .changed = {PorePressureChange::info.name},
                                .inputs = {PorePressureChange::info.name},
                                .repeats = true});

@@ -56,7 +56,7 @@ template<int dim> Catalogue<dim> soilTerms()
 {
     return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, SoilViscosity,
                      StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence, PoreStressDifference,
-                     PoreStressAtSurface, SurfaceOfSoil, SeepageInside, SeepageToSurface, SeepageOfChangeInside, SeepageOfChangeToSurface>();
+                     PoreStressAtSurface, SurfaceOfSoil, Seepage, SeepageOfChange>();
 }
 
 template Catalogue<2> soilTerms<2>();
