@@ -30,7 +30,8 @@ struct Soil
 
 inline const std::string soilProperties = "constant/soilProperties";
 /// Entries that models which move soil read from that file.
-inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure";
+inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure",
+                            *poreWaterKeyword = "poreWater";
 
 /// The friction angles that act, in words, of laws that have some; else "".
 std::string strengthInWords(const SoilLaw&);

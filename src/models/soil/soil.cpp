@@ -1,8 +1,10 @@
 #include "models/soil/soil.hpp"
 #include "case/phaseEntries.hpp"
+#include "geometry/makeWallLayers.hpp"
 #include "models/soil/SoilFields.hpp"
 #include "models/soil/StressUpdate.hpp"
 #include "models/soil/WallFriction.hpp"
+#include "models/soil/readPoreWater.hpp"
 #include "models/soil/soilTerms.hpp"
 #include "operators/VelocityGradient.hpp"
 #include "scene/DensityOfModel.hpp"
@@ -105,7 +107,8 @@ double readSurfacePressure(const Dictionary& dict, const Soil& soil)
     return confining.value_or(floor);
 }
 
-InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector<3> g)
+/// `water`: null, or the pore pressure at the start, which geostatic stresses are less by.
+InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector<3> g, const InitialPorePressure& water)
 {
     const auto d = entry::initialStress.needed(dict);
     const SymmTensor<3> I{1, 0, 0, 1, 0, 1};
@@ -115,7 +118,7 @@ InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector
     if (*type == "isotropic")
     {
         const double p = entry::pressure.needed(d);
-        if (confining && p != *confining)
+        if (!water && confining && p != *confining)
             entry::pressure.error(d,
                                   fmt::format("{:.6g} Pa within is not confiningPressure, {:.6g} Pa: free surfaces would set off at once",
                                               p, *confining));
@@ -132,7 +135,8 @@ InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector
     return [=, rho = soil.rho, floor = soil.integration.floorPressure](Vector<3> x)
     {
         const auto down = 1 / mag(g) * g;
-        const double depth = surface + dot(down, x), vertical = std::fmax(rho * mag(g) * depth + confining.value_or(0), floor);
+        const double depth = surface + dot(down, x), total = rho * mag(g) * depth + confining.value_or(0);
+        const double vertical = std::fmax(total - (water ? water(x) : 0), floor);
         return -vertical * (outer(down) + K * (I - outer(down)));
     };
 }
@@ -306,7 +310,8 @@ void prepare(const Reading& reading)
     else if (soil.rho != c.restDensity[0])
         entry::rho.error(dict, fmt::format("{:.6g} kg/m^3 is not the density of {} in constant/phaseProperties, {:.6g} kg/m^3", soil.rho,
                                            c.phases[0], c.restDensity[0]));
-    const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c.g) : nullptr;
+    const auto water = readPoreWater(reading, dict);
+    const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c.g, water) : nullptr;
     SoilNumbers numbers;
     numbers.surfacePressure = readSurfacePressure(dict, soil);
     c.set(numbers);
@@ -372,6 +377,7 @@ void read(const Reading& reading)
     if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
+    if (c.has<PoreWater>()) selectPoreWater(reading, divergence == "corrected");
     settings.runningModels.push_back(running<StressUpdate>());
     settings.integration.factorsOfRunningModels.push_back(&StepFactors::sound);
     if (reading.geometry.withFriction()) settings.runningModels.push_back(running<WallFriction>());
@@ -398,12 +404,18 @@ const Model& soilModel()
                      !s.coefficients.has<TwoLevels>();
           },
           "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
+         {"integration", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.integration.scheme != "symplecticEuler"; },
+          "poreWater is solved for between the velocities of a step's end and its strain: take scheme symplecticEuler"},
+         {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::walls, "layers"); },
+          "pore water meets walls by ghosts that mirror the soil: take walls reflected"},
          {"integration",
           [](const Settings& s) { return isSoil(s) && s.facts.get<DensityOfModel>().exists && s.coefficients.has<TwoLevels>(); },
           "the state variables of this law live at one level of time: take scheme symplecticEuler or leapfrog"}},
         {},
         {{soilProperties,
-          {entry::confiningPressure, {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()}}},
+          {entry::confiningPressure,
+           {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()},
+           poreWaterEntries()}},
          {"system/sphSchemes",
           {{entry::soil,
             {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,

@@ -1,5 +1,6 @@
 #include "models/soil/soilTerms.hpp"
 #include "models/soil/ActingStress.hpp"
+#include "models/soil/Seepage.hpp"
 #include "models/soil/SoilViscosity.hpp"
 #include "models/soil/StressNoise.hpp"
 #include "operators/StressDivergence.hpp"
@@ -34,12 +35,28 @@ struct SoilStressAtSurface : SurfaceDivergenceOf<ActingStress>
     static constexpr auto name = "soilStressAtSurface";
     using SurfaceDivergenceOf::SurfaceDivergenceOf;
 };
+/// The same forms of -p I.
+struct PoreStressDivergence : DivergenceOf<PoreStress>
+{
+    static constexpr auto name = "poreStressDivergence";
+};
+struct PoreStressDifference : DifferenceDivergenceOf<PoreStress>
+{
+    static constexpr auto name = "poreStressDifference";
+    using DifferenceDivergenceOf::DifferenceDivergenceOf;
+};
+struct PoreStressAtSurface : SurfaceDivergenceOf<PoreStress>
+{
+    static constexpr auto name = "poreStressAtSurface";
+    using SurfaceDivergenceOf::SurfaceDivergenceOf;
+};
 }
 
 template<int dim> Catalogue<dim> soilTerms()
 {
     return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, SoilViscosity,
-                     StressOffLine, StrainRateOfGradient>();
+                     StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence, PoreStressDifference,
+                     PoreStressAtSurface, SurfaceOfSoil, Seepage, SeepageOfChange>();
 }
 
 template Catalogue<2> soilTerms<2>();

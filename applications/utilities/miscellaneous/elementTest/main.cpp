@@ -53,7 +53,8 @@ int runTests(const sph::Case& c)
 {
     const auto properties = c.dictionary(sph::soilProperties);
     const auto soil = sph::readSoil(properties, "within");
-    for (const auto* ofBodies : {sph::initialStressKeyword, sph::confiningPressureKeyword}) properties.ignore(ofBodies);
+    for (const auto* ofBodies : {sph::initialStressKeyword, sph::confiningPressureKeyword, sph::poreWaterKeyword})
+        properties.ignore(ofBodies);
     properties.reportUnused();
     const auto plan = sph::readElementTests(c, soil.law);
     c.diagnostics().throwIfAny();
