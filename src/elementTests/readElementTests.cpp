@@ -297,12 +297,11 @@ void readState(const Dictionary& d, const SoilLaw& any, ElementTest& test)
             state.stress = test.stress;
             if constexpr (LawOfState<Law>)
             {
-                state.variables = law.readVariables(d);
+                state.variables = law.readVariables(d)(test.stress);
                 test.variables = numbersOf(state.variables);
-                const auto& named = entry::vonWolffersdorff::voidRatio;
-                if (const auto why = law.objection(state); named.given(d) && !why.empty() && -trace(state.stress) > 0)
+                if (const auto why = law.objection(state); Law::startGiven(d) && !why.empty() && -trace(state.stress) > 0)
                 {
-                    named.error(d, why);
+                    Law::startEntry().error(d, why);
                     return;
                 }
             }

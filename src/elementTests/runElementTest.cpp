@@ -123,7 +123,7 @@ ElementRow controlledRow(const Law& law, const StressIntegration& how, const Ele
             norm(e.strain) * law.stiffness(s.soil) / (std::fmax(norm(now.soil.stress), norm(s.soil.stress)) * how.tolerance);
         return substepError(law, e.soil, from.stress, now.soil, s.soil, how.tolerance) + strained;
     };
-    const auto admits = [&](const ElementState<Material>& s) { return !Law::tensionless || isCompressive(s.soil.stress); };
+    const auto admits = [&](const ElementState<Material>& s) { return mayEndAt(law, s.soil); };
     const auto settled = [&](ElementState<Material>& s) { return settle(law, how, s.soil, row.state); };
     row.state = StressState::regular;
     const double size = std::sqrt(doubleDot(deformation, deformation)) + norm(controlled.D(guess));
