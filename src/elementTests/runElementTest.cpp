@@ -57,6 +57,18 @@ template<ConstitutiveLaw Law> struct Controlled
         }
         return x;
     }
+    /// On an edge of a yield surface, along which stresses stay equal, the difference of the strains that hold them is left open: of all solutions the
+    /// smallest keeps them equal.
+    static Eigen::VectorXd solution(const Eigen::MatrixXd& slope, const Eigen::VectorXd& right)
+    {
+        constexpr double open = 1e-6; // difference quotients are good to 1e-9
+        Eigen::FullPivLU<Eigen::MatrixXd> solver(slope);
+        const Eigen::VectorXd pivots = solver.matrixLU().diagonal().cwiseAbs();
+        if (pivots.minCoeff() > open * pivots.maxCoeff()) return solver.solve(right);
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+        least.setThreshold(open);
+        return least.compute(slope).solve(right);
+    }
     /// Newton's method, with steps halved until the rates fall: they have kinks where loading turns to unloading.
     std::optional<Eigen::VectorXd> solve(const Material& s, Eigen::VectorXd x) const
     {
@@ -77,7 +89,7 @@ template<ConstitutiveLaw Law> struct Controlled
                 below[j] -= difference * unit;
                 slope.col(j) = (off(s, above) - off(s, below)) / (2 * difference * unit);
             }
-            const Eigen::VectorXd change = slope.fullPivLu().solve(-now);
+            const Eigen::VectorXd change = solution(slope, -now);
             const auto reduced = [&]
             {
                 double share = 1;
