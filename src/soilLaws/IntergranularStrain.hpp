@@ -104,6 +104,8 @@ template<class Law> struct IntergranularStrain
         return law.objection(base(s));
     }
 
+    /// The tests that find the law's own constants; small cycles find those of the option.
+    static constexpr auto& foundBy = Law::foundBy;
     static constexpr auto startWords = Law::startWords;
     static const Parameter& startEntry() { return Law::startEntry(); }
     static bool startGiven(const Dictionary& d) { return Law::startGiven(d); }

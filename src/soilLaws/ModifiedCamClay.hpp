@@ -156,6 +156,14 @@ struct ModifiedCamClay
     }
     static EntryList variableEntries() { return {entry::voidRatio, entry::modifiedCamClay::p_c, entry::modifiedCamClay::OCR}; }
 
+    /// The tests that find each constant.
+    static constexpr std::pair<const char*, const char*> foundBy[]{
+        {"M", "a triaxial test to large strain, where q/p stays"},
+        {"criticalFrictionAngle", "a triaxial test to large strain, where q/p stays"},
+        {"lambda", "an isotropic or oedometer test loaded far beyond the preconsolidation pressure"},
+        {"kappa", "an isotropic or oedometer test with unloading"},
+        {"nu", "the start of a triaxial test of overconsolidated clay, or the lateral stress of an oedometer test with unloading"},
+        {"shearModulus", "the start of a triaxial test of overconsolidated clay"}};
     static EntryList entries()
     {
         namespace e = entry::modifiedCamClay;

@@ -214,6 +214,16 @@ struct MohrCoulomb
         return on;
     }
 
+    /// The tests that find each constant.
+    static constexpr std::pair<const char*, const char*> foundBy[]{
+        {"E", "the start of a triaxial test"},
+        {"nu", "the volume strain at the start of a drained triaxial test"},
+        {"bulkModulus", "an isotropic test, or the volume strain at the start of a drained triaxial test"},
+        {"shearModulus", "the start of a triaxial test"},
+        {"frictionAngle", "triaxial tests to failure at two lateral pressures"},
+        {"cohesion", "triaxial tests to failure at two lateral pressures"},
+        {"dilatancyAngle", "the volume strain of a drained triaxial test at failure"},
+        {"tensileStrength", "a test that pulls the soil apart"}};
     static EntryList entries()
     {
         namespace e = entry::mohrCoulomb;

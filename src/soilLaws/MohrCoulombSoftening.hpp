@@ -118,6 +118,7 @@ struct MohrCoulombSoftening
     static SofteningStrain strainedFreely(SofteningStrain q, SymmTensor<3>) { return q; }
     static std::string objection(const State&) { return ""; }
 
+    static constexpr auto& foundBy = MohrCoulomb::foundBy;
     static constexpr auto startWords = "`softeningStrain`";
     static const Parameter& startEntry() { return entry::mohrCoulombSoftening::start; }
     static bool startGiven(const Dictionary&) { return true; }

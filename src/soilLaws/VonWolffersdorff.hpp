@@ -144,6 +144,16 @@ struct VonWolffersdorff
         return [e = entry::voidRatio.needed(d)](SymmTensor<3>) { return VoidRatio{e}; };
     }
     static EntryList variableEntries() { return {entry::voidRatio}; }
+    /// The tests that find each constant (Herle & Gudehus 1999).
+    static constexpr std::pair<const char*, const char*> foundBy[]{
+        {"phi_c", "a triaxial test of loose sand to large strain, or the angle of repose"},
+        {"h_s", "an oedometer or isotropic test of loose sand over a wide range of pressures"},
+        {"n", "an oedometer or isotropic test of loose sand over a wide range of pressures"},
+        {"e_d0", "a triaxial test of dense sand up to its peak, at another density as well"},
+        {"e_c0", "an undrained or drained triaxial test of loose sand to large strain, with its void ratio"},
+        {"e_i0", "an oedometer or isotropic test of the loosest sand"},
+        {"alpha", "a drained triaxial test of dense sand up to its peak"},
+        {"beta", "an oedometer test of dense sand beside that of loose"}};
     static EntryList entries()
     {
         namespace e = entry::vonWolffersdorff;

@@ -92,14 +92,14 @@ template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegratio
 /// The error of a substep over what is tolerated: of a law whose stiffness vanishes with the stress relative to the substep's own stresses,
 /// of others to that at the start of the step, too, and at least to that of smallStrain, for they pass through 0. A substep that begins
 /// within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate there,
-/// and so finds the place.
+/// and so finds the place. One along a surface that hardens or softens stays on it but for errors, and counts that, too.
 template<ConstitutiveLaw Law>
 double substepError(const Law& law, const StateOf<Law>& error, SymmTensor<3> start, const StateOf<Law>& from, const StateOf<Law>& to,
                     double tolerance)
 {
     double ofVariables = 0, overshoot = 0;
     if constexpr (LawWithYieldSurface<Law>)
-        if (!law.yields(from)) overshoot = law.beyond(to);
+        if (LawOfState<Law> || !law.yields(from)) overshoot = law.beyond(to);
     if constexpr (LawOfState<Law>) ofVariables = law.variableError(error.variables, to) / tolerance;
     if constexpr (Law::tensionless)
     {
