@@ -52,7 +52,8 @@ public:
             for (const auto& curve : curves)
             {
                 const double size = largestOf(curve);
-                for (std::size_t i = 0; i < curve.values.size(); ++i) all.push_back((curve.of(rows[(i + 1) * std::size_t(test.points)]) - curve.values[i]) / size);
+                for (std::size_t i = 0; i < curve.values.size(); ++i)
+                    all.push_back((curve.of(rows[(i + 1) * std::size_t(test.points)]) - curve.values[i]) / size);
             }
         }
         return Eigen::Map<Eigen::VectorXd>(all.data(), Eigen::Index(all.size()));
@@ -203,7 +204,8 @@ Fit fitConstants(const FitPlan& plan, const std::vector<double>& start, const Fi
             const double variance = row.cwiseQuotient(svd.singularValues()).squaredNorm() * s2 / J.col(inside[j]).squaredNorm();
             const double error = std::sqrt(variance);
             if (studentT(freedom) * error > 1)
-                refuse({inside[j]}, fmt::format("95 % of confidence, +- {:.4g}, are wider than its bounds", studentT(freedom) * error * fitting.width(inside[j])));
+                refuse({inside[j]}, fmt::format("95 % of confidence, +- {:.4g}, are wider than its bounds",
+                                                studentT(freedom) * error * fitting.width(inside[j])));
             auto& constant = fit.constants[std::size_t(inside[j])];
             constant.standardError = error * fitting.width(inside[j]);
             constant.halfWidth = studentT(freedom) * constant.standardError;

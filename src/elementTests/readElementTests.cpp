@@ -40,8 +40,9 @@ const FileName path{"file", "", required,
                     "table with columns of xx xy xz yy yz zz, strains from the start on, extension positive; what has no column is 0"};
 const Switch plots{"plots", true, "draw the tests, by gnuplot"};
 
-const SubDictionary calibration{"calibration", notGiven,
-                                "what -calibrate finds constants from: a drained triaxial compression, for c1 ... c4 of law wuBauer, or tests, for those of any law"};
+const SubDictionary calibration{
+    "calibration", notGiven,
+    "what -calibrate finds constants from: a drained triaxial compression, for c1 ... c4 of law wuBauer, or tests, for those of any law"};
 const Scalar lateral{"pressure", units::pressure, byScene("needed without tests"), positive, "lateral"},
     initialStiffness{"initialStiffness", units::pressure, byScene("needed without file"), positive,
                      "d(deviator)/d(axial strain) at the start"},
@@ -53,8 +54,10 @@ const Scalar lateral{"pressure", units::pressure, byScene("needed without tests"
 const FileName measured{
     "file", "", byScene("the four figures"),
     "table with columns axialStrain, q [Pa], volumeStrain, compression positive, up to the peak; all of its points count"};
-const SubDictionary constants{"constants", byScene("needed with tests"), "what is sought, by entries of the law's coefficients: M (0.5 1.5)"};
-const FreeName constant{"<constant>", "list of numbers", "least and largest value; that of constant/soilProperties is where the search begins"};
+const SubDictionary constants{"constants", byScene("needed with tests"),
+                              "what is sought, by entries of the law's coefficients: M (0.5 1.5)"};
+const FreeName constant{"<constant>", "list of numbers",
+                        "least and largest value; that of constant/soilProperties is where the search begins"};
 const SubDictionary measuredTests{"tests", byScene("of one triaxial test"), "measured tests, which are fitted together"};
 const FreeName measuredTest{"<test>", "dictionary", "a test by a name of the case's own"};
 const FileName curves{
@@ -425,10 +428,7 @@ Measurement readMeasurement(const Case& c)
     return m;
 }
 
-bool hasMeasuredTests(const Case& c)
-{
-    return entry::measuredTests.given(entry::calibration(c.dictionary(elementTestDictionary)));
-}
+bool hasMeasuredTests(const Case& c) { return entry::measuredTests.given(entry::calibration(c.dictionary(elementTestDictionary))); }
 
 namespace
 {
@@ -465,8 +465,7 @@ MeasuredTest readMeasuredTest(const Case& c, const Dictionary& d, const SoilLaw&
     if (!word || !entry::curves.given(d)) return measured;
     const auto& type = *std::ranges::find(testTypes(), *word, [](const TestType& each) { return std::string(each.name); });
     test.type = *word;
-    const bool hasVoidRatio =
-        std::visit([]<class Law>(const Law&) { return LawOfVoidRatio<Law>; }, law);
+    const bool hasVoidRatio = std::visit([]<class Law>(const Law&) { return LawOfVoidRatio<Law>; }, law);
     std::vector<std::string> columns;
     if (type.drivenBy == &entry::gamma) columns.emplace_back("gamma");
     for (const auto& each : measurable) columns.emplace_back(each.name);
@@ -502,7 +501,8 @@ MeasuredTest readMeasuredTest(const Case& c, const Dictionary& d, const SoilLaw&
         measured.curves.push_back(curve);
     }
     if (measured.curves.empty())
-        c.diagnostics().error({file, 1}, fmt::format("nothing was measured: beside {} a column of {} is needed", driver.keyword(), list(columns)));
+        c.diagnostics().error({file, 1},
+                              fmt::format("nothing was measured: beside {} a column of {} is needed", driver.keyword(), list(columns)));
     return measured;
 }
 
@@ -529,7 +529,8 @@ FitPlan readFit(const Case& c, const SoilLaw& law)
             constants.error(name, fmt::format("{} needs its least and its largest value, as {} (0.1 0.5)", name, name));
         else plan.constants.push_back({name, bounds[0], bounds[1], constants.where(name)});
     }
-    if (entry::constants.given(d) && constants.keys().empty()) entry::constants.error(d, "no constant is sought: give at least one, as M (0.5 1.5)");
+    if (entry::constants.given(d) && constants.keys().empty())
+        entry::constants.error(d, "no constant is sought: give at least one, as M (0.5 1.5)");
     const auto tests = entry::measuredTests.needed(d);
     for (const auto& name : tests.keys())
         if (tests.isDictionary(name)) plan.tests.push_back(readMeasuredTest(c, tests.subDict(name), law));
@@ -566,11 +567,12 @@ std::vector<double> startOf(const Case& c, const std::vector<FittedConstant>& co
         }
         start.push_back(0);
         if (!d.found(name))
-            c.diagnostics().error(constant.where, fmt::format("the coefficients of the law in {} have no {}: where the search begins must be said there",
-                                                              soilProperties, constant.entry));
+            c.diagnostics().error(constant.where,
+                                  fmt::format("the coefficients of the law in {} have no {}: where the search begins must be said there",
+                                              soilProperties, constant.entry));
         else if (const double value = start.back() = d.get<double>(name); value < constant.least || value > constant.largest)
-            d.error(name, fmt::format("{} {:.6g} is not between {:.6g} and {:.6g}, the bounds of the calibration: the search begins there", name, value,
-                                      constant.least, constant.largest));
+            d.error(name, fmt::format("{} {:.6g} is not between {:.6g} and {:.6g}, the bounds of the calibration: the search begins there",
+                                      name, value, constant.least, constant.largest));
     }
     return start;
 }
@@ -583,11 +585,17 @@ EntryList elementTestEntries()
                                 EntryList{{entry::stages, {{entry::stage, piece}}}, entry::points}}}},
             entry::plots,
             {entry::calibration,
-             {entry::lateral, entry::initialStiffness, entry::initialVolumeSlope, entry::peak, entry::peakVolumeSlope, entry::measured,
+             {entry::lateral,
+              entry::initialStiffness,
+              entry::initialVolumeSlope,
+              entry::peak,
+              entry::peakVolumeSlope,
+              entry::measured,
               {entry::constants, {entry::constant}},
               {entry::measuredTests,
-               {{entry::measuredTest, EntryList{{entry::measuredType, measuredCases()}, entry::curves, entry::pressure, entry::K, entry::stress} +
-                                          variableEntries()}}}}}};
+               {{entry::measuredTest,
+                 EntryList{{entry::measuredType, measuredCases()}, entry::curves, entry::pressure, entry::K, entry::stress} +
+                     variableEntries()}}}}}};
 }
 
 }

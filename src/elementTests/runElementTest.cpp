@@ -57,8 +57,8 @@ template<ConstitutiveLaw Law> struct Controlled
         }
         return x;
     }
-    /// On an edge of a yield surface, along which stresses stay equal, the difference of the strains that hold them is left open: of all solutions the
-    /// smallest keeps them equal.
+    /// Two stresses that stay equal along an edge of a yield surface leave the difference of the strains that hold them open: the
+    /// smallest of all solutions keeps these equal.
     static Eigen::VectorXd solution(const Eigen::MatrixXd& slope, const Eigen::VectorXd& right)
     {
         constexpr double open = 1e-6; // difference quotients are good to 1e-9

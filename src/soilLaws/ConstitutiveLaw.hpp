@@ -132,7 +132,7 @@ concept LawWithYieldSurface = ConstitutiveLaw<L> && requires(const L& law, const
     {
         law.yields(state)
         } -> std::same_as<bool>;
-    /// How far the state is beyond it [Pa]; 0 within and on it.
+    /// Distance of a state beyond it [Pa]; 0 within and on it.
     {
         law.beyond(state)
         } -> std::same_as<double>;

@@ -42,8 +42,10 @@ inline const Scalar M{"M", units::none, byScene("of criticalFrictionAngle"), pos
     nu{"nu", units::none, byScene("needed without shearModulus"), Range{-1, 0.5, false, false}, "Poisson's ratio"},
     G{"shearModulus", units::pressure, byScene("of nu"), positive, "constant, in place of nu"};
 /// Entries of the soil at the start, beside its stress and void ratio.
-inline const Scalar p_c{"preconsolidationPressure", units::pressure, byScene("of OCR"), positive, "largest isotropic pressure of the past, p_c"},
-    OCR{"OCR", units::none, byScene("of preconsolidationPressure"), atLeast(1), "p_c over that of which the stress would yield, p + q^2/(M^2 p)"};
+inline const Scalar p_c{"preconsolidationPressure", units::pressure, byScene("of OCR"), positive,
+                        "largest isotropic pressure of the past, p_c"},
+    OCR{"OCR", units::none, byScene("of preconsolidationPressure"), atLeast(1),
+        "p_c over that of which the stress would yield, p + q^2/(M^2 p)"};
 }
 
 /// The void ratio and p_c.
@@ -66,7 +68,8 @@ constexpr ClayState turning(const ClayState&, Tensor<3>) { return {}; }
 
 struct ModifiedCamClay
 {
-    static constexpr auto name = "modifiedCamClay", meaning = "clay with void ratio and preconsolidation pressure, Roscoe and Burland (1968)";
+    static constexpr auto name = "modifiedCamClay",
+                          meaning = "clay with void ratio and preconsolidation pressure, Roscoe and Burland (1968)";
     static constexpr bool tensionless = true;
     using Variables = ClayState;
     using State = SoilState<ClayState>;
@@ -135,8 +138,9 @@ struct ModifiedCamClay
         if (!(p > 0)) return fmt::format("the mean pressure -tr(sigma)/3 is {:.6g} Pa: the law needs a positive one", p);
         if (!(s.variables.voidRatio.e > 0)) return fmt::format("void ratio {:.6g} is not positive", s.variables.voidRatio.e);
         if (p_c >= (1 - ofFiles) * surfaceOf(s.stress)) return "";
-        return fmt::format("preconsolidation pressure {:.6g} Pa is below the stress: possible at p = {:.6g} Pa and q = {:.6g} Pa are {:.6g} Pa and more", p_c,
-                           p, std::sqrt(1.5) * norm(deviator(s.stress)), surfaceOf(s.stress));
+        return fmt::format(
+            "preconsolidation pressure {:.6g} Pa is below the stress: possible at p = {:.6g} Pa and q = {:.6g} Pa are {:.6g} Pa and more",
+            p_c, p, std::sqrt(1.5) * norm(deviator(s.stress)), surfaceOf(s.stress));
     }
 
     static constexpr auto startWords = "`voidRatio` and one of `preconsolidationPressure` and `OCR`";

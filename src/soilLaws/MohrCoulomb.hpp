@@ -39,7 +39,7 @@ inline const Scalar phi{"frictionAngle", degrees, required, Range{0, 90, true, f
 /// phi, psi and c as the law computes with them.
 struct MohrCoulombStrength
 {
-    double sinPhi = 0, sinPsi = 0, cohesion = 0; ///< [1], [1], [Pa]
+    double sinPhi = 0, sinPsi = 0, cohesion = 0;              ///< [1], [1], [Pa]
     double tension = std::numeric_limits<double>::infinity(); ///< T, the apex apart [Pa]
 
     static MohrCoulombStrength of(double phi, double psi, double cohesion)
@@ -92,7 +92,8 @@ struct PrincipalRate
         if (first && last) turn = principalAxes(rate).axes;
         else if (first || last)
         {
-            const double angle = first ? 0.5 * std::atan2(2 * rate.xy, rate.xx - rate.yy) : 0.5 * std::atan2(2 * rate.yz, rate.yy - rate.zz);
+            const double angle =
+                first ? 0.5 * std::atan2(2 * rate.xy, rate.xx - rate.yy) : 0.5 * std::atan2(2 * rate.yz, rate.yy - rate.zz);
             const double c = std::cos(angle), s = std::sin(angle);
             if (first) turn = {c, -s, 0, s, c, 0, 0, 0, 1};
             else turn = {1, 0, 0, 0, c, -s, 0, s, c};

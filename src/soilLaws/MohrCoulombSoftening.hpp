@@ -72,7 +72,7 @@ struct MohrCoulombSoftening
         const auto [row, slope] = rowAt(kappa);
         const auto strength = strengthOf(row);
         const PrincipalRate at(s.stress, trial, near);
-        // By a small difference of the table's own line the rate at which each plane passes over the stress, per kappa.
+        // The rate at which each plane passes over the stress, per kappa, is a small difference along the table's own line.
         const auto all = strength.planes(elastic);
         const auto there = strengthOf({0, row.phi + difference * slope.phi, row.psi, row.cohesion + difference * slope.cohesion}),
                    back = strengthOf({0, row.phi - difference * slope.phi, row.psi, row.cohesion - difference * slope.cohesion});
@@ -153,9 +153,11 @@ struct MohrCoulombSoftening
         for (std::size_t k = 0; k < strain.size(); ++k)
         {
             if (strain[k] < 0 || (k > 0 && !(strain[k] > strain[k - 1])))
-                e::strain.error(own, fmt::format("plasticShearStrain is to grow from row to row, from 0 on: {:.6g} is row {}", strain[k], k + 1));
+                e::strain.error(own, fmt::format("plasticShearStrain is to grow from row to row, from 0 on: {:.6g} is row {}", strain[k],
+                                                 k + 1));
             if (!(c[k] >= 0)) e::cohesion.error(own, fmt::format("cohesion {:.6g} Pa of row {} is negative", c[k], k + 1));
-            if (!(phi[k] >= 0 && phi[k] < 90)) e::phi.error(own, fmt::format("frictionAngle {:.6g} of row {} is not in 0 to 90", phi[k], k + 1));
+            if (!(phi[k] >= 0 && phi[k] < 90))
+                e::phi.error(own, fmt::format("frictionAngle {:.6g} of row {} is not in 0 to 90", phi[k], k + 1));
             if (!(psi[k] >= 0)) e::psi.error(own, fmt::format("dilatancyAngle {:.6g} of row {} is negative", psi[k], k + 1));
             if (psi[k] > phi[k]) e::psi.error(own, fmt::format("row {}: {}", k + 1, MohrCoulomb::aboveFriction(psi[k], phi[k])));
             soft.rows.push_back({strain[k], phi[k], psi[k], c[k]});
@@ -185,7 +187,8 @@ private:
         const auto &a = *(next - 1), &b = *next;
         const double width = b.kappa - a.kappa, share = (kappa - a.kappa) / width;
         const Row slope{1, (b.phi - a.phi) / width, (b.psi - a.psi) / width, (b.cohesion - a.cohesion) / width};
-        return {{kappa, a.phi + share * (b.phi - a.phi), a.psi + share * (b.psi - a.psi), a.cohesion + share * (b.cohesion - a.cohesion)}, slope};
+        return {{kappa, a.phi + share * (b.phi - a.phi), a.psi + share * (b.psi - a.psi), a.cohesion + share * (b.cohesion - a.cohesion)},
+                slope};
     }
     /// The end of an elastic trial stress, and whether the strain was plastic; none where there is none.
     std::optional<std::pair<State, bool>> mapped(const State& from, SymmTensor<3> trial) const

@@ -106,7 +106,8 @@ double substepError(const Law& law, const StateOf<Law>& error, SymmTensor<3> sta
         const double size = std::fmax(doubleDot(from.stress, from.stress), doubleDot(to.stress, to.stress)),
                      off = doubleDot(error.stress, error.stress);
         // Not a number stays so.
-        return ofVariables + (off == 0 ? 0 : std::sqrt(off / size) / tolerance) + (overshoot == 0 ? 0 : overshoot / std::sqrt(size) / tolerance);
+        return ofVariables + (off == 0 ? 0 : std::sqrt(off / size) / tolerance) +
+               (overshoot == 0 ? 0 : overshoot / std::sqrt(size) / tolerance);
     }
     const double off = norm(error.stress) + overshoot;
     return ofVariables + off / (tolerance * std::fmax(smallStrain * law.stiffness(to), std::fmax(norm(start), norm(to.stress))));

@@ -21,8 +21,8 @@ namespace sph
 {
 
 /// A law more is a word more here. One with an `Option` is that law with a sub-dictionary more in its coefficients.
-using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw, VonWolffersdorff, IntergranularStrain<VonWolffersdorff>, MohrCoulomb, MohrCoulombSoftening,
-                             ModifiedCamClay>;
+using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw, VonWolffersdorff, IntergranularStrain<VonWolffersdorff>, MohrCoulomb,
+                             MohrCoulombSoftening, ModifiedCamClay>;
 
 struct Soil
 {

@@ -289,9 +289,11 @@ void refusePlasticStrain(const Reading& reading, const Soil& soil)
     const auto [name, plastic] = std::visit([]<class Law>(const Law&) { return std::pair(Law::name, ElastoPlasticLaw<Law>); }, soil.law);
     if (!plastic)
         entry::shown.error(
-            d, fmt::format("plasticShearStrain is of laws that are linearly elastic within a yield surface, druckerPrager and mohrCoulomb; of law {} "
-                           "shearStrain has all of it",
-                           name));
+            d,
+            fmt::format(
+                "plasticShearStrain is of laws that are linearly elastic within a yield surface, druckerPrager and mohrCoulomb; of law {} "
+                "shearStrain has all of it",
+                name));
 }
 
 void declare(const Reading& reading)

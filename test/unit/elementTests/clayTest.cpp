@@ -12,7 +12,8 @@ namespace
 {
 
 constexpr double M = 0.888, lambda = 0.161, kappa = 0.062, sixDigits = 1e-6;
-const std::string londonClay = "rho 1900; law modifiedCamClay; modifiedCamClayCoeffs { M 0.888; lambda 0.161; kappa 0.062; nu 0.3; } floorPressure 1;";
+const std::string londonClay =
+    "rho 1900; law modifiedCamClay; modifiedCamClayCoeffs { M 0.888; lambda 0.161; kappa 0.062; nu 0.3; } floorPressure 1;";
 
 std::string clayAt(double e, double OCR) { return fmt::format("pressure 1e5; voidRatio {}; OCR {};", e, OCR); }
 
@@ -21,7 +22,8 @@ TEST(CamClay, isotropicLines)
 {
     for (const std::string points : {"1", "20"})
     {
-        const auto rows = rowsOf("type isotropic;" + clayAt(1, 2) + "meanPressure (4e5 1e5 8e5); points " + points + ";", tightly, londonClay);
+        const auto rows =
+            rowsOf("type isotropic;" + clayAt(1, 2) + "meanPressure (4e5 1e5 8e5); points " + points + ";", tightly, londonClay);
         const auto e = [&](double p) { return at(rows, p).variables[0]; };
         const double atFour = 1 - kappa * std::log(2) - lambda * std::log(2);
         EXPECT_NEAR(e(4e5), atFour, 1e-9);
@@ -77,7 +79,8 @@ double clayError(const std::string& kind, const std::string& more)
     Largest error;
     for (std::size_t first = 0; first < t.at("e0").size(); first += rows)
     {
-        const auto got = rowsOf(type + clayAt(t.at("e0")[first], t.at("OCR")[first]) + path + (more.empty() ? "points 5;" : "points 1;"), more, londonClay);
+        const auto got = rowsOf(type + clayAt(t.at("e0")[first], t.at("OCR")[first]) + path + (more.empty() ? "points 5;" : "points 1;"),
+                                more, londonClay);
         for (std::size_t k = 0; k < rows; ++k)
         {
             const auto& row = got.at((k + 1) * (more.empty() ? 5 : 1));
@@ -112,12 +115,16 @@ TEST(CamClay, simpleShear)
             for (std::size_t i = 0; i < t.at("gamma").size(); i += 5)
             {
                 const auto rows = rowsOf((kind == "stress" ? "type simpleShear; K 0.7;" : "type constantVolumeShear; K 0.7;") +
-                                             clayAt(t.at("e0")[i], t.at("OCR")[i]) + (tight ? "gamma (0.01 0.02 0.05 0.1 0.2); points 1;" : "gamma (0.2); points 20;"),
+                                             clayAt(t.at("e0")[i], t.at("OCR")[i]) +
+                                             (tight ? "gamma (0.01 0.02 0.05 0.1 0.2); points 1;" : "gamma (0.2); points 20;"),
                                          tight ? tightly : "", londonClay);
                 for (std::size_t k = i; k < i + 5; ++k)
                 {
                     const auto& row = at(rows, t.at("gamma")[k]);
-                    for (const auto& [mine, its] : {std::pair{-row.stress.xx, "sx_Pa"}, {-row.stress.yy, "sy_Pa"}, {-row.stress.zz, "sz_Pa"}, {row.stress.xz, "sxz_Pa"}})
+                    for (const auto& [mine, its] : {std::pair{-row.stress.xx, "sx_Pa"},
+                                                    {-row.stress.yy, "sy_Pa"},
+                                                    {-row.stress.zz, "sz_Pa"},
+                                                    {row.stress.xz, "sxz_Pa"}})
                         error(relative(mine, t.at(its)[k]));
                     error(row.variables[0] - t.at("e")[k]);
                     error(row.strain.zz - t.at("ezz")[k]);
@@ -130,7 +137,8 @@ TEST(CamClay, simpleShear)
 // A path that crosses the yield surface to and fro by stress, in the same rows coarse and tight: 6 digits and 1e-4 of one another.
 TEST(CamClay, constantShearModulus)
 {
-    const std::string law = "rho 1900; law modifiedCamClay; modifiedCamClayCoeffs { criticalFrictionAngle 23; lambda 0.161; kappa 0.062; shearModulus 3e6; }";
+    const std::string law =
+        "rho 1900; law modifiedCamClay; modifiedCamClayCoeffs { criticalFrictionAngle 23; lambda 0.161; kappa 0.062; shearModulus 3e6; }";
     const auto rows = rowsOf("type triaxialCompression; drainage undrained;" + clayAt(1, 2) + "strain (0.001); points 1;", "", law);
     EXPECT_LT(relative(deviatorStress(rows.back().stress), 3 * 3e6 * 1e-3), 1e-9); // within the yield surface
 }
@@ -156,8 +164,9 @@ TEST(CamClay, thatCannotBe)
 
 std::string coulomb(double phi, double psi, double c, const std::string& more = "")
 {
-    return fmt::format("rho 1900; law mohrCoulomb; mohrCoulombCoeffs {{ E 5e6; nu 0.2; frictionAngle {}; dilatancyAngle {}; cohesion {}; {} }}", phi, psi, c,
-                       more);
+    return fmt::format(
+        "rho 1900; law mohrCoulomb; mohrCoulombCoeffs {{ E 5e6; nu 0.2; frictionAngle {}; dilatancyAngle {}; cohesion {}; {} }}", phi, psi,
+        c, more);
 }
 const std::string softening = "softening { plasticShearStrain (0.05 0.2); cohesion (7e3 2e3); frictionAngle (20 13); }";
 double flowValue(double phi) { return (1 + std::sin(phi * std::numbers::pi / 180)) / (1 - std::sin(phi * std::numbers::pi / 180)); }
@@ -180,7 +189,8 @@ TEST(MohrCoulombTests, strength)
                     { return rowsOf("type " + type + "; pressure 1e5; strain (0.2 0.21); points 1;", more, coulomb(phi, psi, c)); };
                     const auto compressed = run("triaxialCompression");
                     EXPECT_LT(relative(compressed[2].stress.zz, -N * p - 2 * c * root), bound);
-                    const auto flow = compressed[2].strain - compressed[1].strain; // per axial strain the volume grows by 2 sin(psi)/(1 - sin(psi))
+                    const auto flow =
+                        compressed[2].strain - compressed[1].strain; // per axial strain the volume grows by 2 sin(psi)/(1 - sin(psi))
                     EXPECT_NEAR(trace(flow) / -flow.zz, 2 * sine / (1 - sine), bound);
                     EXPECT_NEAR(run("triaxialExtension")[2].stress.zz, (-p + 2 * c * root) / N, bound * p);
                     const auto plane = run("biaxial");
@@ -195,14 +205,17 @@ TEST(MohrCoulombTests, strength)
 TEST(MohrCoulombTests, undrainedAndApart)
 {
     const double degree = std::numbers::pi / 180, s = std::sin(20 * degree), q = 6 * (1e5 * s + 7e3 * std::cos(20 * degree)) / (3 - s);
-    const auto undrained = rowsOf("type triaxialCompression; drainage undrained; pressure 1e5; strain (0.1); points 1;", tightly, coulomb(20, 0, 7e3)).back();
+    const auto undrained =
+        rowsOf("type triaxialCompression; drainage undrained; pressure 1e5; strain (0.1); points 1;", tightly, coulomb(20, 0, 7e3)).back();
     EXPECT_LT(relative(deviatorStress(undrained.stress), q), sixDigits);
     const auto apex = rowsOf("type isotropic; pressure 1e4; strain (-0.1); points 3;", "", coulomb(20, 0, 7e3)).back();
     EXPECT_LT(norm(apex.stress - 7e3 / std::tan(20 * degree) * identity(apex.stress)), 1e-6);
-    const auto cut = rowsOf("type isotropic; pressure 1e4; strain (-0.1); points 3;", "", coulomb(20, 0, 7e3, "tensileStrength 2e3;")).back();
+    const auto cut =
+        rowsOf("type isotropic; pressure 1e4; strain (-0.1); points 3;", "", coulomb(20, 0, 7e3, "tensileStrength 2e3;")).back();
     EXPECT_LT(norm(cut.stress - 2e3 * identity(cut.stress)), 1e-6);
     // Uniaxial tension with the sides free of strain: the cut-off alone along z.
-    const auto pulled = rowsOf("type oedometer; pressure 1e4; strain (-0.01); points 3;", "", coulomb(20, 0, 7e3, "tensileStrength 2e3;")).back();
+    const auto pulled =
+        rowsOf("type oedometer; pressure 1e4; strain (-0.01); points 3;", "", coulomb(20, 0, 7e3, "tensileStrength 2e3;")).back();
     EXPECT_LT(relative(pulled.stress.zz, 2e3), 1e-9);
 }
 
@@ -212,11 +225,15 @@ TEST(MohrCoulombTests, softeningInClosedForm)
 {
     const double E = 5e6, p = 1e5;
     for (const bool tight : {true, false})
-        for (const auto& [kappaAt, c, phi] : {std::tuple{0.05, 7e3, 20.}, {0.1, 7e3 - 5e3 / 3, 20 - 7. / 3}, {0.2, 2e3, 13.}, {0.25, 2e3, 13.}})
+        for (const auto& [kappaAt, c, phi] :
+             {std::tuple{0.05, 7e3, 20.}, {0.1, 7e3 - 5e3 / 3, 20 - 7. / 3}, {0.2, 2e3, 13.}, {0.25, 2e3, 13.}})
         {
-            const double N = flowValue(phi), q = (N - 1) * p + 2 * c * std::sqrt(N), plastic = kappaAt * std::sqrt(3.) / 3, strain = q / E + plastic;
-            const auto row = rowsOf(fmt::format("type triaxialCompression; pressure 1e5; strain ({:.16g}); points {};", strain, tight ? 1 : int(std::ceil(strain / 1e-2))),
-                                    tight ? tightly : "", coulomb(20, 0, 7e3, softening)).back();
+            const double N = flowValue(phi), q = (N - 1) * p + 2 * c * std::sqrt(N), plastic = kappaAt * std::sqrt(3.) / 3,
+                         strain = q / E + plastic;
+            const auto row = rowsOf(fmt::format("type triaxialCompression; pressure 1e5; strain ({:.16g}); points {};", strain,
+                                                tight ? 1 : int(std::ceil(strain / 1e-2))),
+                                    tight ? tightly : "", coulomb(20, 0, 7e3, softening))
+                                 .back();
             EXPECT_NEAR(row.variables[0], kappaAt, tight ? 1e-7 : 1e-4) << kappaAt;
             EXPECT_LT(relative(row.stress.xx - row.stress.zz, q), tight ? sixDigits : 1e-4) << kappaAt;
         }
@@ -231,14 +248,19 @@ TEST(MohrCoulombTests, simpleShear)
             {
                 const auto t = table("clay/mohrCoulombShear", kind + "," + soil);
                 const auto last = shortestText(t.at("gamma").back());
-                const auto rows = rowsOf((kind == "stress" ? "type simpleShear;" : "type constantVolumeShear;") + std::string("pressure 1e5; K 0.6; gamma (") + last +
-                                             "); points " + std::to_string(int(std::lround(t.at("gamma").back() / 1e-2))) + ";",
-                                         tight ? tightly : "", coulomb(20, soil.starts_with("10") ? 10 : 0, 7e3, soil.ends_with("soft") ? softening : ""));
+                const auto rows = rowsOf((kind == "stress" ? "type simpleShear;" : "type constantVolumeShear;") +
+                                             std::string("pressure 1e5; K 0.6; gamma (") + last + "); points " +
+                                             std::to_string(int(std::lround(t.at("gamma").back() / 1e-2))) + ";",
+                                         tight ? tightly : "",
+                                         coulomb(20, soil.starts_with("10") ? 10 : 0, 7e3, soil.ends_with("soft") ? softening : ""));
                 Largest error;
                 for (std::size_t k = 0; k < t.at("gamma").size(); ++k)
                 {
                     const auto& row = at(rows, t.at("gamma")[k]);
-                    for (const auto& [mine, its] : {std::pair{-row.stress.xx, "sx_Pa"}, {-row.stress.yy, "sy_Pa"}, {-row.stress.zz, "sz_Pa"}, {row.stress.xz, "sxz_Pa"}})
+                    for (const auto& [mine, its] : {std::pair{-row.stress.xx, "sx_Pa"},
+                                                    {-row.stress.yy, "sy_Pa"},
+                                                    {-row.stress.zz, "sz_Pa"},
+                                                    {row.stress.xz, "sxz_Pa"}})
                         error((mine - t.at(its)[k]) / 1e5);
                     error(row.strain.zz - t.at("ezz")[k]);
                     if (soil.ends_with("soft")) error(row.variables[0] - t.at("kappa")[k]);
@@ -258,13 +280,16 @@ TEST(MohrCoulombTests, thatCannotBe)
     refused(coulomb(20, 0, 1e3, "bulkModulus 1e7;"), "the elasticity is said twice");
     refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0 0.1); cohesion (1e3); }"), "1 values for 2 of plasticShearStrain");
     refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0.1 0); }"), "is to grow from row to row");
-    refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0 0.1); dilatancyAngle (5 30); }"), "row 2: dilatancyAngle 30 is above frictionAngle 20");
-    EXPECT_NE(refusal("type oedometer; stress (-1e4 0 0 -1e4 0 -9e5); strain (0.01);", coulomb(20, 0, 0)).find("a stress within the soil's strength"),
+    refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0 0.1); dilatancyAngle (5 30); }"),
+            "row 2: dilatancyAngle 30 is above frictionAngle 20");
+    EXPECT_NE(refusal("type oedometer; stress (-1e4 0 0 -1e4 0 -9e5); strain (0.01);", coulomb(20, 0, 0))
+                  .find("a stress within the soil's strength"),
               std::string::npos);
 }
 
 /// The tutorial's calibration with other values of the law, constants and tests.
-Fit fitted(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests, const std::string& law = "modifiedCamClay")
+Fit fitted(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests,
+           const std::string& law = "modifiedCamClay")
 {
     const std::map<std::string, std::string> all{
         {"drained1", "type triaxialCompression; pressure 1e5; voidRatio 1.1; OCR 1;"},
@@ -297,7 +322,8 @@ Fit fitted(const std::string& coeffs, const std::string& constants, const std::v
                         });
 }
 
-std::string fitRefusal(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests, const std::string& law = "modifiedCamClay")
+std::string fitRefusal(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests,
+                       const std::string& law = "modifiedCamClay")
 {
     try
     {
@@ -333,7 +359,8 @@ TEST(FitOfConstants, fromSeveralTestsAtOnce)
 // A constant that the tests do not know is refused with the test that is missing; one outside of its bounds stays on them, and this is said.
 TEST(FitOfConstants, whatCannotBeFound)
 {
-    const auto says = [](const std::string& message, const std::string& words) { EXPECT_NE(message.find(words), std::string::npos) << message; };
+    const auto says = [](const std::string& message, const std::string& words)
+    { EXPECT_NE(message.find(words), std::string::npos) << message; };
     EXPECT_TRUE(fitted(far, "M (1.1 1.5); lambda (0.05 0.4);", {"drained1"}).constants[0].onBound);
     says(fitRefusal("E 5e6; nu 0.2; frictionAngle 20; cohesion 7e3; tensileStrength 1e3;", "tensileStrength (1 1e4);",
                     {"a { type triaxialCompression; pressure 1e5; file \"a.csv\"; }"}, "mohrCoulomb"),
@@ -352,7 +379,8 @@ TEST(FitOfConstants, frictionNeedsTwoPressures)
     const auto curve = [&](double pressure)
     {
         std::string text = "strain,deviatorStress,volumeStrain\n";
-        for (const auto& row : rowsOf("type triaxialCompression; pressure " + shortestText(pressure) + "; strain (0.1); points 10;", tightly, soil))
+        for (const auto& row :
+             rowsOf("type triaxialCompression; pressure " + shortestText(pressure) + "; strain (0.1); points 10;", tightly, soil))
             text += fmt::format("{},{},{}\n", -row.strain.zz, row.stress.xx - row.stress.zz, -trace(row.strain));
         return text;
     };
@@ -395,8 +423,11 @@ TEST(FitOfConstants, frictionNeedsTwoPressures)
             EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
         }
     };
-    refused("frictionAngle (15 40); cohesion (1e3 5e4);", "do not tell them apart. A test is missing: frictionAngle by triaxial tests to failure at two lateral pressures");
-    refused("tensileStrength (50 200);", "tensileStrength cannot be found: none of the tests depends on it. A test is missing: tensileStrength by a test that pulls the soil apart");
+    refused("frictionAngle (15 40); cohesion (1e3 5e4);",
+            "do not tell them apart. A test is missing: frictionAngle by triaxial tests to failure at two lateral pressures");
+    refused(
+        "tensileStrength (50 200);",
+        "tensileStrength cannot be found: none of the tests depends on it. A test is missing: tensileStrength by a test that pulls the soil apart");
 }
 
 }

@@ -43,7 +43,8 @@ std::vector<MohrCoulomb> soils()
 {
     auto cut = MohrCoulomb::of(elastic, 30, 10, 5e3);
     cut.strength.tension = 1e3;
-    return {MohrCoulomb::of(elastic, 30, 0, 5e3), MohrCoulomb::of(elastic, 30, 30, 0), MohrCoulomb::of(elastic, 0, 0, 5e3), MohrCoulomb::of(elastic, 45, 15, 2e3), cut};
+    return {MohrCoulomb::of(elastic, 30, 0, 5e3), MohrCoulomb::of(elastic, 30, 30, 0), MohrCoulomb::of(elastic, 0, 0, 5e3),
+            MohrCoulomb::of(elastic, 45, 15, 2e3), cut};
 }
 
 // A return ends on the surface, is a fixed point, keeps the axes, and its plastic strain makes no work of nothing: sigma:e_p >= 0 for psi <= phi, and the sum of the strains is whole.

@@ -91,14 +91,14 @@ int runFit(const sph::Case& c)
     const auto fit = sph::fitConstants(plan, start, trial);
     const auto name = std::visit([]<class Law>(const Law&) { return std::string(Law::name); }, law);
     std::string coeffs;
-    fmt::print("{} constants of law {} from {} points of {} tests\n\n{:<28} {:>13} {:>13} {:>13} {:>13} {:>13}\n", fit.constants.size(), name, fit.points,
-               plan.tests.size(), "constant", "value", "std. error", "+- 95 %", "least", "largest");
+    fmt::print("{} constants of law {} from {} points of {} tests\n\n{:<28} {:>13} {:>13} {:>13} {:>13} {:>13}\n", fit.constants.size(),
+               name, fit.points, plan.tests.size(), "constant", "value", "std. error", "+- 95 %", "least", "largest");
     for (std::size_t k = 0; k < fit.constants.size(); ++k)
     {
         const auto& [entry, least, largest, where] = plan.constants[k];
         const auto& found = fit.constants[k];
-        fmt::print("{:<28} {:>13.6g} {:>13.3g} {:>13.3g} {:>13.6g} {:>13.6g}{}\n", entry, found.value, found.standardError, found.halfWidth, least, largest,
-                   found.onBound ? "   on its bound: not found within" : "");
+        fmt::print("{:<28} {:>13.6g} {:>13.3g} {:>13.3g} {:>13.6g} {:>13.6g}{}\n", entry, found.value, found.standardError, found.halfWidth,
+                   least, largest, found.onBound ? "   on its bound: not found within" : "");
         coeffs += sph::entryAs(name + "Coeffs." + entry, sph::shortestText(found.value)) + "\n";
     }
     fmt::print("\nroot mean square of what the points are off, over the largest of their curve:\n");
