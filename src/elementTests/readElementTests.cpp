@@ -547,8 +547,8 @@ Soil readSoilWith(const Case& c, const std::vector<FittedConstant>& constants, c
     const auto coeffs = properties.get<std::string>("law", "") + "Coeffs";
     std::string text;
     for (std::size_t k = 0; k < constants.size(); ++k) text += entryAs(coeffs + "." + constants[k].entry, written(values[k])) + "\n";
-    for (const auto& entry : Dictionary::parse(text, soilProperties, c.sharedDiagnostics()).node().entries)
-        properties.node().add(entry, InputMode::merge);
+    const auto others = Dictionary::parse(text, soilProperties, c.sharedDiagnostics());
+    for (const auto& entry : others.node().entries) properties.node().add(entry, InputMode::merge);
     return readSoil(properties, "within");
 }
 
