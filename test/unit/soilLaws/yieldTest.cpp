@@ -68,7 +68,7 @@ TEST(MohrCoulomb, returnKeepsKoitersConditions)
             if (norm(plastic) == 0) continue;
             ++returned;
             EXPECT_TRUE(law.yields(stress));
-            EXPECT_GE(doubleDot(stress, plastic), -1e-9 * norm(stress) * norm(plastic));
+            EXPECT_GE(doubleDot(stress, plastic), -1e-12 * norm(trial) * norm(plastic));
         }
         EXPECT_GT(returned, 500);
     }
@@ -116,7 +116,7 @@ TEST(MohrCoulomb, rateIsTheSlopeOfTheReturn)
         {
             const auto sigma = law.returned(-1e4 * identity(SymmTensor<3>{}) + 1e4 * randomTensor(generator)), D = randomTensor(generator);
             if (!law.yields(sigma)) continue;
-            constexpr double h = 1e-8;
+            constexpr double h = 1e-11;
             const auto slope = 1 / h * (law.returned(sigma + h * elastic.rate({}, D)) - sigma);
             error(norm(slope - law.rate(sigma, D)) / norm(elastic.rate({}, D)));
         }
@@ -124,7 +124,7 @@ TEST(MohrCoulomb, rateIsTheSlopeOfTheReturn)
     }
 }
 
-// One step of any size at the default tolerance against one at 1e-9: strains that move the stress by a tenth to ten times of itself, and turn its axes.
+// One step of any size at the default tolerance against one at 1e-8: strains that move the stress by a tenth to ten times of itself, and turn its axes.
 TEST(MohrCoulomb, stepsOfAnySize)
 {
     std::mt19937 generator(5);
@@ -132,12 +132,12 @@ TEST(MohrCoulomb, stepsOfAnySize)
         for (const double size : {1e-4, 1e-3, 1e-2})
         {
             Largest error;
-            for (int k = 0; k < 50; ++k)
+            for (int k = 0; k < 8; ++k)
             {
                 const auto start = law.returned(-1e4 * identity(SymmTensor<3>{}) + 5e3 * randomTensor(generator));
                 const auto D = randomTensor(generator);
                 const auto strain = full(size / norm(D) * D);
-                const auto step = integrateStress(law, start, strain, {}), exact = integrateStress(law, start, strain, tight(1e-9));
+                const auto step = integrateStress(law, start, strain, {}), exact = integrateStress(law, start, strain, tight(1e-8));
                 EXPECT_EQ(step.state, StressState::regular);
                 EXPECT_TRUE(law.admits(step.stress));
                 error(norm(step.stress - exact.stress) / std::max(norm(exact.stress), 1e4));
@@ -164,7 +164,7 @@ TEST(MohrCoulomb, softens)
     EXPECT_GT(now.variables.kappa, 0.02);
     EXPECT_NEAR(now.variables.kappa, plasticShear, 2e-4);
     // Back: elastic, kappa stays.
-    const auto back = integrateStress(law, now, full(SymmTensor<3>{0, 0, 0, 0, 0, 1e-4}), {});
+    const auto back = integrateStress(law, now, full(SymmTensor<3>{-5e-5, 0, 0, -5e-5, 0, 1e-4}), {});
     EXPECT_EQ(back.variables.kappa, now.variables.kappa);
     EXPECT_FALSE(law.yields(back));
 }
