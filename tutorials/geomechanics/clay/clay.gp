@@ -23,7 +23,7 @@ plot for [r in ratios] tables.'drained'.r.'.csv' using (100*$1):'voidRatio [-]' 
 set title 'undrained, 100 kPa'
 set xlabel "p' [kPa]"
 set ylabel 'q [kPa]'
-set key top left
+set key center right
 plot for [r in ratios] tables.'undrained'.r.'.csv' using (1e-3*column('p [Pa]')):@q with lines lw 1.5 title 'OCR '.r, \
     for [r in ratios] 'reference/triaxial.csv' using (is('triaxialUndrained', r + 0)*1e-3*($6 + 2*$7)/3):(1e-3*($6 - $7)) with points pt 6 ps 0.9 lc 'black' notitle, \
     [0:250] 0.888*x with lines dt 2 lc 'black' title 'critical state'
@@ -38,7 +38,7 @@ set logscale x
 set key bottom left
 plot tables.'isotropic.csv' using (1e-3*column('p [Pa]')):'voidRatio [-]' with lines lw 1.5 title 'isotropic', tables.'oedometer2.csv' using (1e-3*column('p [Pa]')):'voidRatio [-]' with lines lw 1.5 title 'oedometer, OCR 2'
 unset logscale x
-set title 'weathered London Clay that softens, Mohr and Coulomb'
+set title 'clay that softens, Mohr and Coulomb'
 set xlabel 'axial compression [%]'
 set ylabel 'q [kPa]'
 set key bottom right
