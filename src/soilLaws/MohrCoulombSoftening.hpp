@@ -60,7 +60,7 @@ struct MohrCoulombSoftening
     {
         double kappa, phi, psi, cohesion;
     };
-    std::vector<Row> rows;
+    std::vector<Row> rows{Row{0, 30, 0, 0}}; ///< at least one
 
     MohrCoulombStrength strengthAt(double kappa) const { return strengthOf(rowAt(kappa).first); }
 
@@ -162,7 +162,11 @@ struct MohrCoulombSoftening
             if (psi[k] > phi[k]) e::psi.error(own, fmt::format("row {}: {}", k + 1, MohrCoulomb::aboveFriction(psi[k], phi[k])));
             soft.rows.push_back({strain[k], phi[k], psi[k], c[k]});
         }
-        if (strain.empty()) e::strain.error(own, "the table is empty: give at least one row");
+        if (strain.empty())
+        {
+            e::strain.error(own, "the table is empty: give at least one row");
+            soft.rows = MohrCoulombSoftening{}.rows;
+        }
         return soft;
     }
 
@@ -180,7 +184,6 @@ private:
     /// The row at kappa, and its slopes.
     std::pair<Row, Row> rowAt(double kappa) const
     {
-        if (rows.empty()) return {};
         if (kappa < rows.front().kappa || rows.size() == 1) return {rows.front(), {}};
         const auto next = std::ranges::find_if(rows, [&](const Row& row) { return row.kappa > kappa; });
         if (next == rows.end()) return {rows.back(), {}};

@@ -280,6 +280,7 @@ TEST(MohrCoulombTests, thatCannotBe)
     refused(coulomb(20, 0, 1e3, "bulkModulus 1e7;"), "the elasticity is said twice");
     refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0 0.1); cohesion (1e3); }"), "1 values for 2 of plasticShearStrain");
     refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0.1 0); }"), "is to grow from row to row");
+    refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (); }"), "the table is empty");
     refused(coulomb(20, 0, 1e3, "softening { plasticShearStrain (0 0.1); dilatancyAngle (5 30); }"),
             "row 2: dilatancyAngle 30 is above frictionAngle 20");
     EXPECT_NE(refusal("type oedometer; stress (-1e4 0 0 -1e4 0 -9e5); strain (0.01);", coulomb(20, 0, 0))
