@@ -57,6 +57,18 @@ template<ConstitutiveLaw Law> struct Controlled
         }
         return x;
     }
+    /// Two stresses that stay equal along an edge of a yield surface leave the difference of the strains that hold them open: the
+    /// smallest of all solutions keeps these equal.
+    static Eigen::VectorXd solution(const Eigen::MatrixXd& slope, const Eigen::VectorXd& right)
+    {
+        constexpr double open = 1e-6; // difference quotients are good to 1e-9
+        Eigen::FullPivLU<Eigen::MatrixXd> solver(slope);
+        const Eigen::VectorXd pivots = solver.matrixLU().diagonal().cwiseAbs();
+        if (pivots.minCoeff() > open * pivots.maxCoeff()) return solver.solve(right);
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least;
+        least.setThreshold(open);
+        return least.compute(slope).solve(right);
+    }
     /// Newton's method, with steps halved until the rates fall: they have kinks where loading turns to unloading.
     std::optional<Eigen::VectorXd> solve(const Material& s, Eigen::VectorXd x) const
     {
@@ -77,7 +89,7 @@ template<ConstitutiveLaw Law> struct Controlled
                 below[j] -= difference * unit;
                 slope.col(j) = (off(s, above) - off(s, below)) / (2 * difference * unit);
             }
-            const Eigen::VectorXd change = slope.fullPivLu().solve(-now);
+            const Eigen::VectorXd change = solution(slope, -now);
             const auto reduced = [&]
             {
                 double share = 1;
@@ -123,7 +135,7 @@ ElementRow controlledRow(const Law& law, const StressIntegration& how, const Ele
             norm(e.strain) * law.stiffness(s.soil) / (std::fmax(norm(now.soil.stress), norm(s.soil.stress)) * how.tolerance);
         return substepError(law, e.soil, from.stress, now.soil, s.soil, how.tolerance) + strained;
     };
-    const auto admits = [&](const ElementState<Material>& s) { return !Law::tensionless || isCompressive(s.soil.stress); };
+    const auto admits = [&](const ElementState<Material>& s) { return mayEndAt(law, s.soil); };
     const auto settled = [&](ElementState<Material>& s) { return settle(law, how, s.soil, row.state); };
     row.state = StressState::regular;
     const double size = std::sqrt(doubleDot(deformation, deformation)) + norm(controlled.D(guess));

@@ -15,6 +15,13 @@
 namespace sph
 {
 
+namespace entry
+{
+/// The void ratio of the soil at the start, beside its stress, with laws that have it.
+inline const Scalar voidRatio{"voidRatio", units::none, byScene("needed with a law that has it, where no field gives it"), positive,
+                              "e, the volume of the pores over that of the grains; of sand e_d to e_i of the law at the pressure"};
+}
+
 /// An option of a law: read from the coefficients of the law beside its own entries, and no word of its own.
 template<class L>
 concept OptionOfLaw = requires(const Dictionary& coeffs, const typename L::Option& law)
@@ -28,7 +35,7 @@ concept OptionOfLaw = requires(const Dictionary& coeffs, const typename L::Optio
 };
 
 template<class L>
-concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTensor<3> stress, SymmTensor<3> D)
+concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTensor<3> D)
 {
     {
         L::name
@@ -53,10 +60,10 @@ concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTe
     {
         law.admits(state)
         } -> std::same_as<bool>;
-    /// The stress itself, or where rounding and truncation have brought it out of the law's range, what it is put back to.
+    /// The state itself, or where rounding and truncation have brought it out of the law's range, what it is put back to.
     {
-        law.returned(stress)
-        } -> std::same_as<SymmTensor<3>>;
+        law.returned(state)
+        } -> std::convertible_to<StateOf<L>>;
     {
         L::entries()
         } -> std::same_as<EntryList>;
@@ -70,7 +77,7 @@ concept ConstitutiveLaw = requires(const L& law, const StateOf<L>& state, SymmTe
 /// What a law with state variables has beside that.
 template<class L>
 concept LawOfState = ConstitutiveLaw<L> && LawWithVariables<L> &&
-    requires(const L& law, const StateOf<L>& state, SymmTensor<3> strain, const Dictionary& d)
+    requires(const L& law, const StateOf<L>& state, SymmTensor<3> strain, SymmTensor<3> stress, const Dictionary& d)
 {
     /// The error of the variables at a state, as a relative error of the stress counts.
     {
@@ -84,39 +91,65 @@ concept LawOfState = ConstitutiveLaw<L> && LawWithVariables<L> &&
     {
         law.strainedFreely(state.variables, strain)
         } -> std::same_as<typename L::Variables>;
-    /// Volume of the grains over that of the soil, which the density is proportional to.
-    {
-        law.solidShare(state.variables)
-        } -> std::same_as<double>;
     /// Why a state cannot be, in words with the values that are possible; empty where it can.
     {
         law.objection(state)
         } -> std::same_as<std::string>;
-    /// The variables at the start, from where the start is said, and their entries there.
+    /// The variables at the start as a function of the stress there, from where the start is said; and their entries there: all; the one
+    /// that an objection is about; whether those that are needed are given; and these in words.
     {
-        law.readVariables(d)
+        law.readVariables(d)(stress)
         } -> std::same_as<typename L::Variables>;
+    {
+        L::startEntry()
+        } -> std::convertible_to<const Parameter&>;
+    {
+        L::startGiven(d)
+        } -> std::same_as<bool>;
+    {
+        L::startWords
+        } -> std::convertible_to<const char*>;
     {
         L::variableEntries()
         } -> std::same_as<EntryList>;
 };
 
+/// A law that knows the volume of the pores: the density follows.
+template<class L>
+concept LawOfVoidRatio = LawOfState<L> && requires(const L& law, const StateOf<L>& state)
+{
+    /// Volume of the grains over that of the soil, which the density is proportional to.
+    {
+        law.solidShare(state.variables)
+        } -> std::same_as<double>;
+};
+
+/// A law with a yield surface, on which its rate has a kink.
+template<class L>
+concept LawWithYieldSurface = ConstitutiveLaw<L> && requires(const L& law, const StateOf<L>& state)
+{
+    /// True where the state is on the yield surface.
+    {
+        law.yields(state)
+        } -> std::same_as<bool>;
+    /// Distance of a state beyond it [Pa]; 0 within and on it.
+    {
+        law.beyond(state)
+        } -> std::same_as<double>;
+};
+
 /// A law that is linearly elastic within a yield surface. Given the strain rate, a step is then an elastic part that is known in closed
 /// form, and flow on the surface; the strain has a plastic part.
 template<class L>
-concept ElastoPlasticLaw = ConstitutiveLaw<L> &&
-    requires(const L& law, SymmTensor<3> stress, SymmTensor<3> D, const EmbeddedPair& pair, SubSteps& taken)
+concept ElastoPlasticLaw = LawWithYieldSurface<L> &&
+    requires(const L& law, const StateOf<L>& state, SymmTensor<3> D, const EmbeddedPair& pair, SubSteps& taken)
 {
     /// The elastic law within.
     law.elastic;
-    /// True where the stress is on the yield surface.
+    /// The state after a strain at a constant rate, from one that is admitted.
     {
-        law.yields(stress)
-        } -> std::same_as<bool>;
-    /// The stress after a strain at a constant rate, from one that is admitted.
-    {
-        law.strained(stress, D, pair, 1.0, taken)
-        } -> std::same_as<SymmTensor<3>>;
+        law.strained(state, D, pair, 1.0, taken)
+        } -> std::convertible_to<StateOf<L>>;
 };
 
 /// The stress of such a strain is small, whatever the stiffness, to laws that pass through a stress of 0.
@@ -143,6 +176,14 @@ constexpr bool isCompressive(SymmTensor<3> s)
     const double xy = s.xy / first, xz = s.xz / first, second = shift - s.yy - xy * s.xy, yz = s.yz + xz * s.xy;
     if (!(second > 0)) return false;
     return shift - s.zz - xz * s.xz - yz * yz / second > 0;
+}
+
+/// True where a substep may end at the state: a law whose stiffness vanishes with the stress says where it has some, or it is where no
+/// principal stress is tensile.
+template<ConstitutiveLaw L> bool mayEndAt(const L& law, const StateOf<L>& state)
+{
+    if constexpr (requires { law.bears(state); }) return law.bears(state);
+    else return !L::tensionless || isCompressive(state.stress);
 }
 
 }

@@ -122,6 +122,8 @@ struct DruckerPrager
         return I1 / 3 * identity(sigma) + std::fmin(1.0, (k_c - alpha_phi * I1) / rootJ2(sigma)) * deviator(sigma);
     }
 
+    double beyond(SymmTensor<3> sigma) const { return norm(returned(sigma) - sigma); }
+
     static EntryList entries()
     {
         return ElasticLaw::entries() + EntryList{entry::druckerPrager::phi, entry::druckerPrager::psi, entry::druckerPrager::cohesion};

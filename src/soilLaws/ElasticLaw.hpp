@@ -12,8 +12,10 @@ namespace sph
 
 namespace entry::elastic
 {
-inline const Scalar E{"E", units::pressure, required, positive, "Young's modulus"};
-inline const Scalar nu{"nu", units::none, required, Range{-1, 0.5, false, false}, "Poisson's ratio"};
+inline const Scalar E{"E", units::pressure, byScene("needed without moduli"), positive, "Young's modulus"};
+inline const Scalar nu{"nu", units::none, byScene("needed without moduli"), Range{-1, 0.5, false, false}, "Poisson's ratio"};
+inline const Scalar K{"bulkModulus", units::pressure, byScene("of E and nu"), positive, "K, with shearModulus in place of E and nu"};
+inline const Scalar G{"shearModulus", units::pressure, byScene("of E and nu"), positive, "G"};
 }
 
 struct ElasticLaw
@@ -33,10 +35,18 @@ struct ElasticLaw
     bool admits(SymmTensor<3>) const { return true; }
     SymmTensor<3> returned(SymmTensor<3> sigma) const { return sigma; }
 
-    static EntryList entries() { return {entry::elastic::E, entry::elastic::nu}; }
+    static EntryList entries() { return {entry::elastic::E, entry::elastic::nu, entry::elastic::K, entry::elastic::G}; }
     static ElasticLaw read(const Dictionary& d)
     {
-        const double E = entry::elastic::E(d), nu = entry::elastic::nu(d);
+        namespace e = entry::elastic;
+        if (e::K.given(d) || e::G.given(d))
+        {
+            for (const auto* other : {&e::E, &e::nu})
+                if (other->given(d)) other->error(d, "the elasticity is said twice: keep E and nu, or bulkModulus and shearModulus");
+            const double K = e::K.needed(d), G = e::G.needed(d);
+            return {G, K};
+        }
+        const double E = e::E.needed(d), nu = e::nu.needed(d);
         return of(E, nu);
     }
 };

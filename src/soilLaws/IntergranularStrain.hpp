@@ -85,7 +85,7 @@ template<class Law> struct IntergranularStrain
     double stiffness(const State& s) const { return -trace(s.stress) > 0 ? law.bound(base(s), std::fmax(m_R, m_T)) : 0; }
     bool admits(const State& s) const { return law.admits(base(s)); }
     bool apart(const State& s) const { return law.apart(base(s)); }
-    SymmTensor<3> returned(SymmTensor<3> sigma) const { return sigma; }
+    State returned(const State& s) const { return s; }
     double variableError(const GranularState& error, const State& s) const
     {
         return law.variableError(error.voidRatio, base(s)) + norm(error.h) / R;
@@ -104,10 +104,16 @@ template<class Law> struct IntergranularStrain
         return law.objection(base(s));
     }
 
-    GranularState readVariables(const Dictionary& d) const
+    /// The tests that find the law's own constants; small cycles find those of the option.
+    static constexpr auto& foundBy = Law::foundBy;
+    static constexpr auto startWords = Law::startWords;
+    static const Parameter& startEntry() { return Law::startEntry(); }
+    static bool startGiven(const Dictionary& d) { return Law::startGiven(d); }
+    auto readVariables(const Dictionary& d) const
     {
         const bool isotropic = entry::intergranular::start(d) == "isotropic";
-        return {law.readVariables(d), isotropic ? -R / std::numbers::sqrt3 * SymmTensor<3>{1, 0, 0, 1, 0, 1} : SymmTensor<3>{}};
+        const auto h = isotropic ? -R / std::numbers::sqrt3 * SymmTensor<3>{1, 0, 0, 1, 0, 1} : SymmTensor<3>{};
+        return [h, ofLaw = law.readVariables(d)](SymmTensor<3> stress) { return GranularState{ofLaw(stress), h}; };
     }
     static EntryList variableEntries() { return Law::variableEntries() + EntryList{entry::intergranular::start}; }
     /// Beside those of the law.

@@ -8,6 +8,7 @@
 #include "base/StressTensor.hpp"
 #include "base/values.hpp"
 #include <array>
+#include <cmath>
 #include <type_traits>
 
 namespace sph
@@ -43,6 +44,8 @@ struct VoidRatio
     friend constexpr VoidRatio operator*(double s, VoidRatio a) { return {s * a.e}; }
 };
 constexpr VoidRatio rotated(VoidRatio a, Tensor<3>) { return a; }
+/// After a strain of any size, the grains' volume kept.
+inline VoidRatio strainedVoidRatio(VoidRatio q, SymmTensor<3> strain) { return {(1 + q.e) * std::exp(trace(strain)) - 1}; }
 constexpr VoidRatio turning(VoidRatio, Tensor<3>) { return {}; }
 
 template<class V> struct SoilState

@@ -41,9 +41,6 @@ inline const Scalar phi_c{"phi_c", degrees, required, Range{0, 90, false, false}
     e_i0{"e_i0", units::none, required, positive, "of the loosest state, above e_c0"},
     alpha{"alpha", units::none, required, nonNegative, "exponent of the relative density in f_d: the peak friction angle"},
     beta{"beta", units::none, required, nonNegative, "exponent of e_c/e in f_e: the stiffness of dense soil"};
-/// The entry of the soil at the start, beside its stress.
-inline const Scalar voidRatio{"voidRatio", units::none, byScene("needed with a law that has it, where no field gives it"), positive,
-                              "e, the volume of the pores over that of the grains, e_d to e_i of the law at the pressure"};
 }
 
 struct VonWolffersdorff
@@ -125,9 +122,9 @@ struct VonWolffersdorff
         const double p = std::fmax(0.0, -trace(s.stress) / 3), e = s.variables.e;
         return !(e < e_c0 && p < p_0) && e > (1 + beyond) * e_i0 * compression(p);
     }
-    SymmTensor<3> returned(SymmTensor<3> sigma) const { return sigma; }
+    State returned(const State& s) const { return s; }
     static double variableError(const VoidRatio& error, const State&) { return std::abs(error.e); }
-    static VoidRatio strainedFreely(VoidRatio q, SymmTensor<3> strain) { return {(1 + q.e) * std::exp(trace(strain)) - 1}; }
+    static VoidRatio strainedFreely(VoidRatio q, SymmTensor<3> strain) { return strainedVoidRatio(q, strain); }
     static double solidShare(VoidRatio q) { return 1 / (1 + q.e); }
     std::string objection(const State& s) const
     {
@@ -139,8 +136,24 @@ struct VonWolffersdorff
                            e < e_d0 * limit ? "below the densest" : "above the loosest", p, e_d0 * limit, e_i0 * limit);
     }
 
-    VoidRatio readVariables(const Dictionary& d) const { return {entry::vonWolffersdorff::voidRatio.needed(d)}; }
-    static EntryList variableEntries() { return {entry::vonWolffersdorff::voidRatio}; }
+    static constexpr auto startWords = "`voidRatio`";
+    static const Parameter& startEntry() { return entry::voidRatio; }
+    static bool startGiven(const Dictionary& d) { return entry::voidRatio.given(d); }
+    static auto readVariables(const Dictionary& d)
+    {
+        return [e = entry::voidRatio.needed(d)](SymmTensor<3>) { return VoidRatio{e}; };
+    }
+    static EntryList variableEntries() { return {entry::voidRatio}; }
+    /// The tests that find each constant (Herle & Gudehus 1999).
+    static constexpr std::pair<const char*, const char*> foundBy[]{
+        {"phi_c", "a triaxial test of loose sand to large strain, or the angle of repose"},
+        {"h_s", "an oedometer or isotropic test of loose sand over a wide range of pressures"},
+        {"n", "an oedometer or isotropic test of loose sand over a wide range of pressures"},
+        {"e_d0", "a triaxial test of dense sand up to its peak, at another density as well"},
+        {"e_c0", "an undrained or drained triaxial test of loose sand to large strain, with its void ratio"},
+        {"e_i0", "an oedometer or isotropic test of the loosest sand"},
+        {"alpha", "a drained triaxial test of dense sand up to its peak"},
+        {"beta", "an oedometer test of dense sand beside that of loose"}};
     static EntryList entries()
     {
         namespace e = entry::vonWolffersdorff;

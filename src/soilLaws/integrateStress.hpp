@@ -64,46 +64,52 @@ inline Tensor<3> rotationOf(Tensor<3> W)
 template<ConstitutiveLaw Law> bool settle(const Law& law, const StressIntegration& how, StateOf<Law>& now, StressState& state)
 {
     auto& stress = now.stress;
+    bool changed = false;
+    if constexpr (!Law::tensionless || LawWithYieldSurface<Law>)
+    {
+        const StateOf<Law> back = law.returned(now);
+        auto difference = back;
+        difference += -1.0 * now;
+        changed = doubleDot(difference.stress, difference.stress) > 0;
+        if constexpr (LawOfState<Law>) changed = changed || law.variableError(difference.variables, now) > 0;
+        now = back;
+    }
     if constexpr (Law::tensionless)
     {
         const double p = -trace(stress) / 3;
         bool apart = false;
         if constexpr (LawOfState<Law>) apart = law.apart(now);
-        if (p >= how.floorPressure && !apart) return false;
+        if (p >= how.floorPressure && !apart) return changed;
         state = StressState::stressFree;
         const auto isotropic = -how.floorPressure * identity(stress);
         if (how.stressFree == StressFree::detached) stress = {};
         else stress = p > 0 && !apart ? how.floorPressure / p * stress : isotropic;
         return true;
     }
-    else
-    {
-        const auto back = law.returned(stress);
-        const bool changed = doubleDot(back - stress, back - stress) > 0;
-        stress = back;
-        return changed;
-    }
+    return changed;
 }
 
 /// The error of a substep over what is tolerated: of a law whose stiffness vanishes with the stress relative to the substep's own stresses,
 /// of others to that at the start of the step, too, and at least to that of smallStrain, for they pass through 0. A substep that begins
 /// within a yield surface counts as an error also how far it has gone beyond: an embedded pair may be blind to the kink of the rate there,
-/// and so finds the place.
+/// and so finds the place. One along a surface that hardens or softens stays on it but for errors, and counts that, too.
 template<ConstitutiveLaw Law>
 double substepError(const Law& law, const StateOf<Law>& error, SymmTensor<3> start, const StateOf<Law>& from, const StateOf<Law>& to,
                     double tolerance)
 {
-    double ofVariables = 0;
+    double ofVariables = 0, overshoot = 0;
+    if constexpr (LawWithYieldSurface<Law>)
+        if (LawOfState<Law> || !law.yields(from)) overshoot = law.beyond(to);
     if constexpr (LawOfState<Law>) ofVariables = law.variableError(error.variables, to) / tolerance;
     if constexpr (Law::tensionless)
     {
         const double size = std::fmax(doubleDot(from.stress, from.stress), doubleDot(to.stress, to.stress)),
                      off = doubleDot(error.stress, error.stress);
-        return ofVariables + (off == 0 ? 0 : std::sqrt(off / size) / tolerance); // not a number stays so
+        // Not a number stays so.
+        return ofVariables + (off == 0 ? 0 : std::sqrt(off / size) / tolerance) +
+               (overshoot == 0 ? 0 : overshoot / std::sqrt(size) / tolerance);
     }
-    double off = norm(error.stress);
-    if constexpr (ElastoPlasticLaw<Law>)
-        if (!law.yields(from)) off += norm(law.returned(to.stress) - to.stress);
+    const double off = norm(error.stress) + overshoot;
     return ofVariables + off / (tolerance * std::fmax(smallStrain * law.stiffness(to), std::fmax(norm(start), norm(to.stress))));
 }
 
@@ -141,7 +147,7 @@ StressStep<typename StateOf<Law>::Variables> integrateStress(const Law& law, con
         const auto rate = [&](double t, const Material& s) -> Material
         { return law.rate(s, varies ? rotated(strain, rotationOf((0.5 - t) * turn)) : strain); };
         const auto error = [&](const Material& e, const Material& s) { return substepError(law, e, start.stress, now, s, how.tolerance); };
-        const auto admits = [&](const Material& s) { return !Law::tensionless || isCompressive(s.stress); };
+        const auto admits = [&](const Material& s) { return mayEndAt(law, s); };
         const auto settled = [&](Material& s) { return settle(law, how, s, step.state); };
         return integrate(*how.pair, now, how.pair->firstStrain / size, rate, error, admits, settled, ends);
     };

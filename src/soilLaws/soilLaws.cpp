@@ -102,12 +102,7 @@ EntryList variableEntries()
     forEachLaw(
         [&]<ConstitutiveLaw Law>(Law)
         {
-            if constexpr (LawOfState<Law>)
-            {
-                auto all = Law::variableEntries();
-                if constexpr (OptionOfLaw<Law>) entries = all; // with those of its law
-                else entries += all;
-            }
+            if constexpr (LawOfState<Law>) entries += Law::variableEntries();
         });
     return entries;
 }

@@ -11,6 +11,8 @@
 #pragma once
 #include "soilLaws/DruckerPrager.hpp"
 #include "soilLaws/IntergranularStrain.hpp"
+#include "soilLaws/ModifiedCamClay.hpp"
+#include "soilLaws/MohrCoulombSoftening.hpp"
 #include "soilLaws/WuBauer.hpp"
 #include "soilLaws/integrateStress.hpp"
 #include <variant>
@@ -19,7 +21,8 @@ namespace sph
 {
 
 /// A law more is a word more here. One with an `Option` is that law with a sub-dictionary more in its coefficients.
-using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw, VonWolffersdorff, IntergranularStrain<VonWolffersdorff>>;
+using SoilLaw = std::variant<WuBauer, DruckerPrager, ElasticLaw, VonWolffersdorff, IntergranularStrain<VonWolffersdorff>, MohrCoulomb,
+                             MohrCoulombSoftening, ModifiedCamClay>;
 
 struct Soil
 {

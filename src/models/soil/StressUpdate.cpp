@@ -79,11 +79,14 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
     if (levels_ && place == JoinPoint::afterKick)
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
-    const bool hasVariables = particles_.settings().facts.template get<DensityOfModel>().exists;
+    const auto& law = particles_.coefficients().template of<Soil>().law;
+    const bool hasVariables = std::visit([]<class Law>(const Law&) { return LawOfState<Law>; }, law),
+               hasDensity = particles_.settings().facts.template get<DensityOfModel>().exists;
     return {{"stress",
-             hasVariables ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
-             : levels_    ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
-                          : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             hasDensity     ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
+             : hasVariables ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables with it, in substeps"
+             : levels_      ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
+                            : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
 }
@@ -181,7 +184,7 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
             const auto step = integrateStress(law, StateOf<Law>(start, variablesBefore), span * gradient, soil.integration);
             sph::store(stressIn<dim>(step.stress), [&](int k, double q) { sigma[std::size_t(k)][i] = q; });
             storeVariables<dim>(step.variables, variables, i);
-            if constexpr (LawOfState<Law>) rho[i] *= law.solidShare(step.variables) / law.solidShare(variablesBefore);
+            if constexpr (LawOfVoidRatio<Law>) rho[i] *= law.solidShare(step.variables) / law.solidShare(variablesBefore);
             const SoundSpeed sound(law, step, rho[i], numbers);
             c[i] = sound.all;
             const auto mean = levels_ ? before : 0.5 * (start + step.stress);

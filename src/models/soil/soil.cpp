@@ -56,7 +56,7 @@ const Choices shown{
     {"strainRate", "shearStrain", "plasticShearStrain", "stressWork"},
     std::vector<std::string>{},
     "further fields of time folders: D; the integral of sqrt(2 dev D:dev D), to which elastic oscillation adds, and that of the plastic part of D "
-    "alone, with law druckerPrager; the integral of sigma:D"};
+    "alone, with laws druckerPrager and mohrCoulomb; the integral of sigma:D"};
 const Scalar compactionSpeed{
     "compactionSpeed", units::mPerS, 0, nonNegative,
     "speed of sound of what pushes soil apart where it is denser than 1.05 rho; about 10 times the largest velocity, in flows"};
@@ -84,6 +84,11 @@ using InitialStress = std::function<SymmTensor<3>(Vector<3>)>;
 bool isTensionless(const Soil& soil)
 {
     return std::visit([]<class Law>(const Law&) { return Law::tensionless; }, soil.law);
+}
+
+bool hasVariables(const Soil& soil)
+{
+    return std::visit([]<class Law>(const Law&) { return LawOfState<Law>; }, soil.law);
 }
 
 std::optional<double> earthPressureOf(const Soil& soil)
@@ -198,8 +203,17 @@ Evolving stressOf(const Soil& soil, const InitialStress& initial, int dimension)
     return sigma;
 }
 
+/// The stress of a particle at the start: of the time folder's field, or as `initialStress` says; 0 without either.
+SymmTensor<3> stressAtStart(const Loading& loading, const InitialStress& initial, std::size_t i)
+{
+    const auto& fields = loading.cloud.fields;
+    if (const auto field = fields.find(SoilStress::info.name); field != fields.end())
+        return valueAt<SymmTensor<3>>(field->second.component, i);
+    return initial ? initial({loading.cloud.x[i], loading.cloud.y[i], loading.cloud.z[i]}) : SymmTensor<3>{};
+}
+
 /// State variables of the law as fields: from the time folder, or as `initialStress` says.
-void addVariables(Settings& settings, const Soil& soil, const Dictionary& dict)
+void addVariables(Settings& settings, const Soil& soil, const InitialStress& initial, const Dictionary& dict)
 {
     const int dimension = settings.coefficients.dimension;
     std::visit(
@@ -209,34 +223,38 @@ void addVariables(Settings& settings, const Soil& soil, const Dictionary& dict)
             {
                 using Variables = typename Law::Variables;
                 const auto d = entry::initialStress(dict);
-                const auto& named = entry::vonWolffersdorff::voidRatio;
-                std::optional<Variables> given;
-                if (named.given(d)) given = law.readVariables(d);
-                Variables variables = given.value_or(Variables{});
-                forEachVariable(variables,
-                                [&]<class Part>(const StateVariable& variable, const Part& part)
-                                {
-                                    Evolving evolving{.value = fieldOf(variable, part), .advancedByModel = true, .ofMaterial = true};
-                                    evolving.missing = [=, start = part, known = given.has_value()](const Loading& loading)
-                                    {
-                                        if (!known)
-                                            throw CaseError(
-                                                {soilProperties, 0},
-                                                fmt::format("initialStress has no `voidRatio`, and the time folder no field {}, "
-                                                            "which law {} needs",
-                                                            variable.name, Law::name));
-                                        const auto fillWith = [&](const auto& value)
-                                        {
-                                            for (std::size_t i = 0; i < loading.size(); ++i)
-                                                store(value, [&](int c, double q) { loading.values[std::size_t(c)][i] = q; });
-                                        };
-                                        if constexpr (std::is_same_v<Part, double>) fillWith(start);
-                                        else if (dimension == 2) fillWith(stressIn<2>(start));
-                                        else fillWith(start);
-                                    };
-                                    settings.state.push_back(evolving);
-                                });
-                settings.facts.give(DensityOfModel{true}, soilProperties);
+                const bool known = Law::startGiven(d);
+                const std::function<Variables(SymmTensor<3>)> startOf =
+                    known ? law.readVariables(d) : std::function<Variables(SymmTensor<3>)>([](SymmTensor<3>) { return Variables{}; });
+                std::size_t first = 0; // component of all variables
+                Variables variables{};
+                forEachVariable(
+                    variables,
+                    [&]<class Part>(const StateVariable& variable, const Part& part)
+                    {
+                        Evolving evolving{.value = fieldOf(variable, part), .advancedByModel = true, .ofMaterial = true};
+                        evolving.missing = [=](const Loading& loading)
+                        {
+                            if (!known)
+                                throw CaseError({soilProperties, 0},
+                                                fmt::format("initialStress has no {}, and the time folder no field {}, which law {} needs",
+                                                            Law::startWords, variable.name, Law::name));
+                            for (std::size_t i = 0; i < loading.size(); ++i)
+                            {
+                                std::array<double, components<Variables>> all;
+                                store(startOf(stressAtStart(loading, initial, i)), [&](int c, double q) { all[std::size_t(c)] = q; });
+                                Part value{};
+                                fetch(value, [&](int c) { return all[first + std::size_t(c)]; });
+                                const auto set = [&](int c, double q) { loading.values[std::size_t(c)][i] = q; };
+                                if constexpr (std::is_same_v<Part, double>) store(value, set);
+                                else if (dimension == 2) store(stressIn<2>(value), set);
+                                else store(value, set);
+                            }
+                        };
+                        first += std::size_t(components<Part>);
+                        settings.state.push_back(evolving);
+                    });
+                if constexpr (LawOfVoidRatio<Law>) settings.facts.give(DensityOfModel{true}, soilProperties);
             }
         },
         soil.law);
@@ -275,9 +293,11 @@ void refusePlasticStrain(const Reading& reading, const Soil& soil)
     const auto [name, plastic] = std::visit([]<class Law>(const Law&) { return std::pair(Law::name, ElastoPlasticLaw<Law>); }, soil.law);
     if (!plastic)
         entry::shown.error(
-            d, fmt::format("plasticShearStrain is of laws that are elastic within a yield surface, as druckerPrager is; law {} has no "
-                           "plastic part of its strain: shearStrain has all of it",
-                           name));
+            d,
+            fmt::format(
+                "plasticShearStrain is of laws that are linearly elastic within a yield surface, druckerPrager and mohrCoulomb; of law {} "
+                "shearStrain has all of it",
+                name));
 }
 
 void declare(const Reading& reading)
@@ -316,7 +336,7 @@ void prepare(const Reading& reading)
     numbers.surfacePressure = readSurfacePressure(dict, soil);
     c.set(numbers);
     settings.state.push_back(stressOf(soil, initial, c.dimension));
-    addVariables(settings, soil, dict);
+    addVariables(settings, soil, initial, dict);
     dict.reportUnused();
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
     for (const auto& field : entry::shown(entry::soil(reading.schemes)))
@@ -409,7 +429,7 @@ const Model& soilModel()
          {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::walls, "layers"); },
           "pore water meets walls by ghosts that mirror the soil: take walls reflected"},
          {"integration",
-          [](const Settings& s) { return isSoil(s) && s.facts.get<DensityOfModel>().exists && s.coefficients.has<TwoLevels>(); },
+          [](const Settings& s) { return isSoil(s) && s.coefficients.has<TwoLevels>() && hasVariables(s.coefficients.of<Soil>()); },
           "the state variables of this law live at one level of time: take scheme symplecticEuler or leapfrog"}},
         {},
         {{soilProperties,

@@ -1,12 +1,10 @@
 /// Element tests with stresses held against an independent integrator, to six digits at tight tolerance and to 1e-5 by rows of 1e-2; strength of
 /// Drucker and Prager's soil by its formulas; cases with mistakes.
 #include "Largest.hpp"
-#include "TestCase.hpp"
 #include "base/OutputFile.hpp"
 #include "declaredEntries.hpp"
-#include "elementTests/readElementTests.hpp"
+#include "elementRows.hpp"
 #include "elementTests/writeElementTests.hpp"
-#include "soilTesting.hpp"
 #include <fmt/format.h>
 
 using namespace sph;
@@ -14,36 +12,6 @@ using namespace sph::test;
 
 namespace
 {
-
-Files files(const std::string& tests)
-{
-    return {{"constant/soilProperties",
-             "rho 1850; law wuBauer; wuBauerCoeffs { c1 -69.4; c2 -673.1; c3 -655.9; c4 699.6; } floorPressure 1e-3;\n"},
-            {"system/elementTestDict", tests}};
-}
-
-std::vector<ElementRow> rowsOf(const std::string& test, const std::string& more, const std::string& law = "")
-{
-    auto all = files("tests { a { " + test + " } }");
-    if (!law.empty()) all["constant/soilProperties"] = law;
-    all["constant/soilProperties"] += more;
-    const TestCase folder(all);
-    const Case c(folder.folder());
-    const auto soil = readSoil(c.dictionary(soilProperties), "within");
-    const auto plan = readElementTests(c, soil.law);
-    c.diagnostics().throwIfAny();
-    return runElementTest(soil, plan.tests.at(0));
-}
-
-/// The row at this path.
-const ElementRow& at(const std::vector<ElementRow>& rows, double path)
-{
-    for (const auto& row : rows)
-        if (std::abs(row.path - path) < 1e-9) return row;
-    throw std::logic_error("no row at " + std::to_string(path));
-}
-
-const std::string tightly = "tolerance 1e-10;";
 
 double triaxialError(int points, const std::string& more)
 {
@@ -483,8 +451,12 @@ TEST(ElementTests, everyEntryIsDeclaredAndRead)
     const auto readBoth = [&](const std::string& text)
     {
         folder.write(elementTestDictionary, text);
-        readElementTests(Case(folder.folder()), karlsruheIntergranular); // has all state variables
+        for (const SoilLaw& law : {SoilLaw(karlsruheIntergranular), SoilLaw(ModifiedCamClay{}), SoilLaw(MohrCoulombSoftening{})})
+            readElementTests(Case(folder.folder()), law); // which have all state variables between them
         readMeasurement(Case(folder.folder()));
+        readFit(Case(folder.folder()), ModifiedCamClay{});
+        readFit(Case(folder.folder()), karlsruheIntergranular);
+        readFit(Case(folder.folder()), MohrCoulombSoftening{});
     };
     EXPECT_EQ(difference(elementTestDictionary, elementTestEntries(), readBoth), "");
     const auto readProperties = [&](const std::string& text)

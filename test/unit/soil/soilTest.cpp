@@ -1100,7 +1100,7 @@ TEST(SoilMistakes, SayWhereAndWhat)
     says(schemes("shifting 2;"), "system/sphSchemes:3: shifting goes with a state equation");
     says(
         mistake(blockCase("type isotropic; pressure 1e4;", "shown ( shearStrain plasticShearStrain );")),
-        "system/sphSchemes:2: plasticShearStrain is of laws that are elastic within a yield surface, as druckerPrager is; law wuBauer has no plastic part");
+        "system/sphSchemes:2: plasticShearStrain is of laws that are linearly elastic within a yield surface, druckerPrager and mohrCoulomb; of law wuBauer shearStrain has all of it");
     for (const auto* stress : {"smoothingActs always;", "stressSmoothing 0; smoothingActs always;"})
         says(mistake(blockCase("type isotropic; pressure 1e4;", stress)),
              "system/sphSchemes:2: smoothingActs does nothing without stressSmoothing");

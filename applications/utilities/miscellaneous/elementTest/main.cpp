@@ -74,8 +74,47 @@ int runTests(const sph::Case& c)
     return 0;
 }
 
+/// Constants of any law from several tests at once.
+int runFit(const sph::Case& c)
+{
+    const auto law = sph::readSoil(c.dictionary(sph::soilProperties), "within").law;
+    const auto plan = sph::readFit(c, law);
+    const auto start = sph::startOf(c, plan.constants);
+    c.diagnostics().throwIfAny();
+    const auto trial = [&](const std::vector<double>& values)
+    {
+        const sph::Case other(c.folder());
+        const auto soil = sph::readSoilWith(other, plan.constants, values);
+        const auto tests = sph::readFit(other, soil.law).tests;
+        other.diagnostics().throwIfAny();
+        return std::pair(soil, tests);
+    };
+    const auto fit = sph::fitConstants(plan, start, trial);
+    const auto name = std::visit([]<class Law>(const Law&) { return std::string(Law::name); }, law);
+    std::string coeffs;
+    fmt::print("{} constants of law {} from {} points of {} tests\n\n{:<28} {:>13} {:>13} {:>13} {:>13} {:>13}\n", fit.constants.size(),
+               name, fit.points, plan.tests.size(), "constant", "value", "std. error", "+- 95 %", "least", "largest");
+    for (std::size_t k = 0; k < fit.constants.size(); ++k)
+    {
+        const auto& [entry, least, largest, where] = plan.constants[k];
+        const auto& found = fit.constants[k];
+        fmt::print("{:<28} {:>13.6g} {:>13.3g} {:>13.3g} {:>13.6g} {:>13.6g}{}\n", entry, found.value, found.standardError, found.halfWidth,
+                   least, largest, found.onBound ? "   on its bound: not found within" : "");
+        coeffs += sph::entryAs(name + "Coeffs." + entry, sph::shortestText(found.value)) + "\n";
+    }
+    fmt::print("\nroot mean square of what the points are off, over the largest of their curve:\n");
+    for (std::size_t t = 0; t < plan.tests.size(); ++t)
+        for (std::size_t k = 0; k < plan.tests[t].curves.size(); ++k)
+            fmt::print("    {:<24} {:<18} {:.3g} %\n", plan.tests[t].test.name, plan.tests[t].curves[k].name, 100 * fit.misfits[t][k]);
+    sph::createFolders(c.folder() / output);
+    sph::writeFile(c.folder() / output / "calibration", coeffs);
+    fmt::print("{}, to be included at the end of constant/soilProperties\n\nEnd\n", (output / "calibration").string());
+    return 0;
+}
+
 int runCalibration(const sph::Case& c)
 {
+    if (sph::hasMeasuredTests(c)) return runFit(c);
     const auto measured = sph::readMeasurement(c);
     c.diagnostics().throwIfAny();
     const auto found = sph::calibrate(measured);
@@ -102,9 +141,9 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "elementTest", argc, argv,
         "Tests soil of constant/soilProperties in one element, without SPH, as told by system/elementTestDict, and writes tables and plots into\n"
-        "postProcessing/elementTest. Calibrates law wuBauer to one triaxial test.",
+        "postProcessing/elementTest. Calibrates law wuBauer to one triaxial test, and any law to several tests at once.",
         [&](CLI::App& app)
-        { app.add_flag("--calibrate", calibrates, "Find c1 ... c4 of law wuBauer from the section calibration, and stop"); },
+        { app.add_flag("--calibrate", calibrates, "Find the constants that the section calibration asks for, and stop"); },
         [&](const std::filesystem::path& caseFolder)
         {
             const sph::Case c(caseFolder);
