@@ -214,9 +214,11 @@ void shrink(const SolidsPlan& plan, Bed& bed)
     };
     if (plan.shrink) return apply(*plan.shrink);
     constexpr double most = 0.1;
+    // Agglomerates may lie hooked in one another, where shrinking hardly parts them: what is nearer than the tolerance of welding meshToGhost takes for a contact.
+    const double apart = std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 1e-5;
     for (double overlap = bed.overlap; overlap > 0; overlap = largestOverlap(plan.container, bed) / bed.meanSize)
     {
-        apply(bed.shrunk + 1.1 * overlap + 1e-5);
+        apply(bed.shrunk + 1.1 * overlap + apart);
         if (bed.shrunk > most)
             throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
     }

@@ -255,16 +255,16 @@ TEST(Bed, Agglomerates)
         EXPECT_NEAR(1 - volumeMoments(shape.pieces[0]).volume / mass, asked.fines->massShare, 0.01) << k;
         Noise noise(1);
         int inside = 0;
-        for (int n = 0; n < 4000; ++n)
+        for (int n = 0; n < 1500; ++n)
         {
             const Vector<3> x{noise.between(-1, 1), noise.between(-1, 1), noise.between(-1, 1)};
             const bool isInPiece = std::ranges::any_of(shape.pieces, [&](const auto& piece) { return isInside(piece, x); });
             EXPECT_EQ(isInside(shape.mesh, x), isInPiece) << k << " " << x.x << " " << x.y << " " << x.z;
             inside += isInPiece;
         }
-        EXPECT_NEAR(inside / 4000.0 * 8, std::numbers::pi / 6, 0.12) << k;
+        EXPECT_NEAR(inside / 1500.0 * 8, std::numbers::pi / 6, 0.2) << k;
         const auto form = makeCollisionShape(shape).description;
-        EXPECT_NE(form.find(fmt::format("{} convex parts", fines + 1)), std::string::npos) << form;
+        EXPECT_NE(form.find(std::to_string(fines + 1) + " convex parts"), std::string::npos) << form;
     }
     EXPECT_NE(readSolidShape(c, plan.shapes[0]).mesh.points, readSolidShape(c, plan.shapes[1]).mesh.points);
 }
@@ -273,16 +273,16 @@ TEST(Bed, Agglomerates)
 TEST(Bed, OfAgglomerates)
 {
     const TestCase folder(
-        withRocks("count 8;\nfriction 0.3;\nsize { value 0.014; }\ncontainer { type box; min (0 0 0); max (0.045 0.045 0.1); }\n"
-                  "shapes ( { file \"angular.obj\"; fines { massShare 0.15; min 0.25; } } );\n"));
+        withRocks("count 4;\nfriction 0.3;\nsize { value 0.014; }\ncontainer { type box; min (0 0 0); max (0.045 0.045 0.1); }\n"
+                  "shapes ( { file \"angular.obj\"; fines { massShare 0.1; min 0.3; } } );\n"));
     folder.write("constant/geometry",
                  "dimension 3;\ndomain { min (0 0 0); max (0.045 0.045 0.1); }\nwalls { bed { type triSurface; file \"solids.obj\"; fluid "
                  "outside; } }\n");
     folder.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 1; }\n");
     folder.write("system/sphSchemes", "resolution { spacing 5e-4; support 2.6; kernel wendlandC2; }\n");
     const auto out = folder.runWell("packParticles", "-solids", 1, 120);
-    EXPECT_NE(out.find("angularFines1.obj: 11 fines, 0.147 of the mass"), std::string::npos) << out;
-    EXPECT_NE(out.find("12 convex parts"), std::string::npos) << out;
+    EXPECT_NE(out.find("angularFines1.obj: 4 fines, 0.0975 of the mass"), std::string::npos) << out;
+    EXPECT_NE(out.find("5 convex parts"), std::string::npos) << out;
     const Case c(folder.folder());
     const auto dict = c.dictionary("constant/solids");
     const auto file = dict.dictionaries("shapes")[0].get<std::string>("file");
@@ -291,7 +291,7 @@ TEST(Bed, OfAgglomerates)
         volumeMoments(readSurface(folder.folder(), file)).volume * std::pow(dict.dictionaries("bodies")[0].get<double>("scale"), 3);
     const auto merged = readSurface(folder.folder(), "constant/triSurface/solids.obj");
     EXPECT_EQ(looseEdges(merged), 0u);
-    EXPECT_NEAR(volumeMoments(merged).volume / (8 * each), 1, 1e-9);
+    EXPECT_NEAR(volumeMoments(merged).volume / (4 * each), 1, 1e-9);
     folder.runWell("meshToGhost", "", 1, 120);
 }
 
