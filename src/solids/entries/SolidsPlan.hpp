@@ -24,7 +24,7 @@ struct FinesToBind
     std::string file;                 ///< of a fine, relative to the case; empty: a sphere
     double smallest = 0, largest = 0; ///< sizes over that of the grain, evenly between
     double bond = 0;                  ///< depth to which a fine reaches into the grain, over its size
-    int variant = 0;                  ///< number of the agglomerate among those of its shape, from 0
+    int variant = 0;                  ///< number of the agglomerate among those of its grain, from 0
     Location where;
 
     /// As many as have the share of the mass, one at least.

@@ -2,6 +2,7 @@
 #include "solids/entries/SolidsPlan.hpp"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
@@ -116,7 +117,10 @@ void addShape(const Dictionary& d, std::vector<ShapeToPack>& shapes)
                                   count, most));
     const int variants = entry::finesVariants(dict);
     shape.share /= variants;
-    for (fines.variant = 0; fines.variant < variants; ++fines.variant)
+    // Their files are named by the grain's: numbers go on where several entries have fines on one grain.
+    const auto nameOf = [](const ShapeToPack& s) { return std::filesystem::path(s.file).stem(); };
+    fines.variant = int(std::ranges::count_if(shapes, [&](const auto& other) { return other.fines && nameOf(other) == nameOf(shape); }));
+    for (int k = 0; k < variants; ++k, ++fines.variant)
     {
         shape.fines = fines;
         shapes.push_back(shape);

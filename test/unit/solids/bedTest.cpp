@@ -236,11 +236,15 @@ TEST(Bed, Agglomerates)
 {
     const TestCase folder(withRocks(
         "count 1;\nsize { value 1; }\ncontainer { type box; min (0 0 0); max (9 9 9); }\nshapes ( { file \"angular.obj\"; fines { "
-        "massShare 0.2; min 0.15; max 0.3; variants 2; } } { fines { massShare 0.1; min 0.2; file \"flat.obj\"; bond 0.1; } } );\n"));
+        "massShare 0.2; min 0.15; max 0.3; variants 2; } } { fines { massShare 0.1; min 0.2; file \"flat.obj\"; bond 0.1; } } "
+        "{ file \"angular.obj\"; fines { massShare 0.05; min 0.3; } } );\n"));
     const Case c(folder.folder());
     const auto plan = readSolidsPlan(c);
-    ASSERT_EQ(plan.shapes.size(), 3u);
+    ASSERT_EQ(plan.shapes.size(), 4u);
     EXPECT_EQ(plan.shapes[0].share, 0.5);
+    EXPECT_EQ(readSolidShape(c, plan.shapes[1]).file, "constant/triSurface/angularFines2.obj");
+    EXPECT_EQ(readSolidShape(c, plan.shapes[2]).file, "constant/triSurface/sphereFines1.obj");
+    EXPECT_EQ(readSolidShape(c, plan.shapes[3]).file, "constant/triSurface/angularFines3.obj");
     for (const auto& [k, fines] : {std::pair{0, 20}, {1, 20}, {2, 14}})
     {
         const auto& asked = plan.shapes[std::size_t(k)];
