@@ -1,5 +1,6 @@
 #include "geometry/GeometryCheck.hpp"
 #include "geometry/MovingWalls.hpp"
+#include "geometry/ShapeOfRow.hpp"
 #include "geometry/TriangleMesh.hpp"
 #include "geometry/closestApproach.hpp"
 #include "geometry/components.hpp"
@@ -38,8 +39,17 @@ class Check
         double wedge = 180, overlap = 0;
         Vector<3> at;
         bool ofBody = false;
+        std::vector<std::pair<double, std::string>> rows; ///< wedge, and the rows of tables that the two shapes stand in, where they do
     };
     std::map<std::pair<int, int>, Overlap> overlaps_;
+
+    /// Balls of tables that reach into one another by more than a contact without a sharp wedge of fluid: parts of one grain, or a mistake of the table.
+    struct Merged
+    {
+        double overlap = 0;                               ///< largest, over the smaller diameter
+        std::vector<std::pair<double, std::string>> rows; ///< minus the overlap, and the rows
+    };
+    std::map<int, Merged> merged_; ///< by the wall of the later ball
     GeometryReport report_;
 
     const TriangleSurface& samples(int patch)
@@ -257,6 +267,24 @@ class Check
         return true;
     }
 
+    /// The rows of tables that two shapes stand in; empty where neither is of a table.
+    static std::string rowsOf(const Shape& a, const Shape& b)
+    {
+        const auto *first = rowOf(a), *second = rowOf(b);
+        if (first && second) return first->inWordsWith(*second);
+        return first ? first->inWords() : second ? second->inWords() : "";
+    }
+
+    /// The first of them, the most severe.
+    static std::string named(std::vector<std::pair<double, std::string>> rows)
+    {
+        constexpr std::size_t most = 5;
+        std::ranges::sort(rows);
+        std::string text;
+        for (std::size_t k = 0; k < std::min(most, rows.size()); ++k) text += (k > 0 ? ", " : "") + rows[k].second;
+        return rows.size() > most ? fmt::format("{} and {} more", text, rows.size() - most) : text;
+    }
+
     void pair(int p, int q)
     {
         if (g_.patches[p].mesh || g_.patches[q].mesh) return; // what meets at any angle, and its gaps are in the mesh's own report
@@ -285,6 +313,7 @@ class Check
             }
             auto& overlap = overlaps_[{std::min(wallA, wallB), std::max(wallA, wallB)}];
             ++overlap.count;
+            if (const auto rows = rowsOf(a, b); !rows.empty()) overlap.rows.emplace_back(approach.wedge, rows);
             overlap.ofBody = overlap.ofBody || !a.enclosesFluid() || !b.enclosesFluid();
             if (approach.wedge < overlap.wedge)
             {
@@ -292,6 +321,13 @@ class Check
                 overlap.overlap = approach.overlap;
                 overlap.at = approach.at;
             }
+            return;
+        }
+        if (const auto rows = rowsOf(a, b); bothBalls && approach.overlap > mostOverlap && !rows.empty() && isOnce(approach.at))
+        {
+            auto& merged = merged_[std::max(wallA, wallB)];
+            merged.overlap = std::max(merged.overlap, approach.overlap);
+            merged.rows.emplace_back(-approach.overlap, rows);
             return;
         }
         if (approach.crossing || !approach.facing || approach.distance < -tolerance_ || !isOnce(approach.at)) return;
@@ -349,10 +385,17 @@ class Check
                                 ? fmt::format(", by {:.2g} of the smaller diameter ({} is the most that counts as a contact),",
                                               overlap.overlap, mostOverlap)
                                 : "",
-                            overlap.wedge);
+                            overlap.wedge) +
+                (overlap.rows.empty() ? "" : ": " + named(overlap.rows));
             if (overlap.ofBody) diagnostics_.error(last.where, what);
             else diagnostics_.warning(last.where, what);
         }
+        for (const auto& [wall, merged] : merged_)
+            diagnostics_.warning(
+                g_.walls[wall].where,
+                fmt::format("spheres of wall \"{}\" reach into others by up to {:.2g} of the smaller diameter, which leaves no sharp "
+                            "wedge of fluid: are they parts of one grain? {}",
+                            g_.walls[wall].name, merged.overlap, named(merged.rows)));
     }
 
     void reportGaps()

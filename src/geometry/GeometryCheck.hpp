@@ -4,7 +4,7 @@
 /// 2012 do not say so). Gaps narrower than H are legal: second reflections fill them; they are reported, since the flow in them is not
 /// resolved.
 /// Surfaces may meet where the fluid between them has an angle of 90 degrees or more (corners of a box, ends of a tube), and balls may overlap by a
-/// tenth of a diameter, as packers leave them: a contact. Sharper wedges of other bodies are an error, between the walls of a container a warning. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
+/// tenth of a diameter, as packers leave them: a contact. Spheres of a table that overlap by more are named by their rows. Sharper wedges of other bodies are an error, between the walls of a container a warning. A wall may slide along itself and nowhere else. The part of a wall in another solid is none of
 /// it (solidUnion.cpp): a step on the floor may be thinner than two supports; a body that no fluid can reach is an error.
 #pragma once
 #include "geometry/Geometry.hpp"

@@ -4,6 +4,7 @@
 #include "geometry/Cylinder.hpp"
 #include "geometry/Ellipsoid.hpp"
 #include "geometry/Plane.hpp"
+#include "geometry/ShapeOfRow.hpp"
 #include "geometry/SolidBox.hpp"
 #include "geometry/Sphere.hpp"
 #include "geometry/Torus.hpp"
@@ -63,6 +64,14 @@ std::shared_ptr<const Shape> ball(const Vector<3>& centre, double radius, FluidS
 {
     if (g.dimension == 3) return std::make_shared<Sphere>(centre, radius, fluid);
     return std::make_shared<Cylinder>(Vector<3>{centre.x, centre.y, 0}, Vector<3>{0, 0, 1}, radius, fluid);
+}
+
+/// The ball of a row of a table.
+std::shared_ptr<const Shape> ballOfRow(const TableRow& row, const Vector<3>& centre, double radius, const Geometry& g)
+{
+    constexpr auto fluid = FluidSide::outside;
+    if (g.dimension == 3) return std::make_shared<ShapeOfRow<Sphere>>(Sphere(centre, radius, fluid), row);
+    return std::make_shared<ShapeOfRow<Cylinder>>(Cylinder({centre.x, centre.y, 0}, {0, 0, 1}, radius, fluid), row);
 }
 
 Shapes sphere(const Dictionary& wall, const Geometry& g)
@@ -215,7 +224,7 @@ Shapes sphereBed(const Dictionary& wall, const Geometry& g)
     return shapes;
 }
 
-/// The spheres of a table on disk. Where they take hundreds of times the extent of the domain they are refused: as a rule it is their unit.
+/// The spheres of a table on disk. Where they, and the way to them, take hundreds of times the extent of the domain they are refused: as a rule it is their unit.
 Shapes spheresOfFile(const Dictionary& wall, const Geometry& g)
 {
     const std::string file = "constant/" + entry::file.needed(wall);
@@ -232,7 +241,7 @@ Shapes spheresOfFile(const Dictionary& wall, const Geometry& g)
     Box bounds{{Box::infinity, Box::infinity, Box::infinity}, {-Box::infinity, -Box::infinity, -Box::infinity}};
     for (const auto& [centre, radius, line] : spheresInTable(*text, file, wall.diagnostics()))
     {
-        shapes.push_back(ball(scale * centre + shift, scale * radius, FluidSide::outside, g));
+        shapes.push_back(ballOfRow({file, line}, scale * centre + shift, scale * radius, g));
         const auto b = shapes.back()->bounds();
         for (int k = 0; k < g.dimension; ++k)
         {
@@ -241,11 +250,15 @@ Shapes spheresOfFile(const Dictionary& wall, const Geometry& g)
             bounds.high.*c = std::max(bounds.high.*c, b.high.*c);
         }
     }
-    double largest = 0; // extent over that of the domain
-    for (int k = 0; k < g.dimension; ++k) largest = std::max(largest, (bounds.high.*component(k) - bounds.low.*component(k)) / g.length(k));
+    double largest = 0; // extent of spheres and domain over that of the domain
+    for (int k = 0; k < g.dimension; ++k)
+    {
+        const auto c = component(k);
+        largest = std::max(largest, (std::max(bounds.high.*c, g.high.*c) - std::min(bounds.low.*c, g.low.*c)) / g.length(k));
+    }
     const double ofMillimetres = 300;
     if (largest > ofMillimetres)
-        entry::file.error(wall, fmt::format("the spheres of {} take {:.3g} times the extent of the domain{}", file, largest,
+        entry::file.error(wall, fmt::format("the spheres of {} reach over {:.3g} times the extent of the domain{}", file, largest,
                                             entry::scale.given(wall) ? ": see scale" : ": are they in mm? Then `scale 1e-3;`"));
     return shapes;
 }
@@ -266,7 +279,7 @@ Shapes spheres(const Dictionary& wall, const Geometry& g)
         if (row.size() != 4)
             entry::spheres.error(wall, fmt::format("sphere {} has {} numbers; each must be (x y z radius)", i + 1, row.size()));
         else if (!(row[3] > 0)) entry::spheres.error(wall, fmt::format("sphere {} has the radius {}; it must be > 0", i + 1, row[3]));
-        else shapes.push_back(ball({row[0], row[1], row[2]}, row[3], FluidSide::outside, g));
+        else shapes.push_back(ballOfRow({"", int(i) + 1}, {row[0], row[1], row[2]}, row[3], g));
     }
     if (rows.empty()) entry::spheres.error(wall, "there are no spheres in the list");
     return shapes;

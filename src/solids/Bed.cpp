@@ -1,4 +1,5 @@
 #include "solids/Bed.hpp"
+#include "geometry/geodesicSphere.hpp"
 #include "solids/rocks/closedSurface.hpp"
 #include <algorithm>
 #include <filesystem>
@@ -8,18 +9,19 @@
 namespace sph
 {
 
-SolidShape readSolidShape(const Case& c, const ShapeToPack& s)
+namespace
+{
+
+/// The closed surface of a file, with the volume of a sphere of diameter 1 and its centroid at the origin.
+SolidShape readMesh(const Case& c, const std::string& file, const Location& where)
 {
     SolidShape shape;
-    shape.where = s.where;
-    shape.name = "sphere";
-    if (s.isSphere()) return shape;
-    const auto fail = [&](const std::string& what) { throw CaseError(s.where, s.file + " " + what); };
-    if (!c.has(s.file)) fail("is missing. makeRocks makes shapes of rocks");
-    shape.name = std::filesystem::path(s.file).stem().string();
-    shape.file = s.file;
-    shape.form = s.form;
-    shape.mesh = readSurface(c.folder(), s.file);
+    shape.where = where;
+    const auto fail = [&](const std::string& what) { throw CaseError(where, file + " " + what); };
+    if (!c.has(file)) fail("is missing. makeRocks makes shapes of rocks");
+    shape.name = std::filesystem::path(file).stem().string();
+    shape.file = file;
+    shape.mesh = readSurface(c.folder(), file);
     if (const auto loose = looseEdges(shape.mesh))
         fail(fmt::format("is no closed surface: {} of its edges are not shared by two facets that agree on the side", loose));
     const auto moments = volumeMoments(shape.mesh);
@@ -33,6 +35,31 @@ SolidShape readSolidShape(const Case& c, const ShapeToPack& s)
         shape.reach = std::max(shape.reach, mag(p));
     }
     return shape;
+}
+
+/// A sphere of that many facets along an edge of the icosahedron, of the volume of the sphere of diameter 1.
+TriangleSurface facetedSphere(int n)
+{
+    auto s = geodesicSphere(n);
+    const double size = std::cbrt(6 / std::numbers::pi * volumeMoments(s).volume);
+    for (auto& p : s.points) p = p / size;
+    return s;
+}
+
+}
+
+SolidShape readSolidShape(const Case& c, const ShapeToPack& s, std::uint64_t seed)
+{
+    SolidShape shape;
+    shape.where = s.where;
+    shape.name = "sphere";
+    if (!s.file.empty()) shape = readMesh(c, s.file, s.where);
+    shape.form = s.form;
+    if (!s.fines) return shape;
+    constexpr int ofGrain = 4, ofFine = 2;
+    if (s.file.empty()) shape.mesh = facetedSphere(ofGrain);
+    const auto fine = s.fines->file.empty() ? facetedSphere(ofFine) : readMesh(c, s.fines->file, s.fines->where).mesh;
+    return agglomerate(shape, fine, *s.fines, seed);
 }
 
 namespace
@@ -187,9 +214,11 @@ void shrink(const SolidsPlan& plan, Bed& bed)
     };
     if (plan.shrink) return apply(*plan.shrink);
     constexpr double most = 0.1;
+    // Agglomerates may lie hooked in one another, where shrinking hardly parts them: what is nearer than the tolerance of welding meshToGhost takes for a contact.
+    const double apart = std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 1e-5;
     for (double overlap = bed.overlap; overlap > 0; overlap = largestOverlap(plan.container, bed) / bed.meanSize)
     {
-        apply(bed.shrunk + 1.1 * overlap + 1e-5);
+        apply(bed.shrunk + 1.1 * overlap + apart);
         if (bed.shrunk > most)
             throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
     }
@@ -229,7 +258,7 @@ void pourToHeight(const SolidsPlan& plan, Bed& bed, const Progress& progress)
 Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
 {
     Bed bed;
-    for (const auto& s : plan.shapes) bed.shapes.push_back(readSolidShape(c, s));
+    for (const auto& s : plan.shapes) bed.shapes.push_back(readSolidShape(c, s, plan.seed));
     if (plan.randomClose) { packRandomly(plan, bed, progress); }
     else
     {

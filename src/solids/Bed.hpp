@@ -20,13 +20,19 @@ struct SolidShape
     double fileSize = 1;  ///< diameter of the sphere of equal volume there
     double reach = 0.5;   ///< largest distance from the centroid
     CollisionForm form = CollisionForm::automatic;
+    std::vector<TriangleSurface> pieces; ///< grain and fines, whose union the mesh of an agglomerate is; else empty
+    std::string note;                    ///< for the log: what an agglomerate is made of
     Location where;
 
     bool isSphere() const { return mesh.triangles.empty(); }
+    bool isAgglomerate() const { return !pieces.empty(); }
 };
 
-/// Throws CaseError where the file is missing, or the surface is open, inside out or empty.
-SolidShape readSolidShape(const Case&, const ShapeToPack&);
+/// Throws CaseError where the file is missing, or the surface is open, inside out or empty. The seed decides where fines are bound.
+SolidShape readSolidShape(const Case&, const ShapeToPack&, std::uint64_t seed = 1);
+
+/// A grain with fines bound to it (agglomerate.cpp), its file that of constant/triSurface which writeBed writes. `fine` has size 1 and its centroid at the origin.
+SolidShape agglomerate(const SolidShape& grain, const TriangleSurface& fine, const FinesToBind&, std::uint64_t seed);
 
 /// A solid in the frame of the container: z against gravity, the origin at its base.
 struct Body

@@ -123,15 +123,30 @@ CollisionShape makeCollisionShape(const SolidShape& shape)
     if (c.isSphere) return c;
     const double shapeVolume = volumeMoments(shape.mesh).volume;
     std::tie(c.axes, c.inertia) = principalAxes(shape);
-    std::vector<btVector3> points;
-    for (const auto& p : shape.mesh.points) points.push_back(btVector3(p.x, p.y, p.z) * c.axes);
+    const auto pointsOf = [&](const TriangleSurface& mesh)
+    {
+        std::vector<btVector3> points;
+        for (const auto& p : mesh.points) points.push_back(btVector3(p.x, p.y, p.z) * c.axes);
+        return points;
+    };
+    const auto points = pointsOf(shape.mesh);
     c.corners = hullOf(points);
 
     const double excess = std::max(0.0, hullVolume(points) / shapeVolume - 1);
     constexpr double nearlyConvex = 0.02;
+    bool isCovered = true;
     if (shape.form == CollisionForm::parts || (shape.form == CollisionForm::automatic && excess > nearlyConvex))
-        c.parts = convexParts(points, shape.mesh);
-    const bool isCovered = c.parts.empty() || cover(c.parts, points, shape.mesh), isWhole = c.parts.size() < 2 || !isCovered;
+        // The grain and the fines of an agglomerate are known, and as a rule convex.
+        for (const auto& piece : shape.isAgglomerate() ? shape.pieces : std::vector{shape.mesh})
+        {
+            const auto corners = pointsOf(piece);
+            std::vector<std::vector<btVector3>> parts{hullOf(corners)};
+            if (!shape.isAgglomerate() || hullVolume(corners) > (1 + nearlyConvex) * volumeMoments(piece).volume)
+                parts = convexParts(corners, piece);
+            isCovered = isCovered && (parts.empty() || cover(parts, corners, piece));
+            c.parts.insert(c.parts.end(), parts.begin(), parts.end());
+        }
+    const bool isWhole = c.parts.size() < 2 || !isCovered;
     if (isWhole) c.parts = {c.corners};
     double volume = 0;
     for (const auto& part : c.parts) volume += hullVolume(part);

@@ -483,7 +483,7 @@ void settle(const SolidsPlan& plan, Bed& bed, const Progress& progress)
     for (const auto& shape : bed.shapes)
     {
         forms.push_back(makeCollisionShape(shape));
-        if (!shape.isSphere()) bed.notes.push_back(fmt::format("{}: {}", shape.file, forms.back().description));
+        if (!shape.isSphere()) bed.notes.push_back(fmt::format("{}: {}{}", shape.file, shape.note, forms.back().description));
     }
 
     std::vector<BulletShape> shapes;

@@ -165,6 +165,8 @@ std::vector<std::string> writeBed(const Case& theCase, const SolidsPlan& plan, c
                       return "// (x y z radius) of each: in constant/geometry, #include \"solidSpheres\"\nspheres\n(\n" + spheres + ");\n";
                   });
     writeOrRemove("constant/triSurface/solids.obj", !meshes.empty(), [&] { return objText(meshes); });
+    for (const auto& shape : bed.shapes)
+        if (shape.isAgglomerate()) write(shape.file, objText({{shape.name, shape.mesh}}));
 
     std::vector<std::vector<std::string>> layers, shells, grains, contacts;
     for (std::size_t k = 0; k < m.layerMiddle.size(); ++k) layers.push_back({digits(m.layerMiddle[k]), digits(m.layerPorosity[k])});

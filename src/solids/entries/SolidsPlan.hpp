@@ -17,14 +17,29 @@ enum class CollisionForm
     parts ///< convex parts whose hulls cover the shape
 };
 
+/// Fines bound to a grain, which make an agglomerate of it.
+struct FinesToBind
+{
+    double massShare = 0;             ///< of the agglomerate, where fines and grain overlap counted twice
+    std::string file;                 ///< of a fine, relative to the case; empty: a sphere
+    double smallest = 0, largest = 0; ///< sizes over that of the grain, evenly between
+    double bond = 0;                  ///< depth to which a fine reaches into the grain, over its size
+    int variant = 0;                  ///< number of the agglomerate among those of its grain, from 0
+    Location where;
+
+    /// As many as have the share of the mass, one at least.
+    int count() const;
+};
+
 struct ShapeToPack
 {
     std::string file; ///< relative to the case; empty: a sphere
     double share = 1; ///< of the number or mass of solids
     CollisionForm form = CollisionForm::automatic;
+    std::optional<FinesToBind> fines; ///< the file or sphere is then that of the grain
     Location where;
 
-    bool isSphere() const { return file.empty(); }
+    bool isSphere() const { return file.empty() && !fines; }
 };
 
 /// Upright, with an open top: `up` is against gravity.

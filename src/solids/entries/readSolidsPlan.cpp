@@ -2,6 +2,7 @@
 #include "solids/entries/SolidsPlan.hpp"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
@@ -38,6 +39,17 @@ const Choice collision{"collision",
                        "automatic",
                        "what a mesh collides as"};
 
+const SubDictionary fines{"fines", notGiven, "fines bound to each solid of the shape, as agglomeration leaves them: one mesh with it"};
+const Scalar finesShare{"massShare", units::none, required, positiveBelow(0.5).saying("massShare {} is none of 0 to 0.5"),
+                        "of the agglomerate that is fines"},
+    finesMin{"min", units::none, required, positiveBelow(1), "smallest fine, over the size of the grain"},
+    finesMax{"max", units::none, byScene("min"), positiveBelow(1), "largest fine, over the size of the grain; sizes are evenly between"},
+    bond{"bond", units::none, 0.25, between(0.05, 0.5).saying("bond {} is none of 0.05 to 0.5"),
+         "depth to which a fine reaches into the grain, over its size"};
+const FileName finesFile{"file", "constant/triSurface", byScene("a sphere of 80 facets"),
+                         "closed surface of a fine, in constant/triSurface"};
+const Count finesVariants{"variants", 1, between(1, 100), "different agglomerates that are made of the shape"};
+
 const Choice containerType{"type", {"box", "cylinder"}, required, "shape of the container"};
 const VectorParameter boxMin{"min", units::m, required, "lowest corner"}, boxMax{"max", units::m, required, "highest corner"},
     cylinderBase{"base", units::m, required, "middle of the bottom; the axis is along gravity"};
@@ -68,8 +80,52 @@ double SolidContainer::narrowest() const
     return isCylinder ? 2 * radius : std::min(periodic[0] ? endless : length, periodic[1] ? endless : width);
 }
 
+int FinesToBind::count() const
+{
+    const double a = smallest, b = largest, cube = b > a ? (std::pow(b, 4) - std::pow(a, 4)) / (4 * (b - a)) : a * a * a;
+    return std::max(1, int(std::lround(massShare / ((1 - massShare) * cube))));
+}
+
 namespace
 {
+
+/// Adds the shape of an entry of `shapes`, several of them where there are different agglomerates of it.
+void addShape(const Dictionary& d, std::vector<ShapeToPack>& shapes)
+{
+    const auto file = entry::meshFile.ifGiven(d);
+    ShapeToPack shape{file ? "constant/triSurface/" + *file : "",
+                      entry::share(d),
+                      CollisionForm(entry::collision.index(d)),
+                      {},
+                      file ? entry::meshFile.where(d) : d.location()};
+    if (!entry::fines.given(d)) return shapes.push_back(shape);
+    const auto dict = entry::fines(d);
+    FinesToBind fines;
+    fines.where = dict.location();
+    fines.massShare = entry::finesShare(dict);
+    if (const auto fine = entry::finesFile.ifGiven(dict)) fines.file = "constant/triSurface/" + *fine;
+    fines.smallest = entry::finesMin(dict);
+    fines.largest = entry::finesMax(dict, fines.smallest);
+    fines.bond = entry::bond(dict);
+    if (fines.largest < fines.smallest)
+        entry::finesMax.error(dict, fmt::format("max {:g} is less than min {:g}", fines.largest, fines.smallest));
+    constexpr int most = 300;
+    if (fines.smallest > 0 && fines.massShare > 0 && fines.massShare < 0.5)
+        if (const int count = fines.count(); count > most)
+            entry::finesMin.error(
+                dict, fmt::format("a grain takes {} fines of these sizes; {} are possible. Larger fines, or a smaller massShare, are fewer",
+                                  count, most));
+    const int variants = entry::finesVariants(dict);
+    shape.share /= variants;
+    // Their files are named by the grain's: numbers go on where several entries have fines on one grain.
+    const auto nameOf = [](const ShapeToPack& s) { return std::filesystem::path(s.file).stem(); };
+    fines.variant = int(std::ranges::count_if(shapes, [&](const auto& other) { return other.fines && nameOf(other) == nameOf(shape); }));
+    for (int k = 0; k < variants; ++k, ++fines.variant)
+    {
+        shape.fines = fines;
+        shapes.push_back(shape);
+    }
+}
 
 /// A box has its edges along the coordinates: `up` is the one nearest to `against gravity`, which must be along it.
 SolidContainer readBox(const Dictionary& dict, const Vector<3>& up, const Location& gravityAt)
@@ -140,7 +196,7 @@ EntryList solidsEntries()
                  {count,
                   filled,
                   settledPorosity,
-                  {solidShapes, {meshFile, share, collision}},
+                  {solidShapes, {meshFile, share, collision, {fines, {finesShare, finesMin, finesMax, finesFile, bond, finesVariants}}}},
                   sharesOf,
                   entry::friction,
                   entry::restitution,
@@ -191,12 +247,7 @@ SolidsPlan readSolidsPlan(const Case& c)
             entry::count.error(dict, "the height decides on the number of solids: leave out count or height");
         plan.porosity = entry::settledPorosity.ifGiven(dict);
         plan.porosityAt = entry::settledPorosity.where(dict);
-        for (const auto& d : entry::solidShapes(dict))
-        {
-            const auto file = entry::meshFile.ifGiven(d);
-            plan.shapes.push_back({file ? "constant/triSurface/" + *file : "", entry::share(d), CollisionForm(entry::collision.index(d)),
-                                   file ? entry::meshFile.where(d) : d.location()});
-        }
+        for (const auto& d : entry::solidShapes(dict)) addShape(d, plan.shapes);
         if (plan.shapes.empty())
         {
             if (entry::solidShapes.given(dict))

@@ -1,7 +1,9 @@
 /// Beds of spheres that other codes have written: the same spheres from each form of table, and mistakes with file and line.
+#include "geometry/GeometryCheck.hpp"
 #include "geometry/sphereTable.hpp"
 #include "reading.hpp"
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -83,12 +85,62 @@ TEST(SphereTable, IsAWall)
     ASSERT_EQ(g.originals.size(), 2u);
     EXPECT_NEAR(g.distance({0.016, 0.02, 0.03}), 0, 1e-15);
     EXPECT_NEAR(g.distance({0.031, 0.02, 0.03}), 0.005, 1e-15);
-    EXPECT_TRUE(contains(read("file \"bed.csv\";").second,
-                         "the spheres of constant/bed.csv take 400 times the extent of the domain: are they in mm? Then `scale 1e-3;`"))
+    EXPECT_TRUE(
+        contains(read("file \"bed.csv\";").second,
+                 "the spheres of constant/bed.csv reach over 700 times the extent of the domain: are they in mm? Then `scale 1e-3;`"))
         << read("file \"bed.csv\";").second;
+    // One sphere is no longer than a few hundred domains, but far away.
+    std::ofstream(folder / "constant/one.csv") << "10 20 30 5\n";
+    EXPECT_TRUE(contains(read("file \"one.csv\";").second, "are they in mm?")) << read("file \"one.csv\";").second;
     EXPECT_TRUE(contains(read("file \"none.csv\";").second, "cannot read constant/none.csv")) << read("file \"none.csv\";").second;
     EXPECT_TRUE(contains(read("").second, "either a list `spheres` or a `file`")) << read("").second;
     EXPECT_TRUE(contains(read("file \"bed.csv\"; spheres ((0 0 0 1));").second, "either a list `spheres` or a `file`"));
+    std::filesystem::remove_all(folder);
+}
+
+// What overlaps too far is named by its rows, also where a period lies between; a list of the dictionary counts its spheres. Clumps, whose spheres leave no
+// sharp wedge, are a warning.
+TEST(SphereTable, NamesTheRowsThatOverlap)
+{
+    const auto folder = std::filesystem::path(testing::TempDir()) / "rowsOfSpheres";
+    std::filesystem::create_directories(folder / "constant");
+    const auto check = [&](const std::string& table, const std::string& entries)
+    {
+        std::ofstream(folder / "constant/bed.csv") << table;
+        auto diagnostics = std::make_shared<Diagnostics>();
+        const auto dict =
+            Dictionary::parse("dimension 3; domain { min (0 0 0); max (1 1 1); periodic (x); }\nwalls { bed { type spheres; " + entries +
+                                  " } }",
+                              "constant/geometry", diagnostics);
+        const auto g = readGeometry(dict, Resolution{.spacing = 0.02, .where = {}}, 1.5, folder);
+        checkGeometry(g, 0.05, *diagnostics);
+        std::string warnings;
+        for (const auto& w : diagnostics->warnings()) warnings += w + "\n";
+        return std::pair(messages(*diagnostics), warnings);
+    };
+    const std::string rows = "x,y,z,r\n0.5,0.5,0.5,0.1\n0.5,0.2,0.2,0.1\n", file = "file \"bed.csv\";";
+    EXPECT_EQ(check(rows + "0.5,0.5,0.69,0.1\n", file).first, "");
+    const auto deep = check(rows + "0.5,0.5,0.66,0.1\n", file).first;
+    EXPECT_TRUE(contains(deep, "constant/geometry:2: wall \"bed\" and wall \"bed\" overlap near")) << deep;
+    EXPECT_TRUE(contains(deep, "by 0.2 of the smaller diameter")) << deep;
+    EXPECT_TRUE(contains(deep, ": constant/bed.csv:2 and :4")) << deep;
+    const auto across = check(rows + "0.05,0.8,0.8,0.1\n0.89,0.8,0.8,0.1\n", file).first;
+    EXPECT_TRUE(contains(across, ": constant/bed.csv:4 and :5")) << across;
+    const auto list = check("", "spheres ((0.5 0.2 0.2 0.1) (0.5 0.5 0.5 0.1) (0.5 0.5 0.66 0.1));").first;
+    EXPECT_TRUE(contains(list, ": sphere 2 and 3")) << list;
+    for (const auto& [clump, how] : {std::pair{"0.5,0.5,0.55,0.1\n", "0.75"}, {"0.5,0.5,0.53,0.06\n", "1.1"}})
+    {
+        const auto [errors, warnings] = check(rows + clump, file);
+        EXPECT_EQ(errors, "");
+        EXPECT_TRUE(contains(warnings, fmt::format("by up to {} of the smaller diameter, which leaves no sharp wedge of fluid: are they "
+                                                   "parts of one grain? constant/bed.csv:2 and :4",
+                                                   how)))
+            << warnings;
+    }
+    std::string many = "x,y,z,r\n";
+    for (const double y : {0.1, 0.3, 0.5, 0.7, 0.9})
+        for (const double z : {0.2, 0.7}) many += fmt::format("0.5,{0},{1},0.06\n0.6,{0},{1},0.06\n", y, z);
+    EXPECT_TRUE(contains(check(many, file).first, " and 5 more")) << check(many, file).first;
     std::filesystem::remove_all(folder);
 }
 

@@ -230,6 +230,75 @@ TEST(Bed, PartsCoverAnAngle)
     EXPECT_NE(shapeOf("hull").find("convex hull, 40 % more volume"), std::string::npos) << shapeOf("hull");
 }
 
+// An agglomerate is the union of its grain and fines: closed, in one piece, of the volume of a sphere of diameter 1, and a point lies in it where it lies in one of them. Its convex
+// parts are these.
+TEST(Bed, Agglomerates)
+{
+    const TestCase folder(withRocks(
+        "count 1;\nsize { value 1; }\ncontainer { type box; min (0 0 0); max (9 9 9); }\nshapes ( { file \"angular.obj\"; fines { "
+        "massShare 0.2; min 0.15; max 0.3; variants 2; } } { fines { massShare 0.1; min 0.2; file \"flat.obj\"; bond 0.1; } } "
+        "{ file \"angular.obj\"; fines { massShare 0.05; min 0.3; } } );\n"));
+    const Case c(folder.folder());
+    const auto plan = readSolidsPlan(c);
+    ASSERT_EQ(plan.shapes.size(), 4u);
+    EXPECT_EQ(plan.shapes[0].share, 0.5);
+    EXPECT_EQ(readSolidShape(c, plan.shapes[1]).file, "constant/triSurface/angularFines2.obj");
+    EXPECT_EQ(readSolidShape(c, plan.shapes[2]).file, "constant/triSurface/sphereFines1.obj");
+    EXPECT_EQ(readSolidShape(c, plan.shapes[3]).file, "constant/triSurface/angularFines3.obj");
+    for (const auto& [k, fines] : {std::pair{0, 20}, {1, 20}, {2, 14}})
+    {
+        const auto& asked = plan.shapes[std::size_t(k)];
+        const auto shape = readSolidShape(c, asked);
+        ASSERT_EQ(shape.pieces.size(), std::size_t(fines) + 1) << k;
+        EXPECT_EQ(looseEdges(shape.mesh), 0u) << k;
+        const auto moments = volumeMoments(shape.mesh);
+        EXPECT_NEAR(moments.volume, std::numbers::pi / 6, 1e-9) << k;
+        EXPECT_LT(mag(moments.centroid), 1e-9) << k;
+        double mass = 0;
+        for (const auto& piece : shape.pieces) mass += volumeMoments(piece).volume;
+        EXPECT_NEAR(1 - volumeMoments(shape.pieces[0]).volume / mass, asked.fines->massShare, 0.01) << k;
+        Noise noise(1);
+        int inside = 0;
+        for (int n = 0; n < 1500; ++n)
+        {
+            const Vector<3> x{noise.between(-1, 1), noise.between(-1, 1), noise.between(-1, 1)};
+            const bool isInPiece = std::ranges::any_of(shape.pieces, [&](const auto& piece) { return isInside(piece, x); });
+            EXPECT_EQ(isInside(shape.mesh, x), isInPiece) << k << " " << x.x << " " << x.y << " " << x.z;
+            inside += isInPiece;
+        }
+        EXPECT_NEAR(inside / 1500.0 * 8, std::numbers::pi / 6, 0.2) << k;
+        const auto form = makeCollisionShape(shape).description;
+        EXPECT_NE(form.find(std::to_string(fines + 1) + " convex parts"), std::string::npos) << form;
+    }
+    EXPECT_NE(readSolidShape(c, plan.shapes[0]).mesh.points, readSolidShape(c, plan.shapes[1]).mesh.points);
+}
+
+// A bed of agglomerates comes to rest without overlaps, and its files are those of any bed: meshToGhost takes the merged surface.
+TEST(Bed, OfAgglomerates)
+{
+    const TestCase folder(
+        withRocks("count 4;\nfriction 0.3;\nsize { value 0.014; }\ncontainer { type box; min (0 0 0); max (0.045 0.045 0.1); }\n"
+                  "shapes ( { file \"angular.obj\"; fines { massShare 0.1; min 0.3; } } );\n"));
+    folder.write("constant/geometry",
+                 "dimension 3;\ndomain { min (0 0 0); max (0.045 0.045 0.1); }\nwalls { bed { type triSurface; file \"solids.obj\"; fluid "
+                 "outside; } }\n");
+    folder.write("constant/phaseProperties", "phases (water);\nwater { rho 1000; mu 1e-3; soundSpeed 1; }\n");
+    folder.write("system/sphSchemes", "resolution { spacing 5e-4; support 2.6; kernel wendlandC2; }\n");
+    const auto out = folder.runWell("packParticles", "-solids", 1, 120);
+    EXPECT_NE(out.find("angularFines1.obj: 4 fines, 0.0975 of the mass"), std::string::npos) << out;
+    EXPECT_NE(out.find("5 convex parts"), std::string::npos) << out;
+    const Case c(folder.folder());
+    const auto dict = c.dictionary("constant/solids");
+    const auto file = dict.dictionaries("shapes")[0].get<std::string>("file");
+    EXPECT_EQ(file, "constant/triSurface/angularFines1.obj");
+    const double each =
+        volumeMoments(readSurface(folder.folder(), file)).volume * std::pow(dict.dictionaries("bodies")[0].get<double>("scale"), 3);
+    const auto merged = readSurface(folder.folder(), "constant/triSurface/solids.obj");
+    EXPECT_EQ(looseEdges(merged), 0u);
+    EXPECT_NEAR(volumeMoments(merged).volume / (4 * each), 1, 1e-9);
+    folder.runWell("meshToGhost", "", 1, 120);
+}
+
 // The files say the same: the dictionary's formula gives the merged surface, whose groups are the shapes and whose volume is that of the rocks.
 TEST(Bed, FilesOfRocks)
 {
@@ -661,6 +730,12 @@ TEST(Bed, Mistakes)
          "stand out of it. With \"level yes;\"");
     says(errorOf("count 30;\ntimeLimit 1;\n" + box + size), file + "4: the bed is not at rest after 1 sqrt(d/g)");
     says(errorOf("count 5;\nfricton 1;\n" + box + size), file + "4: entry \"fricton\" is not used here. Did you mean \"friction\"?");
+    const auto fines = [&](const std::string& entries)
+    { return errorOf("count 5;\n" + box + "shapes ( { file \"flat.obj\"; fines { " + entries + " } } );\n" + size); };
+    says(fines("massShare 0.3; min 0.05;"), file + "5: a grain takes 3429 fines of these sizes; 300 are possible");
+    says(fines("massShare 30; min 0.1;"), file + "5: massShare 30 is none of 0 to 0.5");
+    says(fines("massShare 0.1; min 0.3; max 0.2;"), file + "5: max 0.2 is less than min 0.3");
+    says(fines("massShare 0.1; min 0.3; file \"missing.obj\";"), file + "5: constant/triSurface/missing.obj is missing");
     const TestCase none(Files{{"system/packParticlesDict", "lattice cubic;\n"}});
     says(none.run("packParticles", "-solids").err, "has no section \"solids\"");
 }
