@@ -1,4 +1,4 @@
-/// What the log of a run says: the plan at its start, and a report of a step.
+/// The log of a run: it says the plan at the start, and what each reported step was like.
 #pragma once
 #include "base/Clock.hpp"
 #include "solver/Monitor.hpp"
