@@ -33,14 +33,14 @@ namespace entry::mohrCoulomb
 inline const Scalar phi{"frictionAngle", degrees, required, Range{0, 90, true, false}, "phi"},
     psi{"dilatancyAngle", degrees, byScene("0"), Range{0, 90, true, false}, "psi, at most phi; equal to it: the associated flow rule"},
     cohesion{"cohesion", units::pressure, 0, nonNegative, "c"},
-    tension{"tensileStrength", units::pressure, byScene("of the apex, c cot(phi)"), nonNegative, "largest principal stress"};
+    tensileStrength{"tensileStrength", units::pressure, byScene("of the apex, c cot(phi)"), nonNegative, "largest principal stress"};
 }
 
 /// phi, psi and c as the law computes with them.
 struct MohrCoulombStrength
 {
-    double sinPhi = 0, sinPsi = 0, cohesion = 0;              ///< [1], [1], [Pa]
-    double tension = std::numeric_limits<double>::infinity(); ///< T, the apex apart [Pa]
+    double sinPhi = 0, sinPsi = 0, cohesion = 0;             ///< [1], [1], [Pa]
+    double cutOff = std::numeric_limits<double>::infinity(); ///< T, the apex apart [Pa]
 
     static MohrCoulombStrength of(double phi, double psi, double cohesion)
     {
@@ -49,7 +49,7 @@ struct MohrCoulombStrength
     }
     double cosPhi() const { return std::sqrt(1 - sinPhi * sinPhi); }
     /// The tensile strength [Pa], infinite where there is neither friction nor a cut-off.
-    double largestTension() const { return std::fmin(tension, sinPhi > 0 ? cohesion * cosPhi() / sinPhi : tension); }
+    double largestTension() const { return std::fmin(cutOff, sinPhi > 0 ? cohesion * cosPhi() / sinPhi : cutOff); }
 
     /// The planes that the law's sorted principal stresses may be on.
     YieldPlanes planes(const ElasticLaw& elastic) const
@@ -228,7 +228,7 @@ struct MohrCoulomb
     static EntryList entries()
     {
         namespace e = entry::mohrCoulomb;
-        return ElasticLaw::entries() + EntryList{e::phi, e::psi, e::cohesion, e::tension};
+        return ElasticLaw::entries() + EntryList{e::phi, e::psi, e::cohesion, e::tensileStrength};
     }
     static MohrCoulomb read(const Dictionary& d)
     {
@@ -238,12 +238,12 @@ struct MohrCoulomb
         auto law = of(elastic, phi, psi, c);
         if (psi > phi) e::psi.error(d, aboveFriction(psi, phi));
         if (e::phi.given(d) && phi == 0 && c == 0) e::phi.error(d, "frictionAngle and cohesion are both 0: such soil has no strength");
-        if (const double apex = law.strength.largestTension(); e::tension.given(d))
+        if (const double apex = law.strength.largestTension(); e::tensileStrength.given(d))
         {
-            law.strength.tension = e::tension(d, 0);
-            if (law.strength.tension > apex)
-                e::tension.error(d, fmt::format("{:.6g} Pa is above the apex, c cot(phi) = {:.6g} Pa: possible are 0 to that",
-                                                law.strength.tension, apex));
+            law.strength.cutOff = e::tensileStrength(d, 0);
+            if (law.strength.cutOff > apex)
+                e::tensileStrength.error(d, fmt::format("{:.6g} Pa is above the apex, c cot(phi) = {:.6g} Pa: possible are 0 to that",
+                                                        law.strength.cutOff, apex));
         }
         return law;
     }

@@ -54,7 +54,7 @@ struct MohrCoulombSoftening
     using Variables = SofteningStrain;
     using State = SoilState<SofteningStrain>;
     ElasticLaw elastic;
-    double tension = std::numeric_limits<double>::infinity(); ///< of the cut-off [Pa]
+    double cutOff = std::numeric_limits<double>::infinity(); ///< of the cut-off [Pa]
     /// A row of the table; angles in degrees.
     struct Row
     {
@@ -149,7 +149,7 @@ struct MohrCoulombSoftening
         constexpr double degree = std::numbers::pi / 180;
         const auto c = column(e::cohesion, law.strength.cohesion), phi = column(e::phi, std::asin(law.strength.sinPhi) / degree),
                    psi = column(e::psi, std::asin(law.strength.sinPsi) / degree);
-        MohrCoulombSoftening soft{law.elastic, law.strength.tension, {}};
+        MohrCoulombSoftening soft{law.elastic, law.strength.cutOff, {}};
         for (std::size_t k = 0; k < strain.size(); ++k)
         {
             if (strain[k] < 0 || (k > 0 && !(strain[k] > strain[k - 1])))
@@ -178,7 +178,7 @@ private:
     MohrCoulombStrength strengthOf(const Row& row) const
     {
         auto strength = MohrCoulombStrength::of(row.phi, row.psi, row.cohesion);
-        strength.tension = tension;
+        strength.cutOff = cutOff;
         return strength;
     }
     /// The row at kappa, and its slopes.

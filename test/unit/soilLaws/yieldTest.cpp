@@ -42,7 +42,7 @@ const auto elastic = ElasticLaw::of(1e7, 0.3);
 std::vector<MohrCoulomb> soils()
 {
     auto cut = MohrCoulomb::of(elastic, 30, 10, 5e3);
-    cut.strength.tension = 1e3;
+    cut.strength.cutOff = 1e3;
     return {MohrCoulomb::of(elastic, 30, 0, 5e3), MohrCoulomb::of(elastic, 30, 30, 0), MohrCoulomb::of(elastic, 0, 0, 5e3),
             MohrCoulomb::of(elastic, 45, 15, 2e3), cut};
 }
