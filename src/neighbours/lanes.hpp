@@ -232,7 +232,7 @@ template<class L, class At> void storeRowsOf(const At& at, int k, typename L::Fl
     if constexpr (L::count == 8) std::memcpy(at(k + 4), reinterpret_cast<const char*>(&rows) + sizeof(FourFloats), sizeof(FourFloats));
 }
 
-/// Of each four floats of two vectors: a_0 b_0 a_1 b_1 (half 0) or a_2 b_2 a_3 b_3 (half 1); and a_0 a_1 b_0 b_1 or a_2 a_3 b_2 b_3.
+/// Of each four floats of two vectors `alternating` makes a_0 b_0 a_1 b_1 (half 0) or a_2 b_2 a_3 b_3 (half 1), `joined` a_0 a_1 b_0 b_1 or a_2 a_3 b_2 b_3.
 template<int half, class V, int... k> V alternating(V a, V b, std::integer_sequence<int, k...>)
 {
     return __builtin_shufflevector(a, b, (k / 4 * 4 + 2 * half + k % 4 / 2 + k % 2 * int(sizeof...(k)))...);

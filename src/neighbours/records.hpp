@@ -111,15 +111,13 @@ template<class L = WidestLanes> inline void packRecords(const double* const* fro
 /// cache lines.
 template<int dim> constexpr int singleRecordSize(int columnCount) { return int(std::bit_ceil(unsigned(dim + columnCount))); }
 
-/// What the numbers of records in single precision are multiples of.
+/// What the numbers of records in single precision are multiples of. Places: 2^-30 of the domain's extent from its centre on; they are as fine everywhere, differ exactly, and those of
+/// periodic images by 2^30. Columns: powers of two near their values, since floats end at 1e-38, and V^2 of particles of 1 um is 1e-36 m^6.
 template<int dim> struct SingleUnits
 {
     static constexpr int most = 64;
     double centre[dim]; ///< of the domain [m]
-    double unit[most] =
-        {}; ///< of the places: 2^-30 of the domain's extent, so that they are as fine everywhere, differ exactly, and those of periodic images by 2^30;
-        ///< of the columns: powers of two near their values, since floats end at 1e-38, and V^2 of particles of 1 um is 1e-36 m^6
-    double perUnit[most] = {};
+    double unit[most], perUnit[most];
 
     SingleUnits(Vector<dim> low, Vector<dim> high)
     {

@@ -446,7 +446,7 @@ TEST(ElementTests, mistakes)
 TEST(ElementTests, everyEntryIsDeclaredAndRead)
 {
     auto all = files("");
-    all["someName"] = "xx,axialStrain\n1,1\n";
+    all["someName"] = "xx,axialStrain,strain\n1,1,1\n";
     const TestCase folder(all);
     const auto readBoth = [&](const std::string& text)
     {
