@@ -288,6 +288,25 @@ TEST(MohrCoulombTests, thatCannotBe)
               std::string::npos);
 }
 
+/// What the calibration of a case finds.
+Fit fitOf(const Files& files)
+{
+    const TestCase folder(files);
+    const Case c(folder.folder());
+    const auto plan = readFit(c, readSoil(c.dictionary(soilProperties), "within").law);
+    const auto start = startOf(c, plan.constants);
+    c.diagnostics().throwIfAny();
+    return fitConstants(plan, start,
+                        [&](const std::vector<double>& values)
+                        {
+                            const Case other(folder.folder());
+                            const auto soil = readSoilWith(other, plan.constants, values);
+                            const auto with = readFit(other, soil.law).tests;
+                            other.diagnostics().throwIfAny();
+                            return std::pair(soil, with);
+                        });
+}
+
 /// The tutorial's calibration with other values of the law, constants and tests.
 Fit fitted(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests,
            const std::string& law = "modifiedCamClay")
@@ -307,20 +326,7 @@ Fit fitted(const std::string& coeffs, const std::string& constants, const std::v
         if (known != all.end()) files[name + ".csv"] = std::string(std::istreambuf_iterator<char>(in), {});
     }
     files[elementTestDictionary] = text + "    }\n}\n";
-    const TestCase folder(files);
-    const Case c(folder.folder());
-    const auto plan = readFit(c, readSoil(c.dictionary(soilProperties), "within").law);
-    const auto start = startOf(c, plan.constants);
-    c.diagnostics().throwIfAny();
-    return fitConstants(plan, start,
-                        [&](const std::vector<double>& values)
-                        {
-                            const Case other(folder.folder());
-                            const auto soil = readSoilWith(other, plan.constants, values);
-                            const auto with = readFit(other, soil.law).tests;
-                            other.diagnostics().throwIfAny();
-                            return std::pair(soil, with);
-                        });
+    return fitOf(files);
 }
 
 std::string fitRefusal(const std::string& coeffs, const std::string& constants, const std::vector<std::string>& tests,
@@ -396,18 +402,7 @@ TEST(FitOfConstants, frictionNeedsTwoPressures)
             tests += name + " { type triaxialCompression; pressure " + shortestText(p) + "; file \"" + name + ".csv\"; }\n";
         }
         files[elementTestDictionary] = "calibration { constants { " + constants + " } tests { " + tests + " } }";
-        const TestCase folder(files);
-        const Case c(folder.folder());
-        const auto plan = readFit(c, readSoil(c.dictionary(soilProperties), "within").law);
-        const auto start = startOf(c, plan.constants);
-        c.diagnostics().throwIfAny();
-        return fitConstants(plan, start,
-                            [&](const std::vector<double>& values)
-                            {
-                                const Case other(folder.folder());
-                                const auto with = readSoilWith(other, plan.constants, values);
-                                return std::pair(with, readFit(other, with.law).tests);
-                            });
+        return fitOf(files);
     };
     const auto both = of("frictionAngle (15 40); cohesion (1e3 5e4);", {1e5, 2e5});
     EXPECT_NEAR(both.constants[0].value, 25, 1e-3);
