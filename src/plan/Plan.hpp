@@ -142,8 +142,8 @@ private:
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only = {});
     template<class Real> Real* packed() { return reinterpret_cast<Real*>(records_.data()); }
-    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision.
-    void pack(const Pass&, FieldStore<dim>&, const SingleUnits<dim>&, std::size_t begin, std::size_t end);
+    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision where units are given.
+    void pack(const Pass&, FieldStore<dim>&, const std::optional<SingleUnits<dim>>&, std::size_t begin, std::size_t end);
     /// Units of a pass in single precision.
     SingleUnits<dim> unitsOf(const Pass&, const Images<dim>&) const;
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.

@@ -113,10 +113,11 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
 }
 
 template<int dim>
-void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const SingleUnits<dim>& units, std::size_t begin, std::size_t end)
+void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const std::optional<SingleUnits<dim>>& units, std::size_t begin,
+                     std::size_t end)
 {
     const std::size_t n = store.size();
-    const int columns = int(pass.sources.size()), single = pass.single ? singleRecordSize<dim>(columns) : 0;
+    const int columns = int(pass.sources.size()), single = units ? singleRecordSize<dim>(columns) : 0;
     const auto bytes =
         n * (single ? std::size_t(single) * sizeof(float) : std::size_t(Stencil<dim>::recordsWidth(columns)) * sizeof(double));
     if (records_.size() < bytes)
@@ -141,14 +142,14 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const SingleUnits
         };
         const auto at = [&](const double* const* of, int width, std::size_t b)
         {
-            std::array<const double*, 64> part;
+            std::array<const double*, SingleUnits<dim>::most> part;
             for (int c = 0; c < width; ++c) part[std::size_t(c)] = of[c] + b;
             return part;
         };
         if (single)
             inBlocks(
                 [&](std::size_t b, std::size_t count) {
-                    packSingleRecords(at(from.data(), single, b).data(), columns, units, count, packed<float>() + b * std::size_t(single));
+                    packSingleRecords(at(from.data(), single, b).data(), columns, *units, count, packed<float>() + b * std::size_t(single));
                 });
         double* to = packed<double>();
         const double* const* of = from.data();
@@ -166,14 +167,17 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const SingleUnits
 template<int dim> SingleUnits<dim> Plan<dim>::unitsOf(const Pass& pass, const Images<dim>& images) const
 {
     auto units = images.singleUnits();
-    if (!pass.single) return units;
     const std::size_t n = images.owned(), sampled = 1024;
     for (std::size_t c = 0; c < pass.sources.size(); ++c)
     {
-        double size = 0;
-        for (std::size_t stride : {std::max<std::size_t>(1, n / sampled), std::size_t(1)}) // all of them where those are 0
-            for (std::size_t i = 0; i < n && (size == 0 || stride > 1); i += stride) size = std::max(size, std::fabs(pass.sources[c][i]));
-        units.setScale(dim + int(c), size);
+        const auto largestOfEach = [&](std::size_t stride)
+        {
+            double largest = 0;
+            for (std::size_t i = 0; i < n; i += stride) largest = std::max(largest, std::fabs(pass.sources[c][i]));
+            return largest;
+        };
+        const double ofSample = largestOfEach(std::max<std::size_t>(1, n / sampled));
+        units.setScale(dim + int(c), ofSample > 0 ? ofSample : largestOfEach(1));
     }
     return units;
 }
@@ -192,7 +196,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     std::vector<InLayersOf> inLayers; // of the columns
     for (const auto& f : pass.columns) inLayers.push_back({images.rules().any(f.info.ofRule), images.rules().interpolates(f.info)});
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
-    const auto units = unitsOf(pass, images);
+    const auto units = pass.single ? std::optional(unitsOf(pass, images)) : std::nullopt;
 
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     constexpr std::size_t ahead = 2;
@@ -208,7 +212,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                 const KnownNeighbours known{pass.within ? lists.within(i) : lists.of(i, room), pass.within,
                                             pass.slopes ? lists.slopes(i) : KeptSlopes{}};
                 if (pass.slopes && place + ahead < end) lists.fetchKept(which ? std::size_t(which[place + ahead]) : place + ahead);
-                if (pass.single) stencil.fillSingle(int(i), known, packed<float>(), int(pass.sources.size()), units);
+                if (pass.single) stencil.fillSingle(int(i), known, packed<float>(), int(pass.sources.size()), *units);
                 else stencil.fill(int(i), known, x, packed<double>(), store.size(), pass.sources, k, pass.readsKernel, null);
                 if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel, pass.slopes);
