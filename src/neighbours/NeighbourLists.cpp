@@ -160,15 +160,16 @@ template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 
 template<int dim> void NeighbourLists<dim>::makeRoomForSlopes(bool inSinglePrecision)
 {
-    const auto makeRoom = []<class Slopes>(Slopes& slopes, std::size_t size)
+    const auto makeRoom = []<class Slopes, class Others>(Slopes& slopes, Others& others, std::size_t size)
     {
+        others = Others();
         if (slopes.size() >= size) return;
         slopes = Slopes();
         slopes.resize(size);
     };
     for (auto& c : chunks_)
-        if (const auto size = c.withinBegin(chunkSize); inSinglePrecision) makeRoom(c.singleSlopes, size);
-        else makeRoom(c.slopes, size);
+        if (const auto size = c.withinBegin(chunkSize); inSinglePrecision) makeRoom(c.singleSlopes, c.slopes, size);
+        else makeRoom(c.slopes, c.singleSlopes, size);
 }
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const

@@ -91,7 +91,8 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         return {c.within.data() + c.withinBegin(i % chunkSize), std::size_t(c.withinCount[i % chunkSize])};
     }
-    /// (dW/dr)/r of those pairs, one number for each entry of `within(i)`, likewise: room is made before a loop that writes them.
+    /// (dW/dr)/r of those pairs, one number for each entry of `within(i)`, likewise: room is made before a loop that writes them, in one of the two
+    /// precisions; what was kept in the other is gone.
     void makeRoomForSlopes(bool inSinglePrecision);
     KeptSlopes slopes(std::size_t i)
     {

@@ -146,6 +146,50 @@ TEST(NeighbourLists, KeepWhatAPassFound)
         ASSERT_EQ(std::vector<int>(lists.within(i).begin(), lists.within(i).end()), kept(i)) << "particle " << i;
 }
 
+// Two plans share the lists of a scene, and may keep in two precisions: what is kept lies in the room that was made last, also where lists have grown since the room of the other was made.
+TEST(NeighbourLists, KeepSlopesInThePrecisionAskedForLast)
+{
+    const auto points = randomPoints<2>(600, {1, 1});
+    FieldStore<2> store;
+    setPositions(store, points);
+    NeighbourLists<2> lists;
+    const auto build = [&](double radius)
+    {
+        lists.build(positions(store), points.size(), points.size(), radius);
+        lists.makeRoomWithin();
+        NeighbourLists<2>::Room room;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const auto list = lists.of(i, room);
+            lists.keepWithin(i, list.data(), int(list.size()));
+        }
+    };
+    const auto numbersOf = [&](std::size_t i)
+    {
+        std::vector<double> numbers(lists.within(i).size());
+        for (std::size_t t = 0; t < numbers.size(); ++t) numbers[t] = double(1000 * i + t);
+        return numbers;
+    };
+    for (const auto& [radius, inSinglePrecision] : {std::pair{0.05, true}, {0.2, false}, {0.1, true}, {0.3, false}, {0.4, true}})
+    {
+        build(radius);
+        lists.makeRoomForSlopes(inSinglePrecision);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const auto slopes = lists.slopes(i);
+            ASSERT_EQ(slopes.single != nullptr, inSinglePrecision) << "radius " << radius;
+            ASSERT_EQ(slopes.exact == nullptr, inSinglePrecision) << "radius " << radius;
+            slopes.keep(numbersOf(i).data(), int(numbersOf(i).size()));
+        }
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            std::vector<double> read(lists.within(i).size());
+            lists.slopes(i).read(read.data(), int(read.size()));
+            ASSERT_EQ(read, numbersOf(i)) << "particle " << i << ", radius " << radius;
+        }
+    }
+}
+
 // A lattice, whose distances equal the radius up to round-off: "less than" must mean the same in cells, lanes and the plain loop.
 TEST(NeighbourLists, EqualBruteForceOfALattice)
 {
