@@ -469,6 +469,66 @@ TEST(LiquidAlone, MeetsWallsAtTheirContactAngle)
     }
 }
 
+// Uniform suction has no force inside, however the particles lie; at the surface it has all of its force, and so has pressure everywhere.
+TEST(FreeSurfaceForce, TakesTheForceOfUniformSuctionFromWhatLiesInside)
+{
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> any(-0.1, 0.1);
+    auto places = lattice<2>(9, [](auto) { return true; });
+    for (auto& x : places) x += Vector<2>{any(random), any(random)};
+    Free<2> block(numbers(2, 3), places);
+    block.completeDensity();
+    const FreeSurfaceForce tension(block.c);
+    int inside = 0, outside = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        for (auto& q : block.particles) q.p = -2;
+        const auto pull = block.of(HuAdamsPressure{}, i), left = pull + block.of(tension, i);
+        const double t = block.particles[i].t, share = std::min(1.0, t / FreeSurfaceForce::insideUpTo);
+        EXPECT_LT(mag(left - share * pull), 1e-12 * (1 + mag(pull))) << "t " << t;
+        for (auto& q : block.particles) q.p = 2;
+        EXPECT_EQ(mag(block.of(tension, i)), 0);
+        (share < 1 ? inside : outside) += 1;
+    }
+    EXPECT_GT(inside, 100);
+    EXPECT_GT(outside, 50);
+}
+
+// A column between two plates that it wets hangs from its two menisci, under their suction, and comes to rest.
+TEST(LiquidAlone, RestsUnderTheSuctionOfItsMenisci)
+{
+    auto files = discAlone("gas none;\nintegration { scheme implicit; }\n");
+    files["constant/geometry"] =
+        "dimension 2; domain { min (0 0 0); max (1 5 0); }\nwalls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point "
+        "(0 5 0); normal (0 -1 0); } left { type plane; point (0 0 0); normal (1 0 0); contactAngle 60; } right { type plane; point (1 0 0); "
+        "normal (-1 0 0); contactAngle 60; } }\n";
+    files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.1; soundSpeed 15; sigma 1; }\n";
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.0625; support 3; kernel wendlandC2; }\ngas none;\nintegration { scheme implicit; }\n";
+    CaseScene scene(files);
+    ASSERT_EQ(scene.errors, "");
+    Cloud cloud;
+    auto& phase = cloud.fields["phase"].component;
+    phase.resize(1);
+    const double dx = 0.0625;
+    for (int i = 0; i < 16; ++i)
+        for (int j = 0; j < 32; ++j)
+        {
+            cloud.x.push_back(dx * (i + 0.5));
+            cloud.y.push_back(dx * (j + 0.5));
+            cloud.z.push_back(0);
+            phase[0].push_back(0);
+        }
+    const auto simulation = makeSimulation(scene.settings, scene.geometry, cloud, {});
+    for (double time = 0; time < 3;)
+    {
+        const double deltaT = std::min(simulation->stepLimit().deltaT, 3 - time);
+        simulation->step(time, deltaT);
+        time += deltaT;
+    }
+    EXPECT_LT(simulation->energy().kinetic, 1e-3);
+}
+
 // What drips in at a given rate falls freely and leaves by an outlet that gives no pressure: the balance is exact, and no particle much faster than it falls.
 TEST(LiquidAlone, DripsInAndFallsOut)
 {
