@@ -16,7 +16,7 @@ template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 
 public:
     explicit ReflectedVelocity(const Geometry& g) : geometry_(g) {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
@@ -33,6 +33,15 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
+/// Share of the even part d^2 v'' that a ghost of a ghost has, by the cosine `facing` = -n.m of the angle alpha between its two walls: 1 up to 60 degrees, 0 from 80 on.
+///
+///   v = a/(2 nu cos(alpha)) d_1 d_2 + C r^(pi/alpha) sin(pi theta/alpha)
+///
+/// is the steady flow along the edge of a wedge, d_1, d_2 [m] distances from its two planes. Its second part changes its sign in every reflection. The first has v'' = -a/nu across either plane and is a polynomial: what
+/// continues it through one plane continues it through the other as well, and it is the larger part where alpha < 90 degrees. Parallel plates, alpha = 0, have a parabola at any width. At 90 degrees one image stands for those of both orders,
+/// whose even parts, of x^2 - y^2 and y^2 - x^2, cancel; in an open corner the second part is the larger one.
+double evenShare(double facing);
+
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
 ///   v_g = v_w - q (v - v_w)/sqrt(w) - q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t
@@ -40,7 +49,7 @@ public:
 /// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
 /// where it is not the same everywhere, a_p = (-grad p + surface tension)/rho of the source, low-passed; t the part along the wall. From
 /// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. A gradient of
-/// mu at the wall is left out. Ghosts of ghosts (corners, pinches) take the curvature factor alone.
+/// mu at the wall is left out. A ghost of a ghost has evenShare of that part.
 template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -53,7 +62,7 @@ template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 public:
     /// `varies`: mu and rho are the source's own.
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&, bool varies);
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
     /// Binds the rule again after each change of the arrays.
     void bind() override;
@@ -82,7 +91,7 @@ protected:
 
 public:
     HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(c.g), f_(in<dim>(c.bodyForce)) {}
-    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
     double change(double dp, const Reflection<dim>&) const override { return dp; }
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
 };
@@ -96,7 +105,7 @@ template<int dim> class DetachingPressure final : public HydrostaticPressure<dim
 {
 public:
     using HydrostaticPressure<dim>::HydrostaticPressure;
-    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
@@ -111,7 +120,7 @@ template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 
 public:
     explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
@@ -133,10 +142,7 @@ public:
     VelocityByWall(const Geometry& g, std::unique_ptr<GhostVelocity<dim>> ofOthers)
         : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
     {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const override
-    {
-        return of(r)(v, source, r, once);
-    }
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r) const override { return of(r)(v, source, r); }
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>& r) const override { return of(r).change(dv, r); }
     void bind() override { ofOthers_->bind(); }
     void filter() override { ofOthers_->filter(); }
