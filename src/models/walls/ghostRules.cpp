@@ -56,7 +56,8 @@ template<int dim> Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v
     const WallProperties& wall = geometry_.walls[r.wall];
     const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_) / rho;
     a += in<dim>(g_) + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
-    return continued - share * 0.5 * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu * (a - dot(a, r.normal) * r.normal);
+    const double evenPart = share * 0.25 * (1 + 1 / std::sqrt(r.weight)) * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu;
+    return continued - evenPart * (a - dot(a, r.normal) * r.normal);
 }
 
 template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const

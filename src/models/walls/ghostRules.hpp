@@ -44,9 +44,10 @@ double evenShare(double facing);
 
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
-///   v_g = v_w - q (v - v_w)/sqrt(w) - q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t
+///   v_g = v_w - q c (v - v_w) - (1 + c)/2 q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t,    c = 1/sqrt(w)
 ///
-/// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
+/// w volume factor of the reflection: c = (R + d)/(R - d) outside a sphere, where the rule is exact for q = 1: it continues B (1/R - 1/r) and -a/(6 nu) (r^2 - 3 R^2 + 2 R^3/r). On other curved walls the even part is so of third
+/// order in d; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
 /// where it is not the same everywhere, a_p = (-grad p + surface tension)/rho of the source, low-passed; t the part along the wall. From
 /// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. A gradient of
 /// mu at the wall is left out. A ghost of a ghost has evenShare of that part.

@@ -210,6 +210,23 @@ TEST(GhostVelocity, SecondOrderKnowsTheCurvature)
     EXPECT_NEAR(rule({0.7, 0}, 0, reflection).x, -0.7 * (R + d) / (R - d), 1e-14);
 }
 
+// Outside a sphere -a/(6 nu) (r^2 - 3 R^2 + 2 R^3/r) + B (1/R - 1/r) is the flow of constant acceleration a that depends on r alone and vanishes at R: the rule continues it exactly.
+TEST(GhostVelocity, SecondOrderContinuesAFlowOutsideASphere)
+{
+    MovingWall w;
+    w.geometry.walls[0].velocity = {0, 0, 0};
+    SecondOrderVelocity<2> rule(w.geometry, w.store, w.coefficients, false);
+    rule.bind();
+    const double R = 0.4, B = 2, a = 3, nu = 0.02;
+    const auto flow = [&](double r) { return -a / (6 * nu) * (r * r - 3 * R * R + 2 * R * R * R / r) + B * (1 / R - 1 / r); };
+    for (const double d : {0.01, 0.1, 0.3})
+    {
+        auto reflection = w.at(d);
+        reflection.weight = std::pow((R - d) / (R + d), 2);
+        EXPECT_NEAR(rule({flow(R + d), 0}, 0, reflection).x, flow(R - d), 1e-11) << d;
+    }
+}
+
 // A wall with `slip yes;` mirrors, the others do what their rule does, and both at the change of a velocity and when arrays are bound again.
 TEST(GhostVelocity, EachWallHasItsRule)
 {
