@@ -46,11 +46,11 @@ double evenShare(double facing);
 ///
 ///   v_g = v_w - q c (v - v_w) - (1 + c)/2 q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t,    c = 1/sqrt(w)
 ///
-/// w volume factor of the reflection: c = (R + d)/(R - d) outside a sphere, where the rule is exact for q = 1: it continues B (1/R - 1/r) and -a/(6 nu) (r^2 - 3 R^2 + 2 R^3/r). On other curved walls the even part is so of third
-/// order in d; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
+/// w volume factor of the reflection: c = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
 /// where it is not the same everywhere, a_p = (-grad p + surface tension)/rho of the source, low-passed; t the part along the wall. From
-/// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. A gradient of
-/// mu at the wall is left out. A ghost of a ghost has evenShare of that part.
+/// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. Outside a sphere the rule is exact
+/// for the flow -a/(6 nu) (r^2 - 3 R^2 + 2 R^3/r) + B (1/R - 1/r), at other curved walls to the third order in d. A gradient of
+/// mu at the wall is left out. A ghost of a ghost has evenShare of the even part.
 template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
