@@ -16,6 +16,9 @@ template<int dim> struct Reflection
     int wall;
     Vector<3> foot;
     double ratio = 1; ///< distance of the ghost from the wall over that of the source: not 1 where it is no mirror image (WallLayers.hpp)
+    /// An image of an image: -n.m, n and m the normals of this wall and of the one before it, is 1 between parallel plates, 0 at a right angle and less in an open corner.
+    /// 1 where the particle itself is mirrored, 0 where a particle of a layer lies behind several walls.
+    double facing = 1;
 };
 
 /// The interface that all rules share, whatever the type of their field.
@@ -31,8 +34,8 @@ public:
 template<class Value, int dim> class GhostRule : public AnyGhostRule
 {
 public:
-    /// q: value of the particle or ghost that is mirrored; `once` is true where it is the owned particle `source` itself, not a ghost of it.
-    virtual Value operator()(Value q, std::size_t source, const Reflection<dim>&, bool once) const = 0;
+    /// q: value of the owned particle `source`, or of a ghost of it, that is mirrored.
+    virtual Value operator()(Value q, std::size_t source, const Reflection<dim>&) const = 0;
     /// Change of the ghost's value for a change dq of the mirrored value: the rule's linear part.
     virtual Value change(Value dq, const Reflection<dim>&) const = 0;
 };

@@ -153,10 +153,11 @@ template<int dim> template<class F> void Images<dim>::refresh(const Images& imag
                 else
                 {
                     const auto foot = x - feet[r].distance * feet[r].normal;
-                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, feet[r].wall, in3D(foot)};
+                    const double facing = r == 0 ? 1 : -dot(feet[r].normal, feet[r - 1].normal);
+                    const Reflection<dim> reflection{feet[r].distance, feet[r].weight, feet[r].normal, feet[r].wall, in3D(foot), 1, facing};
                     x = foot - feet[r].distance * feet[r].normal;
                     if constexpr (ofGradient) q = gradientBeyond(*rule, q, reflection);
-                    else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection, r == 0);
+                    else if constexpr (F::info.image == Image::ruled) q = (*rule)(q, e.source, reflection);
                     else q = rule->change(q, reflection);
                 }
             }

@@ -118,7 +118,7 @@ private:
     class Feet;
 
     /// The pair as the rules of ghosts know it. The weight is that of a mirror image where d_j = d_i.
-    static Reflection<dim> reflection(const Behind&, double d_i);
+    static Reflection<dim> reflection(const Behind&, double d_i, std::size_t walls);
 };
 
 }

@@ -22,13 +22,17 @@
 namespace sph
 {
 
-template<int dim> Reflection<dim> WallLayers<dim>::reflection(const Behind& b, double d_i)
+template<int dim> Reflection<dim> WallLayers<dim>::reflection(const Behind& b, double d_i, std::size_t walls)
 {
     const double d_j = -b.foot.distance, k1 = b.foot.k1, k2 = b.foot.k2;
     const bool flat = k1 == 0 && k2 == 0;
-    return {
-        d_i,      flat ? 1 : (1 + k1 * d_j) * (1 + k2 * d_j) / ((1 - k1 * d_i) * (1 - k2 * d_i)), in<dim>(b.foot.normal), b.wall, b.surface,
-        d_j / d_i};
+    return {d_i,
+            flat ? 1 : (1 + k1 * d_j) * (1 + k2 * d_j) / ((1 - k1 * d_i) * (1 - k2 * d_i)),
+            in<dim>(b.foot.normal),
+            b.wall,
+            b.surface,
+            d_j / d_i,
+            walls == 1 ? 1.0 : 0.0};
 }
 
 template<int dim> class WallLayers<dim>::Feet
@@ -94,7 +98,8 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
             feet.emplace(*this, particle.x + x_ij);
         }
         const auto walls = wallsOf(particle);
-        for (std::size_t k = 0; seenByWalls && k < walls.size(); ++k) at[k] = reflection(walls[k], feet->on(walls[k]).distance);
+        for (std::size_t k = 0; seenByWalls && k < walls.size(); ++k)
+            at[k] = reflection(walls[k], feet->on(walls[k]).distance, walls.size());
 
         // v_i + Delta, where each wall behind the first multiplies Delta = v_g - v_i by 1 + d_j/d_i
         const auto continued = [&](const GhostVelocity<dim>& rule, Vector<dim> v_i, Vector<dim> v_g)
@@ -112,14 +117,14 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
                 // Relative to the wall, each at its own foot: where it turns the two are not the same.
                 if (image == Image::ruled && turns(walls[0].wall))
                     q = q - feet->on(walls[0]).velocity + in<dim>(geometry_.wallVelocity(walls[0].wall, walls[0].surface));
-                if (image == Image::ruled) return continued(*rule, q, (*rule)(q, i, at[0], walls.size() == 1));
+                if (image == Image::ruled) return continued(*rule, q, (*rule)(q, i, at[0]));
                 if (image == Image::ruledChange) return continued(*rule, q, rule->change(q, at[0]));
             }
             for (std::size_t k = 0; k < walls.size(); ++k)
             {
                 if (image == Image::ruled && any)
                 {
-                    q = (*static_cast<const GhostRule<decltype(q), dim>*>(any))(q, i, at[k], walls.size() == 1);
+                    q = (*static_cast<const GhostRule<decltype(q), dim>*>(any))(q, i, at[k]);
                     continue;
                 }
                 if constexpr (std::same_as<decltype(q), Tensor<dim>>)

@@ -94,7 +94,8 @@ void WallLayers<dim>::extrapolateAs(FieldStore<dim>& store, const std::string& f
                                 if (rule)
                                     for (const Behind& behind : wallsOf(particle))
                                         q_j =
-                                            (*rule)(q_j, i, reflection(behind, Feet(*this, x_i).on(behind).distance), particle.walls == 1);
+                                            (*rule)(q_j, i,
+                                                    reflection(behind, Feet(*this, x_i).on(behind).distance, std::size_t(particle.walls)));
                                 if (fit) W *= (*fit)(x_i - particle.x);
                                 sum += W * q_j;
                                 weight += W;

@@ -11,7 +11,7 @@ namespace sph::test
 template<int dim> class Reversed : public GhostVelocity<dim>
 {
 public:
-    Vector<dim> operator()(Vector<dim> v, std::size_t, const Reflection<dim>&, bool) const override { return -1.0 * v; }
+    Vector<dim> operator()(Vector<dim> v, std::size_t, const Reflection<dim>&) const override { return -1.0 * v; }
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override { return -1.0 * dv; }
 };
 

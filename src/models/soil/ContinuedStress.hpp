@@ -37,7 +37,7 @@ public:
           continues_(pressure != "mirrored"),
           detaches_(pressure == "detaching")
     {}
-    SymmTensor<dim> operator()(SymmTensor<dim> S, std::size_t source, const Reflection<dim>& r, bool) const override
+    SymmTensor<dim> operator()(SymmTensor<dim> S, std::size_t source, const Reflection<dim>& r) const override
     {
         const auto beyond = rubs(r) ? S + withShear(S, source, r.normal) : change(S, r);
         if (!continues_) return beyond;

@@ -24,7 +24,7 @@ template<int dim> class ContinuedPorePressure final : public GhostRule<double, d
 
 public:
     ContinuedPorePressure(const PoreWater& water, const Coefficients& c) : water_(water), g_(c.g) {}
-    double operator()(double p, std::size_t, const Reflection<dim>& r, bool) const override
+    double operator()(double p, std::size_t, const Reflection<dim>& r) const override
     {
         const auto& wall = water_.walls[std::size_t(r.wall)];
         if (wall.pressure) return *wall.pressure - r.ratio * (p - *wall.pressure);

@@ -20,7 +20,7 @@ template<int dim> class ContinuedTemperature final : public GhostRule<double, di
 
 public:
     ContinuedTemperature(const ThermalProperties& t, FieldStore<dim>& store) : thermal_(t), store_(store) {}
-    double operator()(double T, std::size_t source, const Reflection<dim>& r, bool) const override
+    double operator()(double T, std::size_t source, const Reflection<dim>& r) const override
     {
         const double kappa = thermal_.kappa[phase_ ? std::size_t(phase_[source]) : 0];
         const double T_f = thermal_.walls[std::size_t(r.wall)].atFoot(T, r.distance, kappa);
@@ -38,7 +38,7 @@ template<int dim> class HeatedWallOfGhost final : public GhostRule<double, dim>
 
 public:
     HeatedWallOfGhost(const ThermalProperties& t, bool even) : thermal_(t), even_(even) {}
-    double operator()(double before, std::size_t, const Reflection<dim>& r, bool) const override
+    double operator()(double before, std::size_t, const Reflection<dim>& r) const override
     {
         const double withoutPart = 1 + double(thermal_.walls.size());
         if (before == withoutPart) return before;
@@ -66,13 +66,13 @@ public:
     BuoyantPressure(const ThermalProperties& t, FieldStore<dim>& store, const Vector<3>& g, std::unique_ptr<GhostPressure<dim>> ofWeight)
         : thermal_(t), store_(store), g_(g), ofWeight_(std::move(ofWeight))
     {}
-    double operator()(double p, std::size_t source, const Reflection<dim>& r, bool once) const override
+    double operator()(double p, std::size_t source, const Reflection<dim>& r) const override
     {
         const auto k = phase_ ? std::size_t(phase_[source]) : 0;
         const double T_f = thermal_.walls[std::size_t(r.wall)].atFoot(T_[source], r.distance, thermal_.kappa[k]);
         const double lift = -thermal_.beta[k] * (T_f - thermal_.T0);
         const double byLift = -(1 + r.ratio) * r.distance * rho_[source] * lift * dot(r.normal, in<dim>(g_));
-        return (*ofWeight_)(p + byLift, source, r, once);
+        return (*ofWeight_)(p + byLift, source, r);
     }
     double change(double dp, const Reflection<dim>& r) const override { return ofWeight_->change(dp, r); }
     void bind() override

@@ -3,7 +3,7 @@
 namespace sph
 {
 
-template<int dim> Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
+template<int dim> Vector<dim> ReflectedVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     return v_w + change(v - v_w, r);
@@ -15,6 +15,12 @@ template<int dim> Vector<dim> LimitedVelocity<dim>::change(Vector<dim> dv, const
 {
     constexpr double beta = 1.5;
     return -std::fmin(r.ratio, beta - 1) * dv;
+}
+
+double evenShare(double facing)
+{
+    constexpr double nothing = 0.174, whole = 0.5; // 80 and 60 degrees
+    return smoothStep((facing - nothing) / (whole - nothing));
 }
 
 template<int dim>
@@ -40,17 +46,18 @@ template<int dim> void SecondOrderVelocity<dim>::filter()
         for (int c = 0; c < dim; ++c) a_[c][i] += share * (a_p[c][i] - a_[c][i]);
 }
 
-template<int dim>
-Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const
+template<int dim> Vector<dim> SecondOrderVelocity<dim>::operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     const auto continued = v_w + change(v - v_w, r);
-    if (!once) return continued;
+    const double share = evenShare(r.facing);
+    if (share == 0) return continued;
     auto a = valueAt<Vector<dim>>(a_, source);
     const WallProperties& wall = geometry_.walls[r.wall];
     const double rho = varies_ ? rhoOf_[source] : rho_, nu = (varies_ ? muOf_[source] : mu_) / rho;
     a += in<dim>(g_) + f_ / rho - in<dim>(cross(wall.omega, cross(wall.omega, r.foot - wall.origin)));
-    return continued - 0.5 * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu * (a - dot(a, r.normal) * r.normal);
+    const double evenPart = share * 0.25 * (1 + 1 / std::sqrt(r.weight)) * r.ratio * (1 + r.ratio) * sqr(r.distance) / nu;
+    return continued - evenPart * (a - dot(a, r.normal) * r.normal);
 }
 
 template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, const Reflection<dim>& r) const
@@ -58,7 +65,7 @@ template<int dim> Vector<dim> SecondOrderVelocity<dim>::change(Vector<dim> dv, c
     return -r.ratio / std::sqrt(r.weight) * dv;
 }
 
-template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r, bool) const
+template<int dim> Vector<dim> SlippingVelocity<dim>::operator()(Vector<dim> v, std::size_t, const Reflection<dim>& r) const
 {
     const auto v_w = in<dim>(geometry_.wallVelocity(r.wall, r.foot));
     return v_w + change(v - v_w, r);
@@ -69,16 +76,14 @@ template<int dim> Vector<dim> SlippingVelocity<dim>::change(Vector<dim> dv, cons
     return dv - (1 + r.ratio) * dot(r.normal, dv) * r.normal;
 }
 
-template<int dim>
-double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
+template<int dim> double HydrostaticPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
 {
     return p - (1 + r.ratio) * r.distance * dot(r.normal, rho_[source] * in<dim>(g_) + f_);
 }
 
-template<int dim>
-double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r, [[maybe_unused]] bool once) const
+template<int dim> double DetachingPressure<dim>::operator()(double p, std::size_t source, const Reflection<dim>& r) const
 {
-    return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r, once), std::fmin(p, 0.0));
+    return std::fmax(HydrostaticPressure<dim>::operator()(p, source, r), std::fmin(p, 0.0));
 }
 
 template class DetachingPressure<2>;

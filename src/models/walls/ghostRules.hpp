@@ -16,7 +16,7 @@ template<int dim> class ReflectedVelocity : public GhostVelocity<dim>
 
 public:
     explicit ReflectedVelocity(const Geometry& g) : geometry_(g) {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
@@ -33,14 +33,24 @@ public:
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
+/// Share of the even part d^2 v'' that a ghost of a ghost has, by the cosine `facing` = -n.m of the angle alpha between its two walls: 1 up to 60 degrees, 0 from 80 on.
+///
+///   v = a/(2 nu cos(alpha)) d_1 d_2 + C r^(pi/alpha) sin(pi theta/alpha)
+///
+/// is the steady flow along the edge of a wedge, d_1, d_2 [m] distances from its two planes. Its second part changes its sign in every reflection. The first has v'' = -a/nu across either plane and is a polynomial: what
+/// continues it through one plane continues it through the other as well, and it is the larger part where alpha < 90 degrees. Parallel plates, alpha = 0, have a parabola at any width. At 90 degrees one image stands for those of both orders,
+/// whose even parts, of x^2 - y^2 and y^2 - x^2, cancel; in an open corner the second part is the larger one.
+double evenShare(double facing);
+
 /// Second-order no slip: the smooth continuation of the flow through the wall, from its momentum balance there.
 ///
-///   v_g = v_w - q (v - v_w)/sqrt(w) - q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t
+///   v_g = v_w - q c (v - v_w) - (1 + c)/2 q (1 + q)/2 d^2/nu (a_p + g - dv_w/dt)_t,    c = 1/sqrt(w)
 ///
-/// w volume factor of the reflection: 1/sqrt(w) = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
+/// w volume factor of the reflection: c = (R + d)/(R - d) outside a sphere; d [m] distance of the source, nu = mu/rho [m^2/s] of the source
 /// where it is not the same everywhere, a_p = (-grad p + surface tension)/rho of the source, low-passed; t the part along the wall. From
-/// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. A gradient of
-/// mu at the wall is left out. Ghosts of ghosts (corners, pinches) take the curvature factor alone.
+/// nu laplacian(v) = -(a_p + g) at the wall, where v - v_w = 0: the ghost carries the even part d^2 v'' that a bare sign change loses. Outside a sphere the rule is exact
+/// for the flow -a/(6 nu) (r^2 - 3 R^2 + 2 R^3/r) + B (1/R - 1/r), at other curved walls to the third order in d. A gradient of
+/// mu at the wall is left out. A ghost of a ghost has evenShare of the even part.
 template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 {
     const Geometry& geometry_;
@@ -53,7 +63,7 @@ template<int dim> class SecondOrderVelocity : public GhostVelocity<dim>
 public:
     /// `varies`: mu and rho are the source's own.
     SecondOrderVelocity(const Geometry&, FieldStore<dim>&, const Coefficients&, bool varies);
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
     /// Binds the rule again after each change of the arrays.
     void bind() override;
@@ -82,7 +92,7 @@ protected:
 
 public:
     HydrostaticPressure(FieldStore<dim>& store, const Coefficients& c) : store_(store), g_(c.g), f_(in<dim>(c.bodyForce)) {}
-    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
     double change(double dp, const Reflection<dim>&) const override { return dp; }
     void bind() override { rho_ = store_.component(Density::info.name, 0); }
 };
@@ -96,7 +106,7 @@ template<int dim> class DetachingPressure final : public HydrostaticPressure<dim
 {
 public:
     using HydrostaticPressure<dim>::HydrostaticPressure;
-    double operator()(double p, std::size_t source, const Reflection<dim>&, bool once) const override;
+    double operator()(double p, std::size_t source, const Reflection<dim>&) const override;
     double change(double dp, const Reflection<dim>&) const override { return dp; }
 };
 
@@ -111,7 +121,7 @@ template<int dim> class SlippingVelocity : public GhostVelocity<dim>
 
 public:
     explicit SlippingVelocity(const Geometry& g) : geometry_(g) {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&, bool once) const override;
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>&) const override;
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>&) const override;
 };
 
@@ -133,10 +143,7 @@ public:
     VelocityByWall(const Geometry& g, std::unique_ptr<GhostVelocity<dim>> ofOthers)
         : geometry_(g), slipping_(g), ofOthers_(std::move(ofOthers))
     {}
-    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r, bool once) const override
-    {
-        return of(r)(v, source, r, once);
-    }
+    Vector<dim> operator()(Vector<dim> v, std::size_t source, const Reflection<dim>& r) const override { return of(r)(v, source, r); }
     Vector<dim> change(Vector<dim> dv, const Reflection<dim>& r) const override { return of(r).change(dv, r); }
     void bind() override { ofOthers_->bind(); }
     void filter() override { ofOthers_->filter(); }

@@ -140,7 +140,7 @@ class Listening : public GhostVelocity<2>
 {
 public:
     mutable std::vector<Vector<3>> feet;
-    Vector<2> operator()(Vector<2> v, std::size_t, const Reflection<2>& r, bool) const override
+    Vector<2> operator()(Vector<2> v, std::size_t, const Reflection<2>& r) const override
     {
         feet.push_back(r.foot);
         return v;

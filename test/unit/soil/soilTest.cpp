@@ -823,7 +823,7 @@ TEST(ContinuedStress, HasTheWeightOfTheSoilBetween)
     {
         ContinuedStress<2> rule(geometry, store, c, false, word);
         rule.bind();
-        return rule(of, 0, r, true);
+        return rule(of, 0, r);
     };
     EXPECT_EQ(beyond("hydrostatic", S).yy, -900 - 2000);
     EXPECT_EQ(beyond("hydrostatic", S).xx, -500);
