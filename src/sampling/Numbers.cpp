@@ -161,7 +161,8 @@ NamedNumber Numbers::reduced(const Number& number, const ParticleView& view, con
     const auto weightUpTo = [&](double bound)
     { return sum(view.n, [&](std::size_t i) { return isChosen[i] && f[i] <= bound ? w[i] : 0; }); };
     double low = least(), high = mostUpTo(infinity);
-    const double wanted = number.percent / 100 * weightUpTo(high);
+    constexpr double roundOff = 1e-12; // of sums: ten particles of a hundred are 10 %
+    const double wanted = (1 - roundOff) * number.percent / 100 * weightUpTo(high);
     if (!(low < high) || weightUpTo(low) >= wanted) return is(low);
     constexpr int halvings = 64; // more than a double has digits
     for (int k = 0; k < halvings; ++k)
