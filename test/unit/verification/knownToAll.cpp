@@ -3,8 +3,8 @@
 
 namespace
 {
-const struct Known
+const struct AddedToAll
 {
-    Known() { sph::addVerification(); }
-} known;
+    AddedToAll() { sph::addVerification(); }
+} addedToAll;
 }
