@@ -1,5 +1,5 @@
 #include "verification/Couette.hpp"
-#include "sampling/sharedEntries.hpp"
+#include "verification/flowEntries.hpp"
 #include <numbers>
 
 namespace sph

@@ -1,5 +1,5 @@
 #include "verification/PlanePoiseuille.hpp"
-#include "sampling/sharedEntries.hpp"
+#include "verification/flowEntries.hpp"
 #include <numbers>
 
 namespace sph

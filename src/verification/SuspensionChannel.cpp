@@ -1,5 +1,5 @@
 #include "verification/SuspensionChannel.hpp"
-#include "sampling/sharedEntries.hpp"
+#include "verification/flowEntries.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "verification/TwoLayerPoiseuille.hpp"
-#include "sampling/sharedEntries.hpp"
+#include "verification/flowEntries.hpp"
 
 namespace sph
 {
