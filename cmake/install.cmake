@@ -9,7 +9,7 @@
 get_property(programs GLOBAL PROPERTY SPH_PROGRAMS)
 set(share ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME})
 
-install(TARGETS sphRanks LIBRARY DESTINATION ${SPH_LIBRARY_DIR})
+install(TARGETS sphRanks sphVerification LIBRARY DESTINATION ${SPH_LIBRARY_DIR})
 
 # Headers and libraries: the rooms that function objects use.
 sph_rooms_below(sampling rooms)

@@ -16,6 +16,7 @@
 #include "surfaces/entries/surfaceTable.hpp"
 #include "sweeps/ResultTable.hpp"
 #include "sweeps/SweepPlan.hpp"
+#include "verification/verification.hpp"
 
 namespace sph
 {
@@ -25,6 +26,7 @@ namespace
 
 EntryRegistry collect()
 {
+    addVerification();
     EntryRegistry all;
     all.add("constant/g", gravityEntries(), "gravity; without the file there is none");
     all.add("constant/geometry", geometryEntries(), "space, its periodic directions, and the walls in it");

@@ -6,6 +6,7 @@
 #include "sampling/sharedEntries.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace sph
 {
@@ -16,16 +17,24 @@ const DictionaryList comparisons{"fields", byScene("the one comparison that stan
                                  "several comparisons, each with its own field, reference ..."};
 const SubDictionary reference{"reference", required, "what to compare with"};
 const Choice type{"type",
-                  {{"formula", "an exact solution, or a measure, which needs no field"},
+                  {{"formula", "an exact solution, or a measure, which needs no field; of a library, as libsphVerification.so"},
                    {"csv", "a table"},
                    {"expression", "of place and time"}},
                   required,
                   "of the reference"};
+const SubDictionary numberReference{"reference", byScene("the number is not compared"), "what to compare the number with"};
+const Choice typeOfNumbers{"type",
+                           {{"csv", "a table of times"}, {"expression", "of $t, of constants and of the numbers up to this one"}},
+                           required,
+                           "of the reference"};
+const Text numberExpression{"value", required, "of $t [s], of constants and of the numbers up to this one"};
 
-static const Choice& name()
+/// The words are those that are known now: libraries add to them.
+static Choice name()
 {
-    static const Choice formulaOrMeasure{"name", wordsOf(formulas() + measures()), required, "formula or measure"};
-    return formulaOrMeasure;
+    auto known = wordsOf(formulas() + measures());
+    if (known.empty()) known.push_back({"<of a library>"});
+    return {"name", known, required, "formula or measure, of a library that `libs` names"};
 }
 }
 
@@ -56,18 +65,23 @@ std::optional<ErrorRow> compareMeasure(const std::string& name, const Measuremen
 
 Errors::Errors(const Dictionary& d, const FunctionContext& context) : context_(context)
 {
-    if (!entry::comparisons.given(d)) readComparison(d);
+    if (Numbers::given(d)) readNumbers(d);
+    if (!entry::comparisons.given(d) && (entry::reference.given(d) || !numbers_)) readComparison(d);
     for (const auto& comparison : entry::comparisons(d)) readComparison(comparison);
 }
 
 EntryList Errors::entries()
 {
-    return FieldComparison::entries() + EntryList{{entry::reference,
-                                                   {{entry::type,
-                                                     {{"formula", {{entry::name(), formulas() + measures()}}},
-                                                      {"csv", CsvReference::entries(CsvReference::Over::space)},
-                                                      {"expression", expressionReferenceEntries()}}}}},
-                                                  entry::comparisons};
+    return FieldComparison::entries() +
+           EntryList{{entry::reference,
+                      {{entry::type,
+                        {{"formula", {{entry::name(), formulas() + measures()}}},
+                         {"csv", CsvReference::entries(CsvReference::Over::space)},
+                         {"expression", expressionReferenceEntries()}}}}},
+                     entry::comparisons} +
+           Numbers::entries({{entry::numberReference,
+                              {{entry::typeOfNumbers,
+                                {{"csv", CsvReference::entries(CsvReference::Over::time)}, {"expression", {entry::numberExpression}}}}}}});
 }
 
 TableInfo Errors::table()
@@ -99,6 +113,16 @@ void Errors::readComparison(const Dictionary& d)
     if (!type) leaveRest();
     if (type != "formula") return;
 
+    if (formulas().empty() && measures().empty())
+    {
+        const auto name = entry::name();
+        name.error(
+            reference,
+            fmt::format("formula or measure \"{}\" comes from a library, and none has been loaded: `libs (\"libsphVerification.so\");` in "
+                        "system/controlDict loads those of the suite",
+                        reference.get(name.keyword(), "")));
+        return leaveRest();
+    }
     const auto chosen = entry::name().known(reference);
     if (!chosen) return leaveRest();
     const auto name = *chosen;
@@ -120,6 +144,37 @@ void Errors::readComparison(const Dictionary& d)
                             : component == "x" ? Vector<3>{v.x, 0, 0}
                                                : v;
                  });
+}
+
+void Errors::readNumbers(const Dictionary& d)
+{
+    numbers_.emplace(d, context_);
+    const bool relative = readsRelative(d);
+    const auto names = numbers_->names();
+    for (std::size_t k = 0; k < names.size(); ++k)
+    {
+        const auto number = Numbers::of(d, names[k]);
+        if (!entry::numberReference.given(number)) continue;
+        const auto reference = entry::numberReference(number);
+        const auto type = entry::typeOfNumbers.known(reference);
+        if (!type) continue;
+        std::function<double(const ParticleView&)> exact;
+        if (*type == "csv")
+            exact = [table = CsvReference(reference, context_.output.caseFolder(context_.name), CsvReference::Over::time)](
+                        const ParticleView& view) { return table.at(view.time, 0).value_or(std::numeric_limits<double>::quiet_NaN()); };
+        else
+            exact = [this, expression = ParticleExpression(entry::numberExpression, reference, entry::numberExpression(reference),
+                                                           {names.begin(), names.begin() + long(k) + 1},
+                                                           {names.begin() + long(k) + 1, names.end()})](const ParticleView& view)
+            { return expression.ofScene(view, found_); };
+        comparisons_.push_back(
+            [this, k, relative, exact](const ParticleView& view) -> std::optional<ErrorRow>
+            {
+                const auto& found = found_[k];
+                if (!found.isThere) return {};
+                return compareMeasure(found.name, {found.value, exact(view), found.particles, ""}, relative);
+            });
+    }
 }
 
 void Errors::compareField(const Dictionary& d, ReferenceField reference, const std::vector<Vector<3>>& rows)
@@ -146,6 +201,7 @@ Histories Errors::histories() const
         {
             if (!list.empty()) all[name] = list;
         });
+    if (numbers_) all.merge(numbers_->histories());
     return all;
 }
 
@@ -156,11 +212,13 @@ void Errors::restore(const Histories& stored)
         {
             if (const auto found = stored.find(name); found != stored.end()) list = found->second;
         });
+    if (numbers_) numbers_->restore(stored);
 }
 
 void Errors::execute(const ParticleView& view)
 {
     report_.clear();
+    if (numbers_) found_ = (*numbers_)(view);
     for (const auto& comparison : comparisons_)
     {
         const auto row = comparison(view);

@@ -1,13 +1,5 @@
 #include "sampling/Formulas.hpp"
 #include "base/words.hpp"
-#include "sampling/Couette.hpp"
-#include "sampling/Hydrostatic.hpp"
-#include "sampling/PlanePoiseuille.hpp"
-#include "sampling/Ritter.hpp"
-#include "sampling/RotatingSquarePatch.hpp"
-#include "sampling/SuspensionChannel.hpp"
-#include "sampling/TaylorGreen.hpp"
-#include "sampling/TwoLayerPoiseuille.hpp"
 #include <fmt/format.h>
 
 namespace sph
@@ -15,60 +7,15 @@ namespace sph
 
 namespace
 {
-
-struct Formula
+std::vector<Formula>& catalogue()
 {
-    std::string name, field;
-    ExactField (*read)(const Dictionary&);
-    EntryList (*entries)();
-    std::vector<std::string> idle = {}; ///< keywords that another field of the formula alone needs
-};
-
-template<class Solution> Formula velocity(const std::string& name, const std::vector<std::string>& idle = {})
-{
-    return {name, "U",
-            [](const Dictionary& dictionary) -> ExactField
-            { return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return solution.velocity(x, t); }; },
-            Solution::entries, idle};
-}
-
-template<class Solution> Formula pressure(const std::string& name)
-{
-    return {name, "p",
-            [](const Dictionary& dictionary) -> ExactField {
-                return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.pressure(x, t), 0, 0}; };
-            },
-            Solution::entries};
-}
-
-template<class Solution> Formula phi(const std::string& name, const std::vector<std::string>& idle = {})
-{
-    return {name, "phi",
-            [](const Dictionary& dictionary) -> ExactField {
-                return [solution = Solution(dictionary)](const Vector<3>& x, double t) { return Vector<3>{solution.value(x, t), 0, 0}; };
-            },
-            Solution::entries, idle};
-}
-
-const std::vector<Formula>& catalogue()
-{
-    static const std::vector<Formula> all{
-        velocity<PlanePoiseuille>("planePoiseuille"),
-        velocity<TwoLayerPoiseuille>("twoLayerPoiseuille"),
-        velocity<Couette>("couette"),
-        velocity<TaylorGreen>("taylorGreen", {"rho"}),
-        pressure<TaylorGreen>("taylorGreen"),
-        pressure<Hydrostatic>("hydrostatic"),
-        velocity<Ritter>("ritter", {"rho", "up"}),
-        pressure<Ritter>("ritter"),
-        phi<SuspensionChannel>("suspensionChannel", {"mu", "pressureGradient"}),
-        velocity<SuspensionChannel>("suspensionChannel"),
-        pressure<RotatingSquarePatch>("rotatingSquarePatch"),
-    };
+    static std::vector<Formula> all;
     return all;
 }
-
 }
+
+AddedFormula::AddedFormula(const Formula& formula) { catalogue().push_back(formula); }
+const std::vector<Formula>& allFormulas() { return catalogue(); }
 
 Cases formulas()
 {

@@ -3,6 +3,8 @@
 #include "base/words.hpp"
 #include "dictionary/DictionaryNode.hpp"
 #include "dictionary/expandPath.hpp"
+#include "sampling/Formulas.hpp"
+#include "sampling/Measurement.hpp"
 #include "sampling/functionLibrary.hpp"
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +12,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 #include <fmt/format.h>
+#include <functional>
 #include <sstream>
 #include <string_view>
 
@@ -27,7 +30,7 @@ namespace
 struct Loaded
 {
     std::filesystem::path file;
-    std::vector<std::string> types;
+    std::vector<std::string> brings; ///< words of its function objects, formulas and measures
 };
 std::vector<Loaded>& loaded()
 {
@@ -112,6 +115,31 @@ bool isCutShort(std::string_view bytes)
     return bytes.size() < header.e_shoff + std::size_t(header.e_shnum) * header.e_shentsize;
 }
 
+/// What the library added to the function objects, formulas and measures, of which there were so many before; `reason` is set where a word was taken.
+struct Counts
+{
+    std::size_t types = functionTypes().size(), formulas = allFormulas().size(), measures = measureNames().size();
+};
+std::vector<std::string> addedSince(const Counts& before, std::string& reason)
+{
+    std::vector<std::string> added;
+    const auto add = [&](const char* thing, const auto& all, std::size_t count, const auto& wordOf, const auto& isSame)
+    {
+        for (auto k = count; k < all.size(); ++k)
+        {
+            for (std::size_t other = 0; other < k && reason.empty(); ++other)
+                if (isSame(all[k], all[other])) reason = fmt::format("its {} \"{}\" has the name of another one", thing, wordOf(all[k]));
+            if (added.empty() || added.back() != wordOf(all[k])) added.push_back(wordOf(all[k]));
+        }
+    };
+    const auto ofType = [](const FunctionType& t) { return t.name.word; };
+    add("function object", functionTypes(), before.types, ofType, [&](const auto& a, const auto& b) { return ofType(a) == ofType(b); });
+    add("formula", allFormulas(), before.formulas, std::mem_fn(&Formula::name),
+        [](const Formula& a, const Formula& b) { return a.name == b.name && a.field == b.field; });
+    add("measure", measureNames(), before.measures, std::identity(), std::equal_to<>());
+    return added;
+}
+
 /// Loads a library; returns the reason why it is of no use, or an empty text.
 std::string load(const std::filesystem::path& file)
 {
@@ -123,18 +151,11 @@ std::string load(const std::filesystem::path& file)
                            *other, std::string_view(interfaceTag).substr(std::string_view(tagMark).size()));
     if (!reason.empty()) return reason;
     if (isCutShort(*bytes)) return "it is cut short";
-    const auto before = functionTypes().size();
+    const Counts before;
     if (!dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return fmt::format("it does not load: {}", dlerror());
-    Loaded library{file, {}};
-    const auto& types = functionTypes();
-    for (auto k = before; k < types.size(); ++k)
-    {
-        const auto& word = types[k].name.word;
-        const auto same = std::ranges::find(types, word, [](const FunctionType& t) { return t.name.word; });
-        if (same != types.begin() + std::ptrdiff_t(k)) return fmt::format("its function object \"{}\" has the name of another one", word);
-        library.types.push_back(word);
-    }
-    if (library.types.empty()) return "it brings no function objects: none of its sources has a constant `sph::AddedFunction`";
+    Loaded library{file, addedSince(before, reason)};
+    if (!reason.empty()) return reason;
+    if (library.brings.empty()) return "it brings no function objects: none of its sources has a constant `sph::AddedFunction`";
     loaded().push_back(std::move(library));
     return "";
 }
@@ -158,7 +179,7 @@ void loadLibraries(const Dictionary& d)
 std::vector<std::string> loadedLibraries()
 {
     std::vector<std::string> lines;
-    for (const auto& [file, types] : loaded()) lines.push_back(fmt::format("{}: {}", file.filename().string(), list(types)));
+    for (const auto& [file, brings] : loaded()) lines.push_back(fmt::format("{}: {}", file.filename().string(), list(brings)));
     return lines;
 }
 

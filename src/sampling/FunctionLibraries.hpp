@@ -1,4 +1,4 @@
-/// Libraries of function objects, loaded at run time as OpenFOAM does.
+/// Libraries of function objects, formulas and measures, loaded at run time as OpenFOAM does.
 #pragma once
 #include "dictionary/Parameter.hpp"
 

@@ -7,6 +7,8 @@
 #include "sampling/FunctionType.hpp"
 #include "sampling/Probes.hpp"
 #include "sampling/Profile.hpp"
+#include "sampling/Reduction.hpp"
+#include "sampling/SurfaceIntegral.hpp"
 #include "sampling/VolFieldValue.hpp"
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,8 @@ std::vector<FunctionType>& catalogue()
         functionType<BedHydrodynamics>("bedHydrodynamics", "saturation and flow in a packed bed"),
         functionType<Errors>("errors", "errors against exact solutions and tables"),
         functionType<Filling>("filling", "how far a cavity is filled"),
+        functionType<Reduction>("reduction", "sums, means, extremes and percentiles of expressions"),
+        functionType<SurfaceIntegral>("surfaceIntegral", "integral of an expression over a wall: flux, force, torque"),
         functionType<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
     };
     return types;

@@ -1,49 +1,15 @@
 #include "sampling/WettedWalls.hpp"
-#include "geometry/components.hpp"
-#include "geometry/wallSurfaces.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/Interpolator.hpp"
 #include "sampling/SampledField.hpp"
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
+#include <array>
 
 namespace sph
 {
 
 namespace
 {
-
-/// Value of sum_j V_j W_j above which a point of a wall lies in the fluid, whatever the shape of the wall: of a plane it is 1/2, of a convex edge more.
-constexpr double surelyFilled = 0.3;
-
-/// Least gap between two solids, in spacings: a narrower one counts as contact. Triangles of a curved wall lie less than that below it.
-constexpr double narrowestGap = 0.1;
-
-/// Bisects longest edges until none is longer than `size` [m].
-void refine(TriangleSurface& s, double size)
-{
-    std::map<std::array<int, 2>, int> middles;
-    for (std::size_t f = 0; f < s.triangles.size();)
-    {
-        const auto t = s.triangles[f];
-        const auto length = [&](std::size_t k) { return mag(s.points[std::size_t(t[(k + 1) % 3])] - s.points[std::size_t(t[k])]); };
-        std::size_t longest = 0;
-        for (const std::size_t k : {1u, 2u})
-            if (length(k) > length(longest)) longest = k;
-        if (length(longest) <= size)
-        {
-            ++f;
-            continue;
-        }
-        const int a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3];
-        const auto [middle, isNew] = middles.try_emplace({std::min(a, b), std::max(a, b)}, int(s.points.size()));
-        if (isNew) s.points.push_back(0.5 * (s.points[std::size_t(a)] + s.points[std::size_t(b)]));
-        s.triangles[f] = {a, middle->second, c};
-        s.triangles.push_back({middle->second, b, c});
-    }
-}
 
 /// Share of a triangle's area on which a function that is linear over it, with these values in the corners, is positive.
 double positiveShare(std::array<double, 3> values)
@@ -55,109 +21,29 @@ double positiveShare(std::array<double, 3> values)
     return mid > 0 ? 1 - low * low / ((mid - low) * (high - low)) : high * high / ((high - low) * (high - mid));
 }
 
-/// The flat scene's points lie in the plane z = 0.
-Vector<3> inScene(Vector<3> x, bool flat)
-{
-    if (flat) x.z = 0;
-    return x;
 }
 
-}
-
-WettedWalls::WettedWalls(const ParticleView& view, const Box& region) : region_(region), spacing_(view.spacing), flat_(view.dimension == 2)
-{
-    constexpr int steps = 4; // to the radius of the sphere
-    const auto W = [&](double r) { return flat_ ? Kernel<2>(view.kernel, view.support).W(r) : Kernel<3>(view.kernel, view.support).W(r); };
-    double whole = 0;
-    for (int k = flat_ ? 0 : -steps; k < (flat_ ? 1 : steps); ++k)
-        for (int j = -steps; j < steps; ++j)
-            for (int i = -steps; i < steps; ++i)
-            {
-                const Vector<3> r = view.support / steps * Vector<3>{i + 0.5, j + 0.5, flat_ ? 0 : k + 0.5};
-                if (mag(r) >= view.support) continue;
-                sphere_.push_back({r, W(mag(r))});
-                whole += sphere_.back().weight;
-            }
-    for (auto& part : sphere_) part.weight /= whole;
-    triangulate(*view.geometry);
-}
-
-bool WettedWalls::areOf(const Geometry& geometry) const { return std::ranges::equal(shapes_, geometry.patches, {}, {}, &Patch::shape); }
-
-void WettedWalls::triangulate(const Geometry& geometry)
-{
-    shapes_.clear();
-    for (const auto& patch : geometry.patches) shapes_.push_back(patch.shape);
-    auto within = region_;
-    if (flat_)
-    {
-        within.low.z = -0.5 * size();
-        within.high.z = 0.5 * size();
-    }
-    walls_.clear();
-    for (const auto& surface : wallSurfaces(geometry, 0, size()))
-    {
-        Wall wall{cropped(surface, within), {}, {}};
-        auto& s = wall.surface;
-        refine(s, size());
-        wall.fluidParts.assign(s.points.size(), std::numeric_limits<double>::quiet_NaN());
-        wall.areas.assign(s.triangles.size(), 0);
-#pragma omp parallel for schedule(dynamic, 64)
-        for (std::size_t f = 0; f < s.triangles.size(); ++f)
-        {
-            const auto& [a, b, c] = s.triangles[f];
-            const auto &p = s.points[std::size_t(a)], &q = s.points[std::size_t(b)], &r = s.points[std::size_t(c)];
-            const auto n = cross(q - p, r - p);
-            const double area = 0.5 * mag(n) / (flat_ ? size() : 1);
-            // The place before the middle of the triangle is fluid, but where another solid stands or leaves no gap.
-            if (area > 0 && geometry.inFluid(inScene((p + q + r) / 3 + narrowestGap * spacing_ * unitVector(n), flat_)))
-                wall.areas[f] = area;
-        }
-        walls_.push_back(std::move(wall));
-    }
-}
-
-/// The part of the kernel's sphere about x that lies in the domain and outside of solids, by points within it that carry equal weights.
-double WettedWalls::fluidPart(const Vector<3>& x, const Geometry& geometry) const
-{
-    const auto inDomain = [&](const Vector<3>& y)
-    {
-        for (int k = 0; k < geometry.dimension; ++k)
-            if (const auto c = component(k); !geometry.periodic[std::size_t(k)] && (y.*c < geometry.low.*c || y.*c > geometry.high.*c))
-                return false;
-        return true;
-    };
-    double part = 0;
-    for (const auto& [offset, weight] : sphere_)
-        if (const auto y = x + offset; inDomain(y) && geometry.inFluid(y)) part += weight;
-    return part;
-}
+WettedWalls::WettedWalls(const ParticleView& view, const Box& region) : triangles_(view, region) {}
 
 std::vector<WettedWall> WettedWalls::operator()(const ParticleView& view, std::size_t liquid)
 {
     const auto& geometry = *view.geometry;
-    if (!areOf(geometry)) triangulate(geometry);
+    triangles_.follow(geometry);
     std::vector<double> isLiquid(view.n);
     for (std::size_t i = 0; i < view.n; ++i) isLiquid[i] = phaseOf(view, i) == liquid;
 
     const Interpolator interpolator(view);
     std::vector<WettedWall> wetted;
-    for (auto& wall : walls_)
+    for (auto& wall : triangles_.walls())
     {
         const auto& s = wall.surface;
         std::vector<double> above(s.points.size()); // C - 1/2
 #pragma omp parallel for schedule(dynamic, 64)
         for (std::size_t p = 0; p < s.points.size(); ++p)
         {
-            const auto x = inScene(s.points[p], flat_);
-            const auto weights = interpolator.weights(x);
+            const auto weights = interpolator.weights(triangles_.inScene(s.points[p]));
             double C = weights.empty() ? 0 : weights(isLiquid.data());
-            if (C > 0 && weights.coverage < surelyFilled)
-            {
-                auto& part = wall.fluidParts[p];
-                if (std::isnan(part)) part = fluidPart(x, geometry);
-                C *= weights.coverage / std::max(part, weights.coverage);
-            }
+            if (C > 0) C *= triangles_.filled(wall, p, weights.coverage, geometry);
             above[p] = C - 0.5;
         }
         wetted.push_back(

@@ -1,8 +1,6 @@
 /// The wetted area of each wall: that on which liquid stands.
 #pragma once
-#include "geometry/TriangleSurface.hpp"
-#include "sampling/ParticleView.hpp"
-#include <memory>
+#include "sampling/WallTriangles.hpp"
 #include <vector>
 
 namespace sph
@@ -27,35 +25,10 @@ struct WettedWall
 /// C_j is 1 in the liquid and 0 in other phases, w_j the weights that are exact for linear fields (Interpolator): they carry the colour from the
 /// particles to the wall itself, half a spacing and more away from them, so that it does not depend on the spacing where the liquid's surface
 /// meets the wall. D is the part of the kernel's sphere that lies in the fluid's space: beyond the surface of a liquid whose gas is left out C
-/// falls to 0. The walls are triangles no longer than half a spacing, C varies linearly over each, and its area is cut at 1/2.
-/// The triangles, what other solids cover of them, and D of each point hang on the shapes alone: they are found once, D when it is first
-/// asked for, and all again where a wall has moved (MovingWalls).
-/// Verified by WettedWalls of test/unit/sampling, on planes, boxes and spheres, at three resolutions.
+/// falls to 0. The walls are small triangles (WallTriangles), C varies linearly over each, and its area is cut at 1/2./// Verified by WettedWalls of test/unit/sampling, on planes, boxes and spheres, at three resolutions.
 class WettedWalls
 {
-    struct Wall
-    {
-        TriangleSurface surface;
-        std::vector<double> areas;      ///< of each triangle [m^2], per metre of depth [m] in 2-D; 0 where another solid covers it
-        std::vector<double> fluidParts; ///< D of each point; NaN until asked for
-    };
-    struct Part
-    {
-        Vector<3> offset; ///< from the middle [m]
-        double weight;
-    };
-    Box region_;
-    double spacing_; ///< [m]
-    bool flat_;
-    std::vector<Part> sphere_;                         ///< parts of the kernel's sphere, of equal size
-    std::vector<std::shared_ptr<const Shape>> shapes_; ///< whose triangles these are
-    std::vector<Wall> walls_;
-
-    double size() const { return 0.5 * spacing_; } ///< of triangles, at most [m]
-    /// Whether the geometry still has the shapes of the triangles: a wall that moves gets another.
-    bool areOf(const Geometry&) const;
-    void triangulate(const Geometry&);
-    double fluidPart(const Vector<3>& x, const Geometry&) const;
+    WallTriangles triangles_;
 
 public:
     /// Walls of the view's geometry, for its resolution.

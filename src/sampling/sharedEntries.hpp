@@ -9,9 +9,5 @@ const Word field{"field", required, "field to compare"};
 const ListOf<std::string> fields{"fields", required, "fields to sample"};
 const Word phase{"phase", byScene("the first of constant/phaseProperties"), "phase that is measured"};
 const VectorParameter origin{"origin", units::m, Vector<3>{}, "point that coordinates count from"};
-const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"},
-    normal{"normal", Vector<3>{0, 1, 0}, "across the flow, from the plate through origin"};
-const Switch steady{"steady", false, "the steady part of the solution alone"};
-const Scalar nu{"nu", units::kinematicViscosity, required, positive, "kinematic viscosity"},
-    width{"width", units::m, required, positive, "distance of the plates"};
+const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"};
 }

@@ -13,7 +13,7 @@ Files sweepCase()
 {
     auto files = channelCase();
     files["system/controlDict"] +=
-        "functions\n{\n    errors\n    {\n        type errors; field U; component x;\n        reference { type formula; name "
+        "libs (\"libsphVerification.so\");\nfunctions\n{\n    errors\n    {\n        type errors; field U; component x;\n        reference { type formula; name "
         "planePoiseuille; nu 0.01; acceleration 1; width 1; }\n    }\n}\n";
     files["system/workPrecisionDict"] =
         "resolutions (6 8);\nsetResolution { \"system/sphSchemes\" { resolution { spacing #eval \"1.0/$n\"; } } }\n"

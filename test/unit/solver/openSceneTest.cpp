@@ -64,7 +64,7 @@ void layersComeInAndLeaveTogether(const std::string& scheme, const std::string& 
         control.replace(control.find("0.08"), 4, "0.6");
         control.replace(control.find("0.02"), 4, "0.1");
         control +=
-            "functions { errors { type errors; field U; component x; region { min (0 0 0); max (1 1 0); } reference { type formula; name "
+            "libs (\"libsphVerification.so\"); functions { errors { type errors; field U; component x; region { min (0 0 0); max (1 1 0); } reference { type formula; name "
             "planePoiseuille; steady yes; nu 0.1; acceleration 0.6; width 1; } } }\n";
         const bool isOne = std::string(rho) == "100";
         files["constant/phaseProperties"] = std::string("phases (water gas); water { rho 100; mu 10; soundSpeed ") +

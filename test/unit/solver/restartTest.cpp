@@ -94,7 +94,7 @@ TEST(Restart, OfWhatFunctionObjectsHaveSeen)
 {
     auto files = dropCase();
     files["system/controlDict"] +=
-        "functions\n{\n"
+        "libs (\"libsphVerification.so\");\nfunctions\n{\n"
         "    drift { type conservation; executeInterval 2; }\n"
         "    period { type errors; executeControl timeStep; executeInterval 3; reference { type formula; name dropPeriod; radius 0.4; } }\n}\n";
     restartEqualsTheWhole(files);

@@ -29,7 +29,7 @@ Files channelTo(const std::string& height, const std::string& ofTop, const std::
     replace("system/controlDict", "endTime 0.08;", "endTime 8;");
     replace("system/controlDict", "writeInterval 0.02;", "writeInterval 8;");
     files["system/controlDict"] +=
-        "functions { errors { type errors; field U; component x; reference { type formula; name planePoiseuille; "
+        "libs (\"libsphVerification.so\"); functions { errors { type errors; field U; component x; reference { type formula; name planePoiseuille; "
         "steady yes; nu 0.1; acceleration 1; width 1; } } }\n";
     return files;
 }

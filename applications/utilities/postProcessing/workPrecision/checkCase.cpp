@@ -40,6 +40,7 @@ void readAsSolver(const Case& c, CaseCheck& check)
     RunTime time(c);
     check.endTime = time.endTime();
     const auto& control = time.controlDict();
+    loadLibraries(control);
     control.get<std::string>("application", "sphFoamLike");
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
     check.spacing = resolution.spacing;
@@ -47,7 +48,6 @@ void readAsSolver(const Case& c, CaseCheck& check)
     const auto geometry = readGeometry(dict, resolution, supportsOfSolver, c.folder());
     dict.reportUnused();
     const auto settings = readSettings(c, geometry);
-    loadLibraries(control);
     const FunctionObjects functions(control.subDictOrEmpty("functions"), geometry, settings.coefficients.phases, time);
     control.reportUnused();
 }
@@ -98,6 +98,9 @@ std::vector<std::string> errorFields(const Dictionary& function)
         const auto field = comparison.get("field", ""), component = comparison.get("component", "");
         if (!field.empty()) fields.push_back(component.empty() ? field : field + "." + component);
     };
+    const auto numbers = function.subDictOrEmpty("numbers");
+    for (const auto& name : numbers.keys())
+        if (numbers.subDict(name).found("reference")) fields.push_back(name);
     if (!function.found("fields")) add(function);
     else
         for (const auto& comparison : function.dictionaries("fields")) add(comparison);
