@@ -1,8 +1,10 @@
 #include "base/words.hpp"
+#include "case/forcesOnWalls.hpp"
 #include "sampling/BedHydrodynamics.hpp"
 #include "sampling/Conservation.hpp"
 #include "sampling/Errors.hpp"
 #include "sampling/Filling.hpp"
+#include "sampling/Forces.hpp"
 #include "sampling/FunctionLibraries.hpp"
 #include "sampling/FunctionType.hpp"
 #include "sampling/Probes.hpp"
@@ -28,6 +30,7 @@ std::vector<FunctionType>& catalogue()
         functionType<Errors>("errors", "errors against exact solutions and tables"),
         functionType<Filling>("filling", "how far a cavity is filled"),
         functionType<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
+        functionType<Forces>(forcesType, "forces on walls"),
     };
     return types;
 }
