@@ -240,9 +240,10 @@ class Check
     {
         diagnostics_.error(
             g_.walls[w].where,
-            fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls that touch another solid, turn, are meshes or "
-                        "would leave by a periodic face stay where they are, and a velocity only along them, as of a belt or a shaft, is possible",
-                        g_.walls[w].name, into, text(g_, at)));
+            fmt::format(
+                "wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls that touch another solid, turn, are meshes or "
+                "would leave by a periodic face stay where they are, and a velocity only along them, as of a belt or a shaft, is possible",
+                g_.walls[w].name, into, text(g_, at)));
     }
 
     /// Facets stand for a curved surface: each may be turned against it by half an edge.

@@ -82,8 +82,7 @@ struct DruckerPrager
     FrictionAngles frictionAngles() const
     {
         constexpr double degree = std::numbers::pi / 180, root3 = std::numbers::sqrt3;
-        return {std::asin(sinPhi()) / degree,
-                std::asin(3 * root3 * alpha_phi / (2 + root3 * alpha_phi)) / degree};
+        return {std::asin(sinPhi()) / degree, std::asin(3 * root3 * alpha_phi / (2 + root3 * alpha_phi)) / degree};
     }
 
     /// f [Pa], and the width of what counts as f = 0, by rounding.

@@ -46,8 +46,9 @@ namespace entry
 {
 const Scalar rho{"rho", units::density, required, positive, "density of the soil with its pores"};
 const Choice law{"law", wordsOf(lawCases()), required, "what gives the stress"};
-const Scalar reduceStrength{"reduceStrength", units::none, 1, positive,
-                            "factor that cohesion, tan(frictionAngle) and tensile strength are divided by, of laws that have them; dilatancyAngle is at most the angle that is left"};
+const Scalar reduceStrength{
+    "reduceStrength", units::none, 1, positive,
+    "factor that cohesion, tan(frictionAngle) and tensile strength are divided by, of laws that have them; dilatancyAngle is at most the angle that is left"};
 const Choice integrator{"integrator", pairWords(), dormandPrince.name, "embedded pair of the substeps"};
 const Scalar tolerance{"tolerance", units::none, 1e-6, Range{1e-13, 1e-2}, "error of a substep over the stress"};
 const Choice turning{"turning",
@@ -129,8 +130,8 @@ EntryList variableEntries()
 
 EntryList soilEntries()
 {
-    return {entry::rho,     {entry::law, lawCases()}, entry::reduceStrength, entry::integrator, entry::tolerance,
-            entry::turning, entry::stressFree,        entry::floorPressure};
+    return {entry::rho,       {entry::law, lawCases()}, entry::reduceStrength, entry::integrator,
+            entry::tolerance, entry::turning,           entry::stressFree,     entry::floorPressure};
 }
 
 }

@@ -19,7 +19,9 @@ void askForWallForces(const Reading& reading)
         const auto d = functions.subDict(name);
         const auto& i = settings.integration;
         if (i.solvesPressure || !i.moves || i.maxSubSteps > 1)
-            d.error("type", "forces are those of one evaluation a step: there are none with pressure within the step, in creeping flow, and with several substeps");
+            d.error(
+                "type",
+                "forces are those of one evaluation a step: there are none with pressure within the step, in creeping flow, and with several substeps");
         for (const auto& patch : entry::patches(d)) walls.insert(patch);
     }
     if (walls.empty()) return;
@@ -44,7 +46,9 @@ template<int dim> std::vector<Stage<dim>> WallForces<dim>::stages(JoinPoint plac
         return {{"walls of forces", "particles near walls whose forces are asked for",
                  [this](Particles<dim>&, const Substep&) { listed_ = false; }}};
     if (place != (solves_ ? JoinPoint::afterKick : JoinPoint::afterEvaluation)) return {};
-    return {{"forces on walls", "F = -sum m dv/dt by the ghosts of a wall", [this](Particles<dim>& p, const Substep&) { measure(p); },
+    return {{"forces on walls",
+             "F = -sum m dv/dt by the ghosts of a wall",
+             [this](Particles<dim>& p, const Substep&) { measure(p); },
              {forcesOfWalls}}};
 }
 

@@ -35,9 +35,11 @@ TEST(MovingWalls, GoOnByTheirVelocity)
 // A footing that is pressed down, without an end across the plane of the scene, and a ball: both are where their velocity has brought them, and push with each of their faces by its own normal.
 TEST(MovingWalls, MayBeBodies)
 {
-    auto g = read("dimension 2; domain { min (0 0 0); max (4 4 0); } walls { footing { type box; min (1 3 0); max (2 4 0); fluid outside; velocity (0 -0.5 0); } "
-                  "ball { type sphere; centre (3 1 0); radius 0.3; fluid outside; velocity (0 0.1 0); } belt { type plane; point (0 0 0); normal (0 1 0); } }")
-                 .geometry;
+    auto g =
+        read(
+            "dimension 2; domain { min (0 0 0); max (4 4 0); } walls { footing { type box; min (1 3 0); max (2 4 0); fluid outside; velocity (0 -0.5 0); } "
+            "ball { type sphere; centre (3 1 0); radius 0.3; fluid outside; velocity (0 0.1 0); } belt { type plane; point (0 0 0); normal (0 1 0); } }")
+            .geometry;
     MovingWalls walls(g);
     ASSERT_TRUE(walls.any());
     walls.advance(g, 0.4);

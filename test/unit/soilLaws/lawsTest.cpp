@@ -445,14 +445,17 @@ TEST(SoilProperties, reduceStrength)
     EXPECT_NEAR(cone.alpha_phi, asked.alpha_phi, 1e-14);
     EXPECT_NEAR(cone.alpha_psi, asked.alpha_psi, 1e-14);
     EXPECT_NEAR(cone.k_c, asked.k_c, 1e-9);
-    EXPECT_EQ(errorsOf("rho 1; law mohrCoulomb; mohrCoulombCoeffs " + constants +
-                           "softening { plasticShearStrain (0 0.2); cohesion (8e3 1.6e3); frictionAngle (30 10); dilatancyAngle (0 0); } } " + reduced,
-                       &soil),
-              "");
+    EXPECT_EQ(
+        errorsOf("rho 1; law mohrCoulomb; mohrCoulombCoeffs " + constants +
+                     "softening { plasticShearStrain (0 0.2); cohesion (8e3 1.6e3); frictionAngle (30 10); dilatancyAngle (0 0); } } " +
+                     reduced,
+                 &soil),
+        "");
     const auto residual = std::get<MohrCoulombSoftening>(soil.law).strengthAt(0.3);
     EXPECT_NEAR(residual.cohesion, 1e3, 1e-10);
     EXPECT_NEAR(residual.sinPhi, std::sin(std::atan(std::tan(10 * degree) / F)), 1e-14);
-    EXPECT_NE(errorsOf(sand + reduced).find("constant/soilProperties:10: law wuBauer has no cohesion and friction angle"), std::string::npos);
+    EXPECT_NE(errorsOf(sand + reduced).find("constant/soilProperties:10: law wuBauer has no cohesion and friction angle"),
+              std::string::npos);
 }
 
 TEST(SoilProperties, mistakes)
