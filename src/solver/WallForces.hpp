@@ -4,7 +4,7 @@
 ///
 /// F_w [N], per metre of depth in 2-D; a_iw [m/s^2] acceleration of particle i by the ghosts behind wall w, in a corner by those whose last reflection was in it. What all walls, gravity and body forces give is
 /// then the rate of momentum of a scene whose pair forces are antisymmetric, to round-off. Forces are those that the last step has acted with; where it solves for viscosity they are taken at its end. Impulses of
-/// what touches a wall (WallContact) are no forces, and not in them. It costs a pass over the particles near the walls that are asked for, each step. Verified by test/unit/solver (weight of a layer, pressed footing).
+/// what touches a wall (WallContact) are no forces, and not in them. It costs a pass over the particles near the walls that are asked for, each step. Verified by test/unit/solver (rate of momentum, with corners and a body that moves).
 #pragma once
 #include "scene/Model.hpp"
 #include "scene/Particles.hpp"
