@@ -72,7 +72,7 @@ template<int dim> double BoundaryWork<dim>::powerOfWalls(Particles<dim>& particl
     const double* const ghostWall = store.component(GhostWall::info.name, 0);
     const double* const share =
         shareOf(particles, [&](std::size_t j) { return ghostWall[j] > 0 && motionOf_[std::size_t(ghostWall[j]) - 1] == motion; });
-    const auto near = particlesWithin(particles, share);
+    const auto near = particlesWithin(particles, [&](std::size_t j) { return share[j] > 0; });
     particles.evaluateAt(near, forcesOfWalls);
 
     const auto x = std::as_const(store).pointers(Position{}), a = std::as_const(store).pointers(BoundaryAcceleration{});

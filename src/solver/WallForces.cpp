@@ -59,8 +59,10 @@ template<int dim> void WallForces<dim>::measure(Particles<dim>& particles)
     const double* const ghostWall = store.component(GhostWall::info.name, 0);
     for (std::size_t k = 0; k < walls_.size(); ++k)
     {
-        const double* const share = shareOf(particles, [&, wall = 1.0 + walls_[k]](std::size_t j) { return ghostWall[j] == wall; });
-        if (!listed_) near_[k] = particlesWithin(particles, share);
+        const auto counts = [&, wall = 1.0 + walls_[k]](std::size_t j) { return ghostWall[j] == wall; };
+        shareOf(particles, counts);
+        // Images beside an edge may have no weight yet, and have some before lists are built again.
+        if (!listed_) near_[k] = particlesWithin(particles, counts);
         particles.evaluateAt(near_[k], forcesOfWalls);
         const auto a = std::as_const(store).pointers(BoundaryAcceleration{});
         const double* const m = store.component(Mass::info.name, 0);

@@ -31,13 +31,13 @@ template<int dim> const double* shareOf(Particles<dim>& particles, const auto& c
     return share;
 }
 
-/// The particles that some neighbour of a share acts on.
-template<int dim> std::vector<int> particlesWithin(const Particles<dim>& particles, const double* share)
+/// The particles that have a neighbour which counts.
+template<int dim> std::vector<int> particlesWithin(const Particles<dim>& particles, const auto& counts)
 {
     std::vector<int> near;
     typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < particles.size(); ++i)
-        if (std::ranges::any_of(particles.lists().of(i, room), [&](int j) { return share[j] > 0; })) near.push_back(int(i));
+        if (std::ranges::any_of(particles.lists().of(i, room), [&](int j) { return counts(std::size_t(j)); })) near.push_back(int(i));
     return near;
 }
 
