@@ -485,7 +485,8 @@ double viscousAcceleration(const std::string& acts, double more)
     auto files = blockCase("type isotropic; pressure 1e4;", "viscosityActs " + acts + ";");
     files["constant/soilProperties"] = "rho 1850; law elastic; elasticCoeffs { E 1e7; nu 0.3; }\n";
     const auto geometry = emptySpace(2);
-    const auto simulation = makeSimulation(settingsIn(files, geometry), geometry, cloud, {});
+    const auto settings = settingsIn(files, geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
     simulation->step(0, 1e-9);
     const auto &x = simulation->positions().component, &a = simulation->field("dUdt").component;
     Largest inside;
