@@ -198,7 +198,17 @@ class Check
         }
     }
 
-    /// Walls but planes (MovingWalls.hpp) stay where they are while the fluid moves: their velocity may only be along themselves.
+    /// Whether a wall may go where its velocity leads (MovingWalls.hpp): what it covers of others, and its periodic copies, are those of the start.
+    bool mayGo(int p) const
+    {
+        const auto& v = g_.walls[std::size_t(g_.patches[std::size_t(p)].wall)].velocity;
+        bool leaves = false;
+        for (int k = 0; k < g_.dimension; ++k) leaves = leaves || (g_.periodic[std::size_t(k)] && v.*component(k) != 0);
+        const auto& patch = g_.patches[std::size_t(p)];
+        return movesAcross(g_, patch) && !g_.mayBeCovered(p) && !(leaves && patch.shape->description().hasSide);
+    }
+
+    /// All other walls stay where they are while the fluid moves: their velocity may only be along themselves.
     void motion()
     {
         for (int p = 0; p < int(g_.patches.size()); ++p)
@@ -210,7 +220,7 @@ class Check
                 continue;
             }
             if (g_.walls[w].velocity == Vector<3>{} && g_.walls[w].omega == Vector<3>{}) continue;
-            if (movesAcross(g_, g_.patches[p]) && !g_.mayBeCovered(p)) continue;
+            if (mayGo(p)) continue;
             Vector<3> worst;
             double fastest = 0, into = 0;
             for (const auto& x : samples(p).points)
@@ -230,9 +240,10 @@ class Check
     {
         diagnostics_.error(
             g_.walls[w].where,
-            fmt::format("wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls but planes that touch no other solid "
-                        "stay where they are, and a velocity only along them, as of a belt or a shaft, is possible",
-                        g_.walls[w].name, into, text(g_, at)));
+            fmt::format(
+                "wall \"{}\" is to move through its own surface, with {:.4g} m/s at {}: walls that touch another solid, turn, are meshes or "
+                "would leave by a periodic face stay where they are, and a velocity only along them, as of a belt or a shaft, is possible",
+                g_.walls[w].name, into, text(g_, at)));
     }
 
     /// Facets stand for a curved surface: each may be turned against it by half an edge.

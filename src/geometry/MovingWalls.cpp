@@ -1,5 +1,7 @@
 #include "geometry/MovingWalls.hpp"
 #include "geometry/Plane.hpp"
+#include "geometry/TriangleMesh.hpp"
+#include "geometry/components.hpp"
 
 namespace sph
 {
@@ -7,9 +9,13 @@ namespace sph
 bool movesAcross(const Geometry& g, const Patch& patch)
 {
     const auto& wall = g.walls[std::size_t(patch.wall)];
-    const auto* plane = dynamic_cast<const Plane*>(patch.shape.get());
-    return plane && wall.omega == Vector<3>{} &&
-           std::abs(dot(wall.velocity, plane->foot({}).normal)) > slidingTolerance * mag(wall.velocity);
+    if (!(wall.omega == Vector<3>{}) || dynamic_cast<const TriangleMesh*>(patch.shape.get())) return false;
+    const auto& v = wall.velocity;
+    if (const auto* plane = dynamic_cast<const Plane*>(patch.shape.get()))
+        return std::abs(dot(v, plane->foot({}).normal)) > slidingTolerance * mag(v);
+    for (int k = 0; k < g.dimension; ++k)
+        if (std::abs(v.*component(k)) > slidingTolerance * mag(v) && !patch.shape->invariantAlong(k)) return true;
+    return false;
 }
 
 MovingWalls::MovingWalls(Geometry& g)
@@ -19,7 +25,7 @@ MovingWalls::MovingWalls(Geometry& g)
         const auto& patch = g.patches[p];
         if (!movesAcross(g, patch)) continue;
         const auto velocity = g.walls[std::size_t(patch.wall)].velocity;
-        moving_.push_back({p, patch.shape, patch.shape->foot({}).normal, velocity});
+        moving_.push_back({p, patch.shape, velocity});
         fastest_ = std::max(fastest_, mag(velocity));
     }
     if (!any()) return;
@@ -27,10 +33,10 @@ MovingWalls::MovingWalls(Geometry& g)
     g.tree.reset();
 }
 
-double MovingWalls::speedAlong(const Vector<3>& normal) const
+double MovingWalls::speedAlong(int patch, const Vector<3>& n) const
 {
     for (const auto& wall : moving_)
-        if (dot(wall.normal, normal) > 1 - 1e-9) return dot(wall.normal, wall.velocity);
+        if (int(wall.patch) == patch) return dot(n, wall.velocity);
     return 0;
 }
 

@@ -16,7 +16,7 @@ struct Clearance
 };
 
 /// x, put off the nearest wall in turn until none is nearer than `closest`: what is put off one solid may be put into the next. Calls
-/// pushed(n) with the wall's normal each time. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
+/// pushed(n, patch) with the wall's normal and its patch each time, and patch -1 out of a crevice. A gap of less than twice `closest` leaves it between the two. Finds x up to `reach` [m] deep.
 ///
 /// Out of crevices narrower than `narrowest` it is put likewise, to where they are as wide, as if a wall stood across them there; by half of `narrowest` in all, since the way out of
 /// one that hardly widens may lead far, to where others are. In a slit it stays: there is no wider place to go to.
@@ -27,7 +27,7 @@ Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, const Clearance& cle
     double left = 0.5 * clearance.narrowest;
     for (int turn = 0; turn < 12; ++turn)
     {
-        const Foot foot = walls.nearestFoot(in3D(x), reach).foot;
+        const auto [foot, patch] = walls.nearestFoot(in3D(x), reach);
         if (!(foot.distance < clearance.looked())) break;
         const auto crevice = clearance.narrowest > 0 ? walls.crevice(in3D(x), (1 - rounding) * clearance.narrowest) : Crevice{};
         const auto wider = in<dim>(crevice.wider);
@@ -36,13 +36,13 @@ Vector<dim> offWalls(const NearWalls& walls, Vector<dim> x, const Clearance& cle
             const double way = std::min((clearance.narrowest - crevice.width) / slope, left);
             x += way / slope * wider;
             left -= way;
-            pushed(wider / slope);
+            pushed(wider / slope, -1);
         }
         else if (foot.distance < clearance.closest)
         {
             const auto n = in<dim>(foot.normal);
             x += (clearance.closest - foot.distance) * n;
-            pushed(n);
+            pushed(n, patch);
         }
         else break;
     }

@@ -25,7 +25,7 @@ const PairValues contactAngles{
     "contactAngles", "contact angle", degrees, between(0, 180).saying("a contact angle must be between 0 and 180 degrees, not {}"),
     "of pairs of phases, each through the first-named of its pair; as many as tell all others, one less than phases"};
 const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{},
-                               "of the wall; across itself a plane alone may move, others along themselves"},
+                               "of the wall, which goes where it leads; meshes and what touches another solid move along themselves alone"},
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
 const Switch slip{"slip", false, "the fluid slides along the wall freely; else wallVelocity of system/sphSchemes decides"};

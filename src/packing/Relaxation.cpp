@@ -335,7 +335,7 @@ private:
     /// `wanted`, put off the walls; `from` where they leave no room, as where spheres touch.
     Vector<dim> intoFluid(const Vector<dim>& from, const Vector<dim>& wanted) const
     {
-        const auto reached = offWalls(images_.nearWalls(), wanted, clearance(), Box::infinity, [](const Vector<dim>&) {});
+        const auto reached = offWalls(images_.nearWalls(), wanted, clearance(), Box::infinity, [](const Vector<dim>&, int) {});
         return images_.nearWalls().nearestFoot(in3D(reached), Box::infinity).foot.distance > 0.5 * clearance().closest ? reached : from;
     }
 

@@ -1,8 +1,10 @@
 #include "base/words.hpp"
+#include "case/forcesOnWalls.hpp"
 #include "sampling/BedHydrodynamics.hpp"
 #include "sampling/Conservation.hpp"
 #include "sampling/Errors.hpp"
 #include "sampling/Filling.hpp"
+#include "sampling/Forces.hpp"
 #include "sampling/FunctionLibraries.hpp"
 #include "sampling/FunctionType.hpp"
 #include "sampling/Probes.hpp"
@@ -32,6 +34,7 @@ std::vector<FunctionType>& catalogue()
         functionType<Reduction>("reduction", "sums, means, extremes and percentiles of expressions"),
         functionType<SurfaceIntegral>("surfaceIntegral", "integral of an expression over a wall: flux, force, torque"),
         functionType<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
+        functionType<Forces>(forcesType, "forces on walls"),
     };
     return types;
 }

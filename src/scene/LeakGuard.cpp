@@ -90,7 +90,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     }
     if (!(nearest < closest)) return found;
     const auto held = offWalls(walls, x_i, {closest}, Box::infinity,
-                               [&](const Vector<dim>& n)
+                               [&](const Vector<dim>& n, int)
                                {
                                    for (const auto& v : velocities)
                                        sph::store(withoutInward(valueAt<Vector<dim>>(v, i), n), [&](int c, double q) { v[c][i] = q; });

@@ -152,6 +152,18 @@ concept ElastoPlasticLaw = LawWithYieldSurface<L> &&
         } -> std::convertible_to<StateOf<L>>;
 };
 
+/// A law with cohesion and friction: itself with both over a factor, by which factors of safety are found (strength reduction).
+template<class L>
+concept LawOfStrength = ConstitutiveLaw<L> && requires(const L& law)
+{
+    {
+        law.reduced(1.0)
+        } -> std::same_as<L>;
+};
+
+/// sin(atan(tan(phi)/F))
+inline double reducedSinPhi(double sinPhi, double F) { return sinPhi / std::sqrt(sinPhi * sinPhi + F * F * (1 - sinPhi * sinPhi)); }
+
 /// The stress of such a strain is small, whatever the stiffness, to laws that pass through a stress of 0.
 inline constexpr double smallStrain = 1e-6;
 

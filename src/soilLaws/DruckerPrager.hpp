@@ -55,9 +55,22 @@ struct DruckerPrager
     static DruckerPrager of(ElasticLaw elastic, double frictionAngle, double dilatancyAngle, double cohesion)
     {
         constexpr double degree = std::numbers::pi / 180;
-        const double sinPhi = std::sin(frictionAngle * degree), sinPsi = std::sin(dilatancyAngle * degree);
+        const double sinPhi = std::sin(frictionAngle * degree);
+        return of(elastic, sinPhi, std::cos(frictionAngle * degree), std::sin(dilatancyAngle * degree), cohesion);
+    }
+    static DruckerPrager of(ElasticLaw elastic, double sinPhi, double cosPhi, double sinPsi, double cohesion)
+    {
         const double q = std::sqrt(9 + 3 * sqr(sinPsi)), d = 3 + sinPhi * sinPsi;
-        return {elastic, q * sinPhi / (3 * d), sinPsi / q, q * cohesion * std::cos(frictionAngle * degree) / d};
+        return {elastic, q * sinPhi / (3 * d), sinPsi / q, q * cohesion * cosPhi / d};
+    }
+    double sinPhi() const { return 3 * alpha_phi * std::sqrt(1 - 3 * sqr(alpha_psi)) / (1 - 3 * alpha_phi * alpha_psi); }
+    double sinPsi() const { return 3 * alpha_psi / std::sqrt(1 - 3 * sqr(alpha_psi)); }
+    double cohesion() const { return k_c * (3 + sinPhi() * sinPsi()) / std::sqrt((9 + 3 * sqr(sinPsi())) * (1 - sqr(sinPhi()))); }
+    /// c and tan(phi) over F, in plane strain; psi stays, up to phi.
+    DruckerPrager reduced(double F) const
+    {
+        const double weaker = reducedSinPhi(sinPhi(), F);
+        return of(elastic, weaker, std::sqrt(1 - sqr(weaker)), std::fmin(sinPsi(), weaker), cohesion() / F);
     }
 
     /// The friction angles that act [degrees]: what is asked for in plane strain, and that in triaxial compression, sin = 3 sqrt(3)
@@ -69,8 +82,7 @@ struct DruckerPrager
     FrictionAngles frictionAngles() const
     {
         constexpr double degree = std::numbers::pi / 180, root3 = std::numbers::sqrt3;
-        return {std::asin(3 * alpha_phi * std::sqrt(1 - 3 * sqr(alpha_psi)) / (1 - 3 * alpha_phi * alpha_psi)) / degree,
-                std::asin(3 * root3 * alpha_phi / (2 + root3 * alpha_phi)) / degree};
+        return {std::asin(sinPhi()) / degree, std::asin(3 * root3 * alpha_phi / (2 + root3 * alpha_phi)) / degree};
     }
 
     /// f [Pa], and the width of what counts as f = 0, by rounding.

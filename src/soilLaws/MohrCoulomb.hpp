@@ -48,6 +48,12 @@ struct MohrCoulombStrength
         return {std::sin(phi * degree), std::sin(psi * degree), cohesion};
     }
     double cosPhi() const { return std::sqrt(1 - sinPhi * sinPhi); }
+    /// c, tan(phi) and T over F; psi stays, up to phi.
+    MohrCoulombStrength reduced(double F) const
+    {
+        const double reducedSine = reducedSinPhi(sinPhi, F);
+        return {reducedSine, std::fmin(sinPsi, reducedSine), cohesion / F, cutOff / F};
+    }
     /// The tensile strength [Pa], infinite where there is neither friction nor a cut-off.
     double largestTension() const { return std::fmin(cutOff, sinPhi > 0 ? cohesion * cosPhi() / sinPhi : cutOff); }
 
@@ -185,6 +191,7 @@ struct MohrCoulomb
             sigma, strain, taken, [&](SymmTensor<3> from, SymmTensor<3> part) { return mapped(from + elastic.rate(from, part)); },
             [&](SymmTensor<3> a, SymmTensor<3> b) { return norm(a - b) / allowed; }, [&](SymmTensor<3> s) { return returned(s); });
     }
+    MohrCoulomb reduced(double F) const { return {elastic, strength.reduced(F)}; }
     double stiffness(SymmTensor<3> = {}) const { return elastic.stiffness(); }
     bool yields(SymmTensor<3> sigma) const { return excess(strength, elastic, sigma) >= -width(sigma); }
     bool admits(SymmTensor<3> sigma) const { return excess(strength, elastic, sigma) <= width(sigma); }

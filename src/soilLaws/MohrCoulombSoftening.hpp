@@ -103,6 +103,17 @@ struct MohrCoulombSoftening
             { return norm(a.stress - b.stress) / allowed + std::abs(a.variables.kappa - b.variables.kappa) / tolerance; },
             [&](const State& s) { return returned(s); });
     }
+    MohrCoulombSoftening reduced(double F) const
+    {
+        MohrCoulombSoftening weaker{elastic, cutOff / F, rows};
+        constexpr double degree = std::numbers::pi / 180;
+        for (auto& row : weaker.rows)
+        {
+            const auto strength = MohrCoulombStrength::of(row.phi, row.psi, row.cohesion).reduced(F);
+            row = {row.kappa, std::asin(strength.sinPhi) / degree, std::asin(strength.sinPsi) / degree, strength.cohesion};
+        }
+        return weaker;
+    }
     double stiffness(const State& = {}) const { return elastic.stiffness(); }
     bool yields(const State& s) const { return excess(s) >= -width(s.stress); }
     bool admits(const State& s) const { return excess(s) <= width(s.stress); }

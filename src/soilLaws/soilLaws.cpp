@@ -46,6 +46,9 @@ namespace entry
 {
 const Scalar rho{"rho", units::density, required, positive, "density of the soil with its pores"};
 const Choice law{"law", wordsOf(lawCases()), required, "what gives the stress"};
+const Scalar reduceStrength{
+    "reduceStrength", units::none, 1, positive,
+    "factor that cohesion, tan(frictionAngle) and tensile strength are divided by, of laws that have them; dilatancyAngle is at most the angle that is left"};
 const Choice integrator{"integrator", pairWords(), dormandPrince.name, "embedded pair of the substeps"};
 const Scalar tolerance{"tolerance", units::none, 1e-6, Range{1e-13, 1e-2}, "error of a substep over the stress"};
 const Choice turning{"turning",
@@ -70,6 +73,23 @@ std::string strengthInWords(const SoilLaw& law)
                        angles.triaxialCompression);
 }
 
+namespace
+{
+void reduceStrength(const Dictionary& d, SoilLaw& law)
+{
+    const double F = entry::reduceStrength(d);
+    std::visit(
+        [&]<class Law>(Law& l)
+        {
+            if constexpr (LawOfStrength<Law>) l = l.reduced(F);
+            else
+                entry::reduceStrength.error(
+                    d, fmt::format("law {} has no cohesion and friction angle to reduce; druckerPrager and mohrCoulomb have", Law::name));
+        },
+        law);
+}
+}
+
 Soil readSoil(const Dictionary& d, const std::string& turning)
 {
     Soil soil;
@@ -87,6 +107,7 @@ Soil readSoil(const Dictionary& d, const std::string& turning)
                 else if (name == Law::name) soil.law = Law::read(d.subDict(coeffsOf(name)));
                 else if (d.found(coeffsOf(Law::name))) Law::read(d.subDict(coeffsOf(Law::name))); // of a law to change to: checked alone
             });
+    if (entry::reduceStrength.given(d)) reduceStrength(d, soil.law);
     auto& how = soil.integration;
     how.pair = pairs[entry::integrator.index(d)];
     how.tolerance = entry::tolerance(d);
@@ -109,8 +130,8 @@ EntryList variableEntries()
 
 EntryList soilEntries()
 {
-    return {entry::rho,     {entry::law, lawCases()}, entry::integrator,   entry::tolerance,
-            entry::turning, entry::stressFree,        entry::floorPressure};
+    return {entry::rho,       {entry::law, lawCases()}, entry::reduceStrength, entry::integrator,
+            entry::tolerance, entry::turning,           entry::stressFree,     entry::floorPressure};
 }
 
 }

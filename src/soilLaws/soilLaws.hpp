@@ -3,6 +3,7 @@
 ///     rho         1850;              // [kg/m^3] of the soil with its pores
 ///     law         wuBauer;
 ///     wuBauerCoeffs { c1 -69.4; c2 -673.1; c3 -655.9; c4 699.6; }
+///     reduceStrength 1.4;            // c and tan phi over it
 ///     integrator  dormandPrince;     // or bogackiShampine
 ///     tolerance   1e-6;
 ///     turning     halves;            // or within

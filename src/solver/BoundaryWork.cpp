@@ -1,50 +1,15 @@
 #include "solver/BoundaryWork.hpp"
 #include "parallel/reduce.hpp"
-#include "solver/models.hpp"
+#include "solver/forcesOfWalls.hpp"
 #include <algorithm>
-#include <array>
 
 namespace sph
 {
 
 namespace
 {
-constexpr const char *ofWalls = "forces of moving walls", *ofHeld = "forces on what openings hold";
+constexpr const char* ofHeld = "forces on what openings hold";
 constexpr int atRest = -1;
-
-bool asksForBalance(const Case& theCase)
-{
-    const auto functions = theCase.dictionaryIfPresent("system/controlDict").subDictOrEmpty("functions");
-    return std::ranges::any_of(functions.keys(), [&](const std::string& name)
-                               { return functions.isDictionary(name) && functions.subDict(name).isWord("type", "conservation"); });
-}
-
-/// Terms of pairs that accelerate; of one whose sum is separate, the term that it was made of.
-std::vector<std::string> forcesOf(const Settings& settings)
-{
-    const auto accelerates = [](const auto& term) {
-        return term.over == Over::pairs &&
-               std::ranges::any_of(term.results, [](const auto& f) { return f.name == Acceleration::info.name; });
-    };
-    std::vector<std::string> forces;
-    for (const auto& name : settings.terms)
-        for (const auto* terms : {&allTerms<2>(), &settings.terms2})
-            for (const auto& term : *terms)
-                if ((term.name == name || Settings::apart(term.name) == name) && accelerates(term)) forces.push_back(term.name);
-    return forces;
-}
-
-/// Shares of those neighbours that count in the sums of a group of given shares.
-template<int dim> const double* shareOf(Particles<dim>& particles, const auto& counts)
-{
-    auto& store = particles.store();
-    const std::size_t null = particles.images().nullParticle();
-    const double* const weight = store.has(ImageWeight{}) ? store.component(ImageWeight::info.name, 0) : nullptr;
-    double* const share = store.component(BoundaryShare::info.name, 0);
-    for (std::size_t j = 0; j < null; ++j) share[j] = counts(j) ? weight ? weight[j] : 1 : 0;
-    share[null] = 0;
-    return share;
-}
 }
 
 void askForBoundaryWork(const Reading& reading)
@@ -55,18 +20,15 @@ void askForBoundaryWork(const Reading& reading)
     const bool moves = std::ranges::any_of(reading.geometry.walls, &WallProperties::moves), opens = facts.get<OpenBoundary>().exists;
     if (!(moves || opens) || facts.get<ConstitutiveStress>().exists || integration.solvesPressure || !integration.moves ||
         integration.maxSubSteps > 1 || (opens && (facts.get<InterfaceForces>().act || settings.coefficients.backgroundPressure != 0)) ||
-        !asksForBalance(reading.theCase))
+        !asksFor(reading.theCase, "conservation"))
         return;
     settings.facts.give(BoundaryPower{true}, "conservation of system/controlDict");
-    const Names accelerations{{Acceleration::info.name, BoundaryAcceleration::info.name}};
-    if (moves)
-        settings.groups.push_back(
-            {.name = ofWalls, .terms = forcesOf(settings), .names = accelerations, .sharesBy = {GhostWall::info.name}});
+    if (moves) askForForcesOfWalls(settings);
     if (opens)
     {
         auto terms = forcesOf(settings);
         terms.push_back(std::ranges::count(settings.terms, "massContinuity") > 0 ? "massContinuity" : "continuity");
-        auto names = accelerations;
+        Names names{{Acceleration::info.name, BoundaryAcceleration::info.name}};
         names[DensityRate::info.name] = BoundaryDensityRate::info.name;
         settings.groups.push_back({.name = ofHeld, .terms = terms, .names = names, .sharesBy = {GhostWall::info.name, Holder::info.name}});
     }
@@ -85,7 +47,7 @@ BoundaryWork<dim>::BoundaryWork(Particles<dim>& particles, const Numbers&)
                                  { return other.velocity == wall.velocity && other.omega == wall.omega && other.origin == wall.origin; });
         motionOf_.push_back(wall.moves() ? int(first - walls.begin()) : atRest);
     }
-    for (const char* group : {ofWalls, ofHeld})
+    for (const char* group : {forcesOfWalls, ofHeld})
         if (particles.plan().hasGroup(group)) groups_.push_back(group);
 }
 
@@ -98,13 +60,7 @@ template<int dim> std::vector<Stage<dim>> BoundaryWork<dim>::stages(JoinPoint pl
 template<int dim> void BoundaryWork<dim>::measure(Particles<dim>& particles)
 {
     power_ = powerOfHeld_ = 0;
-    if (solves_) // its velocities are those of the end of the step
-    {
-        auto& store = particles.store();
-        const auto& images = particles.images();
-        if (images.halo()) images.halo()->refresh(store, std::array{std::string(Velocity::info.name)});
-        Images<dim>::template refresh<Velocity>(images, store);
-    }
+    if (solves_) refreshVelocities(particles);
     for (int motion = 0; motion < int(motionOf_.size()); ++motion)
         if (motionOf_[std::size_t(motion)] == motion) power_ += powerOfWalls(particles, motion);
     if (opens_) powerOfHeld_ = powerOfHeld(particles);
@@ -116,11 +72,8 @@ template<int dim> double BoundaryWork<dim>::powerOfWalls(Particles<dim>& particl
     const double* const ghostWall = store.component(GhostWall::info.name, 0);
     const double* const share =
         shareOf(particles, [&](std::size_t j) { return ghostWall[j] > 0 && motionOf_[std::size_t(ghostWall[j]) - 1] == motion; });
-    std::vector<int> near;
-    typename NeighbourLists<dim>::Room room;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        if (std::ranges::any_of(particles.lists().of(i, room), [&](int j) { return share[j] > 0; })) near.push_back(int(i));
-    particles.evaluateAt(near, ofWalls);
+    const auto near = particlesWithin(particles, [&](std::size_t j) { return share[j] > 0; });
+    particles.evaluateAt(near, forcesOfWalls);
 
     const auto x = std::as_const(store).pointers(Position{}), a = std::as_const(store).pointers(BoundaryAcceleration{});
     const double* const m = store.component(Mass::info.name, 0);

@@ -5,6 +5,7 @@
 #include "schemes/schemeSets.hpp"
 #include "solver/BoundaryWork.hpp"
 #include "solver/TimeStepLimits.hpp"
+#include "solver/WallForces.hpp"
 #include "solver/models.hpp"
 #include "solver/readPhases.hpp"
 #include "solver/shareFilled.hpp"
@@ -112,6 +113,7 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
         for (const auto& conflict : model->conflicts)
             if (conflict.applies(settings)) dict.error(conflict.entry, conflict.why);
     askForBoundaryWork(reading);
+    askForWallForces(reading);
     checkStepFactors(reading);
     warnOfSoftPhases(theCase, settings);
     dict.reportUnused();

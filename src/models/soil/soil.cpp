@@ -26,7 +26,8 @@ const Scalar correctedFrom{
           "alpha of Monaghan and Gingold, with the sound speed of the soil's present stiffness"};
 const Choice viscosityActs{"viscosityActs",
                            {{"onApproach", "of two particles"},
-                            {"always", "on recession, too: for long rest; far too viscous in a collapse"}},
+                            {"always", "on recession, too: for long rest; far too viscous in a collapse"},
+                            {"onNoise", "on what the velocity gradients do not explain: smooth flow is not resisted; a pass more"}},
                            "onApproach",
                            "when the artificial viscosity does"};
 
@@ -392,7 +393,9 @@ void read(const Reading& reading)
     if (divergence == "symmetric") reading.select("soilStressDivergence");
     else
         for (const auto* term : {"soilStressDifference", "soilStressAtSurface"}) reading.select(term);
-    if (numbers.alpha > 0) reading.select("soilViscosity");
+    if (numbers.alpha > 0 && entry::viscosityActs(d) == "onNoise")
+        for (const auto* term : {"velocityGradient", "soilNoiseViscosity"}) reading.select(term);
+    else if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
     if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});

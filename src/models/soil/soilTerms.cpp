@@ -55,8 +55,8 @@ struct PoreStressAtSurface : SurfaceDivergenceOf<PoreStress>
 template<int dim> Catalogue<dim> soilTerms()
 {
     return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, SoilViscosity,
-                     StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence, PoreStressDifference,
-                     PoreStressAtSurface, SurfaceOfSoil, Seepage, SeepageOfChange>();
+                     SoilNoiseViscosity, StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence,
+                     PoreStressDifference, PoreStressAtSurface, SurfaceOfSoil, Seepage, SeepageOfChange>();
 }
 
 template Catalogue<2> soilTerms<2>();

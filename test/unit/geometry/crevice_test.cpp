@@ -89,12 +89,12 @@ TEST(Crevice, IsLeft)
             HeldVelocity<3> velocity({0, -1, 0.5});
             Vector<3> x{off * half, r * std::cos(0.4), r * std::sin(0.4)};
             const auto before = outwards(x);
-            x = offWalls(walls, x, {0.02, narrowest}, 1, [&](const Vector<3>& n) { velocity.touch(n, 0); });
+            x = offWalls(walls, x, {0.02, narrowest}, 1, [&](const Vector<3>& n, int) { velocity.touch(n, 0); });
             EXPECT_GT(g.distance(x), -1e-3);
             EXPECT_NEAR(std::atan2(x.z, x.y), 0.4, 1e-9);
             EXPECT_NEAR(outwards(x), std::max(before, std::min(before + 0.5 * narrowest, least)), 0.02) << r << " " << off;
             if (before < least) { EXPECT_GT(outwards(velocity), -0.05); }
-            for (int again = 0; again < 8; ++again) x = offWalls(walls, x, {0.02, narrowest}, 1, [](const Vector<3>&) {});
+            for (int again = 0; again < 8; ++again) x = offWalls(walls, x, {0.02, narrowest}, 1, [](const Vector<3>&, int) {});
             EXPECT_GT(g.distance(x), 0.019);
             EXPECT_EQ(walls.crevice(x, 0.99 * narrowest).width, Box::infinity) << r << " " << off;
             EXPECT_NEAR(outwards(x), std::max(before, least), 0.05 * least);
@@ -102,7 +102,7 @@ TEST(Crevice, IsLeft)
     const auto slit = scene(
         {std::make_shared<Plane>(Vector<3>{}, Vector<3>{1, 0, 0}), std::make_shared<Plane>(Vector<3>{0.2, 0, 0}, Vector<3>{-1, 0, 0})});
     const Vector<3> x{0.08, 1, 2};
-    EXPECT_EQ(offWalls(NearWalls(slit, 1), x, {0.02, narrowest}, 1, [](const Vector<3>&) { ADD_FAILURE(); }), x);
+    EXPECT_EQ(offWalls(NearWalls(slit, 1), x, {0.02, narrowest}, 1, [](const Vector<3>&, int) { ADD_FAILURE(); }), x);
 }
 
 }

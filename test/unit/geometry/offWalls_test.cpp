@@ -16,17 +16,17 @@ TEST(OffWalls, HoldsOffAllWallsInTurn)
     Geometry geometry = tankWithBlock();
     const NearWalls walls(geometry, 0.2);
     std::vector<Vector<2>> normals;
-    const auto corner = offWalls(walls, Vector<2>{0.399, 0.002}, {0.01}, 0.025, [&](const Vector<2>& n) { normals.push_back(n); });
+    const auto corner = offWalls(walls, Vector<2>{0.399, 0.002}, {0.01}, 0.025, [&](const Vector<2>& n, int) { normals.push_back(n); });
     EXPECT_NEAR(corner.x, 0.39, 1e-15);
     EXPECT_NEAR(corner.y, 0.01, 1e-15);
     EXPECT_EQ(normals, (std::vector<Vector<2>>{{-1, 0}, {0, 1}}));
     const Vector<2> free{0.38, 0.4};
-    EXPECT_EQ(offWalls(walls, free, {0.01}, 0.025, [&](const Vector<2>&) { ADD_FAILURE(); }), free);
+    EXPECT_EQ(offWalls(walls, free, {0.01}, 0.025, [&](const Vector<2>&, int) { ADD_FAILURE(); }), free);
 
     addWall(geometry, SolidBox({0.1, 0.004, -Box::infinity}, {0.3, 0.2, Box::infinity}));
     repeatPeriodically(geometry, 0.2);
     const NearWalls withSlit(geometry, 0.2);
-    const auto between = offWalls(withSlit, Vector<2>{0.2, 0.003}, {0.003}, 0.025, [](const Vector<2>&) {});
+    const auto between = offWalls(withSlit, Vector<2>{0.2, 0.003}, {0.003}, 0.025, [](const Vector<2>&, int) {});
     EXPECT_GE(between.y, 0);
     EXPECT_LE(between.y, 0.004);
 }

@@ -455,7 +455,7 @@ TEST(SoilBlock, KeepsItsMomentum)
                                         -1e4 * (2 + any(random))};
          });
     const auto geometry = emptySpace(2);
-    for (const auto* acts : {"onApproach", "always"})
+    for (const auto* acts : {"onApproach", "always", "onNoise"})
     {
         const auto settings = settingsIn(blockCase("type isotropic; pressure 1e4;", std::string("viscosityActs ") + acts + ";"), geometry);
         const auto simulation = makeSimulation(settings, geometry, cloud, {});
@@ -466,6 +466,41 @@ TEST(SoilBlock, KeepsItsMomentum)
         EXPECT_LT(simulation->summary().kineticEnergy, energy);
         EXPECT_GT(simulation->summary().columns.at("maxSoundSpeed"), 10);
     }
+}
+
+/// Largest acceleration inside of a block of 16 x 16 particles 0.2 spacings off their lattice, free of stress, with velocities of up to 1 m/s that are linear in space, but for one particle of `more`: by viscosity alone.
+double viscousAcceleration(const std::string& acts, double more)
+{
+    auto cloud = block<2>(16, 0.2);
+    std::size_t one = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+        if (std::hypot(cloud.x[i] - 3, cloud.y[i] - 3) < std::hypot(cloud.x[one] - 3, cloud.y[one] - 3)) one = i;
+    const double half = 8 * spacing;
+    give(cloud, "U", FieldClass::vector,
+         [&](std::size_t i)
+         {
+             return std::vector<double>{(0.3 * (cloud.x[i] - 3) + 0.7 * (cloud.y[i] - 3)) / half + (i == one) * more,
+                                        -0.4 * (cloud.y[i] - 3) / half, 0};
+         });
+    auto files = blockCase("type isotropic; pressure 1e4;", "viscosityActs " + acts + ";");
+    files["constant/soilProperties"] = "rho 1850; law elastic; elasticCoeffs { E 1e7; nu 0.3; }\n";
+    const auto geometry = emptySpace(2);
+    const auto settings = settingsIn(files, geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
+    simulation->step(0, 1e-9);
+    const auto &x = simulation->positions().component, &a = simulation->field("dUdt").component;
+    Largest inside;
+    for (std::size_t i = 0; i < simulation->size(); ++i)
+        if (std::max(std::abs(x[0][i] - 3), std::abs(x[1][i] - 3)) < half - 4 * 3.6 * spacing / 2) inside(std::hypot(a[0][i], a[1][i]));
+    EXPECT_GT(inside.value(), 0);
+    return inside.value();
+}
+
+// Of viscosity on noise a smooth flow feels rounding alone, and a particle that goes its own way as much as by the other kind.
+TEST(SoilViscosity, OnNoiseLeavesALinearVelocityAlone)
+{
+    EXPECT_LT(viscousAcceleration("onNoise", 0), 1e-9 * viscousAcceleration("always", 0));
+    EXPECT_GT(viscousAcceleration("onNoise", 1), 0.5 * viscousAcceleration("always", 1));
 }
 
 /// A lone block of Drucker and Prager's soil with random velocities, free of stress at the start, after 50 steps: the largest shear strain,

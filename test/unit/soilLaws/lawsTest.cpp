@@ -1,6 +1,7 @@
 /// The laws by hand: rates, stiffness, strength, and their constants in constant/soilProperties.
 #include "Largest.hpp"
 #include "soilTesting.hpp"
+#include <numbers>
 
 using namespace sph;
 using namespace sph::test;
@@ -423,6 +424,38 @@ TEST(SoilProperties, read)
     EXPECT_EQ(errorsOf("rho 1; law druckerPrager; druckerPragerCoeffs { E 1e7; nu 0.3; frictionAngle 30; cohesion 100; }", &soil), "");
     EXPECT_EQ(std::get<DruckerPrager>(soil.law).alpha_psi, 0);
     EXPECT_EQ(errorsOf("rho 1; law elastic; elasticCoeffs { E 1e7; nu 0.3; }", &soil), "");
+}
+
+// c and tan(phi) over F in every law that has them, whose dilatancy is at most the friction that is left; others refuse it. The law that is asked for with those constants has the same numbers to rounding.
+TEST(SoilProperties, reduceStrength)
+{
+    constexpr double degree = std::numbers::pi / 180, F = 1.6;
+    const double phi = std::atan(std::tan(30 * degree) / F) / degree;
+    Soil soil;
+    const std::string constants = "{ E 1e7; nu 0.3; frictionAngle 30; dilatancyAngle 25; cohesion 8e3; ", reduced = "reduceStrength 1.6;";
+    EXPECT_EQ(errorsOf("rho 1; law mohrCoulomb; mohrCoulombCoeffs " + constants + "tensileStrength 3200; } " + reduced, &soil), "");
+    const auto& mohr = std::get<MohrCoulomb>(soil.law).strength;
+    EXPECT_NEAR(mohr.sinPhi, std::sin(phi * degree), 1e-14);
+    EXPECT_NEAR(mohr.sinPsi, std::sin(phi * degree), 1e-14);
+    EXPECT_NEAR(mohr.cohesion, 5e3, 1e-10);
+    EXPECT_NEAR(mohr.cutOff, 2e3, 1e-10);
+    EXPECT_EQ(errorsOf("rho 1; law druckerPrager; druckerPragerCoeffs " + constants + "} " + reduced, &soil), "");
+    const auto& cone = std::get<DruckerPrager>(soil.law);
+    const auto asked = DruckerPrager::of(cone.elastic, phi, phi, 5e3);
+    EXPECT_NEAR(cone.alpha_phi, asked.alpha_phi, 1e-14);
+    EXPECT_NEAR(cone.alpha_psi, asked.alpha_psi, 1e-14);
+    EXPECT_NEAR(cone.k_c, asked.k_c, 1e-9);
+    EXPECT_EQ(
+        errorsOf("rho 1; law mohrCoulomb; mohrCoulombCoeffs " + constants +
+                     "softening { plasticShearStrain (0 0.2); cohesion (8e3 1.6e3); frictionAngle (30 10); dilatancyAngle (0 0); } } " +
+                     reduced,
+                 &soil),
+        "");
+    const auto residual = std::get<MohrCoulombSoftening>(soil.law).strengthAt(0.3);
+    EXPECT_NEAR(residual.cohesion, 1e3, 1e-10);
+    EXPECT_NEAR(residual.sinPhi, std::sin(std::atan(std::tan(10 * degree) / F)), 1e-14);
+    EXPECT_NE(errorsOf(sand + reduced).find("constant/soilProperties:10: law wuBauer has no cohesion and friction angle"),
+              std::string::npos);
 }
 
 TEST(SoilProperties, mistakes)
