@@ -118,8 +118,8 @@ template<int dim> struct ForceAndSlope
 ///
 /// The slope is 0 where det B is below 1e-3 (tr B)^d, and 1/dx^2 at most: a particle in a corner that sees hardly more than its own images has none, and was thrown at 8e4 m/s.
 ///
-/// Below the pressure of the gas, p < 0, that of Hu & Adams pulls each particle to where its neighbours are denser: lines of particles and voids between them form, and each void is taken for a surface (tensile instability: Swegle, Hicks and
-/// Attaway 1995). Inside, t < t_s, the term with p makes of it -sum_j (p_j - p_i) V_j^2 gradW_ij, which is 0 where p is uniform however the particles lie (the control of Sun, Colagrossi, Marrone and Zhang 2018); at the surface p keeps the
+/// Below the pressure of the gas, p < 0, that of Hu & Adams pulls each particle to where its neighbours are denser: lines of particles and voids between them form, and each void is taken for a surface (tensile instability: Swegle, Hicks &
+/// Attaway 1995). Inside, t < t_s, the term with p makes of it -sum_j (p_j - p_i) V_j^2 gradW_ij, which is 0 where p is uniform however the particles lie (the control of Sun et al. (2018), as in TensileControlledPressure of models/pressure); at the surface p keeps the
 /// form that balances tension. A column between plates that it wets at 60 degrees keeps 0.1 J of motion without it, and 1e-6 J with it.
 ///
 /// With (kappa_i + kappa_j)/2 pairs would conserve momentum, but the force were that of a pressure which ends at the surface, and would move nothing; FreeBodies.hpp
