@@ -1,5 +1,5 @@
 #include "mapping/mapState.hpp"
-#include "../sampling/Particles.hpp"
+#include "Particles.hpp"
 #include "mapping/Surroundings.hpp"
 #include "mapping/choosePhases.hpp"
 #include "sampling/SampledField.hpp"
