@@ -296,7 +296,7 @@ TEST(PrintedPlan, IsWhatRunsWithALid)
         files["system/controlDict"] += "functions { sums { type conservation; } }\n";
         const int steps = 3;
         const auto ran = printsWhatRuns<2>(files, steps);
-        const auto& forces = ran.groups.at("forces of moving walls");
+        const auto& forces = ran.groups.at("forces of walls");
         EXPECT_EQ(forces.size(), 2);
         for (const auto& [term, count] : forces) EXPECT_EQ(count, evaluations * steps) << term;
     }

@@ -169,8 +169,11 @@ TEST(Shaking, ThatCannotBeIsRefused)
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 9.81*sin($time), 0)"), {"constant/g:1", "$time is unknown here", "$t"});
     refused(shaken(channelCase(), "(0 0 0)", "vector(0, 0, 9.81)"), {"constant/g:1", "\"shaking\""});
 
+    refused(shaken(channelCase(), "(0 0 0)", "$t < 0.1 ? vector(1, 0, 0) : 0"),
+            {"constant/g:1", "a condition chooses between a number and a vector"});
+
     // Where it has a value at the start, and none later.
-    const auto settings = settingsOf(shaken(channelCase(), "(0 0 0)", "$t < 0.1 ? vector(1, 0, 0) : 0"));
+    const auto settings = settingsOf(shaken(channelCase(), "(0 0 0)", "vector(sqrt(0.09 - $t), 0, 0)"));
     const auto g = periodicSquare();
     Cloud cloud;
     cloud.x = cloud.y = {0.5};
