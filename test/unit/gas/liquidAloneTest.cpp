@@ -132,6 +132,30 @@ template<int dim> std::vector<Vector<dim>> shells(double R, int rows, double inw
     return places;
 }
 
+/// A liquid alone at these places.
+Cloud liquidAt(const std::vector<Vector<2>>& places)
+{
+    Cloud cloud;
+    for (const auto& x : places)
+    {
+        cloud.x.push_back(x.x);
+        cloud.y.push_back(x.y);
+    }
+    cloud.z.assign(places.size(), 0);
+    cloud.fields["phase"].component.assign(1, std::vector<double>(places.size(), 0));
+    return cloud;
+}
+
+void runUntil(AnySimulation& simulation, double end)
+{
+    for (double time = 0; time < end;)
+    {
+        const double deltaT = std::min(simulation.stepLimit().deltaT, end - time);
+        simulation.step(time, deltaT);
+        time += deltaT;
+    }
+}
+
 /// The mean of kappa over these particles of a surface, and the largest that one of them is off it.
 template<int dim> std::pair<double, double> curvatureOf(const std::vector<Particle<dim>>& particles)
 {
@@ -296,21 +320,17 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplaceAndStaysWhereItIs)
         SCOPED_TRACE(scheme + ", centre " + std::to_string(centre));
         CaseScene scene(discAlone("gas none;\nintegration { scheme " + scheme + "; }\n"));
         ASSERT_EQ(scene.errors, "");
-        Cloud cloud;
-        auto& phase = cloud.fields["phase"].component;
-        phase.resize(1);
         std::mt19937_64 random(7);
         std::uniform_real_distribution<double> any(-0.1, 0.1);
         const double dx = 0.03125;
         const auto wrapped = [](double x) { return x - std::floor(x); };
-        for (const auto& x : lattice<2>(9, [](auto y) { return mag(y - Vector<2>{0.13, 0.21}) < 8; }))
+        auto places = lattice<2>(9, [](auto y) { return mag(y - Vector<2>{0.13, 0.21}) < 8; });
+        for (auto& x : places)
         {
-            cloud.x.push_back(wrapped(centre + dx * (x.x + any(random))));
-            cloud.y.push_back(wrapped(centre + dx * (x.y + any(random))));
-            cloud.z.push_back(0);
-            phase[0].push_back(0);
+            x.x = wrapped(centre + dx * (x.x + any(random)));
+            x.y = wrapped(centre + dx * (x.y + any(random)));
         }
-        const auto simulation = makeSimulation(scene.settings, scene.geometry, cloud, {});
+        const auto simulation = makeSimulation(scene.settings, scene.geometry, liquidAt(places), {});
         double time = 0, p = 0, weight = 0;
         while (time < 1)
         {
@@ -332,7 +352,7 @@ TEST(LiquidAlone, HasTheJumpOfYoungAndLaplaceAndStaysWhereItIs)
             p += deltaT * sum / n;
             weight += deltaT;
         }
-        const double R = dx * std::sqrt(double(cloud.x.size()) / std::numbers::pi);
+        const double R = dx * std::sqrt(double(places.size()) / std::numbers::pi);
         EXPECT_NEAR(p / weight * R, 1, 0.03);
         const auto summary = simulation->summary();
         EXPECT_LT(summary.maxSpeedOfScene(), 0.1) << "of 2 m/s, sqrt(gamma/(rho R)); up to 0.03 were measured";
@@ -447,25 +467,12 @@ TEST(LiquidAlone, MeetsWallsAtTheirContactAngle)
         files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.2; soundSpeed 60; sigma 1; }\n";
         CaseScene scene(files);
         ASSERT_EQ(scene.errors, "");
-        Cloud cloud;
-        auto& phase = cloud.fields["phase"].component;
-        phase.resize(1);
         const double dx = 0.03125;
-        for (const auto& x : lattice<2>(12, [](auto y) { return mag(y) < 12 && y.x > 0 && y.y > 0; }))
-        {
-            cloud.x.push_back(dx * x.x);
-            cloud.y.push_back(dx * x.y);
-            cloud.z.push_back(0);
-            phase[0].push_back(0);
-        }
-        const auto simulation = makeSimulation(scene.settings, scene.geometry, cloud, {});
-        for (double time = 0; time < 6;)
-        {
-            const double deltaT = std::min(simulation->stepLimit().deltaT, 6 - time);
-            simulation->step(time, deltaT);
-            time += deltaT;
-        }
-        EXPECT_NEAR(angleByHeight(*simulation, 2 * dx * dx * double(cloud.x.size())), angle, 4);
+        auto places = lattice<2>(12, [](auto y) { return mag(y) < 12 && y.x > 0 && y.y > 0; });
+        for (auto& x : places) x *= dx;
+        const auto simulation = makeSimulation(scene.settings, scene.geometry, liquidAt(places), {});
+        runUntil(*simulation, 6);
+        EXPECT_NEAR(angleByHeight(*simulation, 2 * dx * dx * double(places.size())), angle, 4);
     }
 }
 
@@ -497,7 +504,7 @@ TEST(FreeSurfaceForce, TakesTheForceOfUniformSuctionFromWhatLiesInside)
 // A column between two plates that it wets hangs from its two menisci, under their suction, and comes to rest.
 TEST(LiquidAlone, RestsUnderTheSuctionOfItsMenisci)
 {
-    auto files = discAlone("gas none;\nintegration { scheme implicit; }\n");
+    auto files = discAlone();
     files["constant/geometry"] =
         "dimension 2; domain { min (0 0 0); max (1 5 0); }\nwalls { floor { type plane; point (0 0 0); normal (0 1 0); } lid { type plane; point "
         "(0 5 0); normal (0 -1 0); } left { type plane; point (0 0 0); normal (1 0 0); contactAngle 60; } right { type plane; point (1 0 0); "
@@ -507,25 +514,12 @@ TEST(LiquidAlone, RestsUnderTheSuctionOfItsMenisci)
         "resolution { spacing 0.0625; support 3; kernel wendlandC2; }\ngas none;\nintegration { scheme implicit; }\n";
     CaseScene scene(files);
     ASSERT_EQ(scene.errors, "");
-    Cloud cloud;
-    auto& phase = cloud.fields["phase"].component;
-    phase.resize(1);
     const double dx = 0.0625;
+    std::vector<Vector<2>> places;
     for (int i = 0; i < 16; ++i)
-        for (int j = 0; j < 32; ++j)
-        {
-            cloud.x.push_back(dx * (i + 0.5));
-            cloud.y.push_back(dx * (j + 0.5));
-            cloud.z.push_back(0);
-            phase[0].push_back(0);
-        }
-    const auto simulation = makeSimulation(scene.settings, scene.geometry, cloud, {});
-    for (double time = 0; time < 3;)
-    {
-        const double deltaT = std::min(simulation->stepLimit().deltaT, 3 - time);
-        simulation->step(time, deltaT);
-        time += deltaT;
-    }
+        for (int j = 0; j < 32; ++j) places.push_back({dx * (i + 0.5), dx * (j + 0.5)});
+    const auto simulation = makeSimulation(scene.settings, scene.geometry, liquidAt(places), {});
+    runUntil(*simulation, 3);
     EXPECT_LT(simulation->energy().kinetic, 1e-3);
 }
 

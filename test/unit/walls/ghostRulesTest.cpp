@@ -1,5 +1,6 @@
 /// Velocity and pressure rules of wall ghosts against the flows and columns that they are to continue exactly.
 #include "models/walls/ghostRules.hpp"
+#include "Largest.hpp"
 #include "geometry/Plane.hpp"
 #include "scenes.hpp"
 #include <gtest/gtest.h>
@@ -122,10 +123,9 @@ double errorOfContinuation(const std::vector<Plane>& planes, const std::vector<V
         sph::store(Vector<3>{0, 0, flow(points[i])}, [&](int k, double q) { v[std::size_t(k)][i] = q; });
     Images<3>::refresh<Velocity>(images, store);
     EXPECT_GT(images.count(), planes.size() * points.size()); // images of images, too
-    double largest = 0;
-    for (std::size_t k = points.size(); k < images.nullParticle(); ++k)
-        largest = std::max(largest, std::abs(v[2][k] - flow(test::positionOf(store, k))));
-    return largest;
+    test::Largest largest;
+    for (std::size_t k = points.size(); k < images.nullParticle(); ++k) largest(v[2][k] - flow(test::positionOf(store, k)));
+    return largest.value();
 }
 
 // Between parallel plates from half a spacing to three spacings apart every image, images of images among them, has the parabola's velocity at its place: to round-off.
