@@ -1,6 +1,7 @@
 #include "mapping/checkAlike.hpp"
 #include "base/words.hpp"
 #include "geometry/components.hpp"
+#include "geometry/wallNames.hpp"
 #include "mapping/Sight.hpp"
 #include "sampling/SampledField.hpp"
 #include <algorithm>
@@ -40,10 +41,9 @@ bool differ(const Geometry& a, const Geometry& b)
     return false;
 }
 
-std::vector<std::string> wallNames(const Geometry& g)
+std::vector<std::string> sortedWallNames(const Geometry& g)
 {
-    std::vector<std::string> names;
-    for (const auto& wall : g.walls) names.push_back(wall.name);
+    auto names = wallNames(g);
     std::ranges::sort(names);
     return names;
 }
@@ -57,7 +57,7 @@ void checkGeometry(const Dictionary& d, const Geometry& of, const Geometry& sour
     if (of.periodic != source.periodic)
         d.error("domain",
                 fmt::format("the domain is periodic in {}, and that of {} in {}", periodicText(of), sourceName, periodicText(source)));
-    if (const auto names = wallNames(of), others = wallNames(source); names != others)
+    if (const auto names = sortedWallNames(of), others = sortedWallNames(source); names != others)
         d.error("walls",
                 fmt::format("the walls ({}) are not those of {}, ({})", fmt::join(names, " "), sourceName, fmt::join(others, " ")));
 }

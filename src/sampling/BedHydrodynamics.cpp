@@ -1,5 +1,6 @@
 #include "sampling/BedHydrodynamics.hpp"
 #include "base/words.hpp"
+#include "geometry/wallNames.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/Measurement.hpp"
 #include "sampling/SampledField.hpp"
@@ -113,9 +114,7 @@ BedHydrodynamics::BedHydrodynamics(const Dictionary& d, const FunctionContext& c
     const auto size = high_ - low_;
     if (!(size.x > 0 && size.y > 0 && (size.z > 0 || context.geometry.dimension == 2)))
         entry::region.error(d, "min must lie below max in each direction");
-    std::vector<std::string> walls;
-    for (const auto& wall : context.geometry.walls) walls.push_back(wall.name);
-    grains_ = entry::grains.among(d, walls, bodiesOf(context.geometry));
+    grains_ = entry::grains.among(d, wallNames(context.geometry), bodiesOf(context.geometry));
     direction_ = entry::along(d, Vector<3>{});
     if (entry::along.given(d) && mag(direction_ - alongCoordinate(direction_)) > 1e-9) entry::along.error(d, "must be along a coordinate");
 }

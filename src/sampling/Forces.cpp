@@ -2,6 +2,7 @@
 #include "base/words.hpp"
 #include "case/forcesOnWalls.hpp"
 #include "geometry/components.hpp"
+#include "geometry/wallNames.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -16,12 +17,12 @@ const Column force{"force_<wall>", "N", "of the fluid or soil on the wall, per m
 
 Forces::Forces(const Dictionary& d, const FunctionContext& context) : context_(context), where_(entry::patches.where(d))
 {
-    std::vector<std::string> known;
-    for (const auto& wall : context.geometry.walls) known.push_back(wall.name);
     for (const auto& name : entry::patches(d))
         if (const auto wall = std::ranges::find(context.geometry.walls, name, &WallProperties::name); wall != context.geometry.walls.end())
             walls_.push_back({name, wall->velocity, {}});
-        else entry::patches.error(d, fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", known)));
+        else
+            entry::patches.error(d,
+                                 fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", wallNames(context.geometry))));
 }
 
 EntryList Forces::entries() { return {entry::patches}; }

@@ -1,6 +1,7 @@
 #include "sampling/Numbers.hpp"
 #include "geometry/contains.hpp"
 #include "geometry/forEachFoot.hpp"
+#include "geometry/wallNames.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/SampledField.hpp"
 #include "sampling/VolumeMean.hpp"
@@ -68,8 +69,8 @@ Numbers::Numbers(const Dictionary& dict, const FunctionContext& context)
 {
     const auto numbers = entry::numbers.needed(dict);
     const auto keys = numbers.keys();
-    std::vector<std::string> walls, above, below(keys.begin(), keys.end());
-    for (const auto& wall : context.geometry.walls) walls.push_back(wall.name);
+    const auto walls = wallNames(context.geometry);
+    std::vector<std::string> above, below(keys.begin(), keys.end());
     for (const auto& name : keys)
     {
         if (!numbers.isDictionary(name))

@@ -1,4 +1,5 @@
 #include "sampling/SurfaceIntegral.hpp"
+#include "geometry/wallNames.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/Interpolator.hpp"
 #include "sampling/SampledField.hpp"
@@ -33,13 +34,6 @@ namespace
 std::size_t indexAmong(const Word& entry, const Dictionary& d, const std::vector<std::string>& words)
 {
     return std::size_t(std::ranges::find(words, entry.among(d, words)) - words.begin());
-}
-
-std::vector<std::string> wallNames(const Geometry& geometry)
-{
-    std::vector<std::string> names;
-    for (const auto& wall : geometry.walls) names.push_back(wall.name);
-    return names;
 }
 
 }

@@ -1,4 +1,5 @@
 #include "surfaces/SurfaceSettings.hpp"
+#include "geometry/wallNames.hpp"
 #include "kernels/Kernel.hpp"
 #include "surfaces/SurfaceWriter.hpp"
 #include "surfaces/entries/surfaceEntries.hpp"
@@ -48,9 +49,7 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
     picture.surface = contains(show, "surface");
     picture.walls = contains(show, "walls");
     picture.particles = contains(show, "particles");
-    std::vector<std::string> walls;
-    for (const auto& wall : geometry.walls) walls.push_back(wall.name);
-    picture.shownWalls = entry::shownWalls.among(dict, walls, {});
+    picture.shownWalls = entry::shownWalls.among(dict, wallNames(geometry), {});
 
     picture.colourBy = entry::colourBy(dict, "");
     picture.whereColourBy = entry::colourBy.where(dict);

@@ -1,5 +1,6 @@
 #include "models/scalarTransport/readScalars.hpp"
 #include "base/words.hpp"
+#include "geometry/wallNames.hpp"
 #include "models/scalarTransport/carriedScalar.hpp"
 #include <algorithm>
 #include <cctype>
@@ -34,8 +35,7 @@ double readDiffusivity(const Dictionary& d, const std::string& key)
 std::vector<std::optional<double>> readWallValues(const Dictionary& d, const Geometry& geometry)
 {
     std::vector<std::optional<double>> values(geometry.walls.size());
-    Words names;
-    for (const auto& wall : geometry.walls) names.push_back(wall.name);
+    const auto names = wallNames(geometry);
     const auto walls = d.subDictOrEmpty("walls");
     for (const auto& key : walls.keys())
     {

@@ -1,5 +1,6 @@
 #include "models/soil/readPoreWater.hpp"
 #include "base/words.hpp"
+#include "geometry/wallNames.hpp"
 #include "kernels/overLattice.hpp"
 #include "models/soil/PoreWaterStep.hpp"
 #include "models/soil/Seepage.hpp"
@@ -62,8 +63,7 @@ namespace
 std::vector<WaterAtWall> readWalls(const Dictionary& d, const Geometry& geometry, double permeability)
 {
     std::vector<WaterAtWall> all(geometry.walls.size());
-    std::vector<std::string> names;
-    for (const auto& wall : geometry.walls) names.push_back(wall.name);
+    const auto names = wallNames(geometry);
     const auto walls = entry::waterWalls(d);
     for (const auto& name : walls.keys())
     {
