@@ -128,7 +128,7 @@ std::optional<StepLimit> completionLimit(const Settings& settings, const Measure
 
 bool shifts(const Settings& settings)
 {
-    return std::ranges::any_of(std::array{"particleShifting", "interfaceShifting", "surfaceShifting", "transportStress"},
+    return std::ranges::any_of(std::array{"surfaceShifting", "transportStress"},
                                [&](const char* term) { return std::ranges::count(settings.terms, term) > 0; });
 }
 }

@@ -7,7 +7,7 @@
 /// fastest: lattices are torn where streamlines part, at points of no speed (tutorials/verification/taylorGreen: 2.8 to 3.8 % of error with
 /// the own speed and C = 4, 1.2 to 2 % with the largest). Conserves nothing: it moves particles through the flow field.
 #pragma once
-#include "fields/fieldTags.hpp"
+#include "fields/freeSurfaceTags.hpp"
 #include "plan/Coefficients.hpp"
 #include <cmath>
 
@@ -104,6 +104,22 @@ struct SurfaceShifting
         const double moves = i.lambda > isolated ? 1.0 : 0.0;
         return moves * (i.gradN - across * i.n);
     }
+};
+
+/// Shifting inside a liquid alone, whose gas is left out (models/gas): less and less towards its free surface.
+///
+///   shift_i = -2 V_i g_i max(0, 1 - t_i/t_s),     g = sum_j gradW_ij,    t_s = 0.1
+///
+/// g [1/m^(d + 1)] and the share t [-] of the surface are those of the completed density (models/gas/CompletedDensity.hpp): no sum is made for it. Liquid that is sheared on and on, as in drops that run along a wall, without any pressure to speak of otherwise comes to
+/// lie in lines with gaps between them, and each gap is taken for a surface.
+struct InteriorShifting
+{
+    static constexpr auto name = "interiorShifting";
+    using Provides = ShiftDirection;
+    using ReadsOwn = Fields<Volume, SlopeSum, SurfaceShare>;
+    static constexpr double insideUpTo = 0.1; ///< t_s
+
+    auto operator()(const auto& i) const { return -2 * i.V * std::fmax(0.0, 1 - i.t / insideUpTo) * i.g; }
 };
 
 }

@@ -8,9 +8,10 @@ namespace sph
 
 namespace entry
 {
-const Scalar shifting{"shifting", units::none, 0, nonNegative, "C of particle shifting, 2 to 8; 0: none"},
-    transportVelocity{"transportVelocity", units::none, 0, nonNegative,
-                      "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
+const AutomaticScalar shifting{"shifting", units::none, byScene("automatic: 2 inside a liquid whose gas is left out, else 0"), nonNegative,
+                               "C of particle shifting, 2 to 8; 0: none"};
+const Scalar transportVelocity{"transportVelocity", units::none, 0, nonNegative,
+                               "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
 const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"largest", "of all"}}, "own", "speed that shifting goes with"},
     shiftingAtSurface{"shiftingAtSurface", {"any", {"tangential", "never out of a free surface"}}, "any", "direction of shifting"},
     shiftingAtInterface{"shiftingAtInterface",
@@ -25,11 +26,15 @@ const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"large
 
 namespace
 {
+/// C that a liquid alone has where the case gives none (README.md).
+constexpr double ofLiquidAlone = 2;
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
     const auto& dict = reading.schemes;
-    const double C = entry::shifting(dict);
+    const bool alone = settings.facts.get<GasLeftOut>().isLeftOut;
+    const double C = entry::shifting(dict).value_or(alone && settings.integration.moves ? ofLiquidAlone : 0);
     const bool largest = entry::shiftingSpeed(dict) == "largest";
     const double transport = entry::transportVelocity(dict);
     const bool tangential = reading.choose(entry::shiftingAtSurface) == "tangential";
@@ -48,9 +53,13 @@ void read(const Reading& reading)
             dict, "goes with steps that sound limits; semiImplicit and implicit take longer ones, in which particles are thrown apart");
     if (entry::shiftingAtInterface.given(dict) && !settings.multiphase())
         entry::shiftingAtInterface.error(dict, "is between phases, and constant/phaseProperties lists one: leave this out");
+    if (alone)
+        for (const Parameter* entry : {&entry::shiftingAtSurface, &entry::shiftingAtInterface})
+            reading.doesNothing(*entry, "with `gas none;` shifting fades out towards the free surface");
     if (C > 0)
     {
-        if (tangential)
+        if (alone) reading.select("interiorShifting");
+        else if (tangential)
         {
             reading.select("surfaceShifting");
             reading.select(within ? "concentrationWithinPhase" : "concentrationGradient");

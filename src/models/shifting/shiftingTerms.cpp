@@ -8,7 +8,7 @@ namespace sph
 template<int dim> Catalogue<dim> shiftingTerms()
 {
     return catalogue<dim, ConcentrationGradient, InterfaceShifting, SeparateConcentrationGradient, ConcentrationWithinPhase,
-                     SurfaceShifting, UniformTransport, LocalTransport, TransportStress>();
+                     SurfaceShifting, InteriorShifting, UniformTransport, LocalTransport, TransportStress>();
 }
 
 template Catalogue<2> shiftingTerms<2>();
