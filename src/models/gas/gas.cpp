@@ -7,7 +7,6 @@
 #include "models/gas/GasFriction.hpp"
 #include "models/gas/gasTerms.hpp"
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -125,12 +124,6 @@ std::optional<StepLimit> completionLimit(const Settings& settings, const Measure
     if (!isLeftOut(settings) || !settings.integration.solvesPressure) return {};
     return StepLimit{3 * settings.integration.factors.sound * 0.5 * c.support / c.soundSpeed[0], "sound at the free surface"};
 }
-
-bool shifts(const Settings& settings)
-{
-    return std::ranges::any_of(std::array{"surfaceShifting", "transportStress"},
-                               [&](const char* term) { return std::ranges::count(settings.terms, term) > 0; });
-}
 }
 
 const Model& gasModel()
@@ -165,8 +158,8 @@ const Model& gasModel()
           "none goes with `walls reflected`: the free surface goes on in their mirror images"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.coefficients.backgroundPressure != 0; },
           "none leaves out the gas, and with it the backgroundPressure: the free surface has the pressure 0"},
-         {"gas", [](const Settings& s) { return isLeftOut(s) && shifts(s); },
-          "none goes without shifting and transportVelocity, which push particles out of a free surface"}},
+         {"gas", [](const Settings& s) { return isLeftOut(s) && std::ranges::count(s.terms, "transportStress") > 0; },
+          "none goes without transportVelocity, which pushes particles out of a free surface"}},
         {completionLimit},
         {{"system/sphSchemes", {entry::gas, entry::gasBand, entry::gasFriction}}},
         declare};

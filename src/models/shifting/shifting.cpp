@@ -8,11 +8,14 @@ namespace sph
 
 namespace entry
 {
-const AutomaticScalar shifting{"shifting", units::none, byScene("automatic: 2 inside a liquid whose gas is left out, else 0"), nonNegative,
-                               "C of particle shifting, 2 to 8; 0: none"};
+const AutomaticScalar shifting{"shifting", units::none, byScene("automatic: 0.5 inside a liquid whose gas is left out, else 0"),
+                               nonNegative, "C of particle shifting, 2 to 8 with the speed of each particle; 0: none"};
 const Scalar transportVelocity{"transportVelocity", units::none, 0, nonNegative,
                                "background pressure of the transport velocity over rho c^2, 1 in the paper; 0: none"};
-const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"largest", "of all"}}, "own", "speed that shifting goes with"},
+const Choice shiftingSpeed{"shiftingSpeed",
+                           {{"own", "of the particle"}, {"largest", "of all"}},
+                           byScene("own; largest where the gas is left out"),
+                           "speed that shifting goes with"},
     shiftingAtSurface{"shiftingAtSurface", {"any", {"tangential", "never out of a free surface"}}, "any", "direction of shifting"},
     shiftingAtInterface{"shiftingAtInterface",
                         {"any", {"none", "fades out towards other phases, and never points to them"}},
@@ -26,8 +29,8 @@ const Choice shiftingSpeed{"shiftingSpeed", {{"own", "of the particle"}, {"large
 
 namespace
 {
-/// C that a liquid alone has where the case gives none (README.md).
-constexpr double ofLiquidAlone = 2;
+/// C of a liquid alone where the case gives none, by the largest speed (README.md).
+constexpr double ofLiquidAlone = 0.5;
 
 void read(const Reading& reading)
 {
@@ -35,7 +38,7 @@ void read(const Reading& reading)
     const auto& dict = reading.schemes;
     const bool alone = settings.facts.get<GasLeftOut>().isLeftOut;
     const double C = entry::shifting(dict).value_or(alone && settings.integration.moves ? ofLiquidAlone : 0);
-    const bool largest = entry::shiftingSpeed(dict) == "largest";
+    const bool largest = reading.choose(entry::shiftingSpeed, alone ? "largest" : "own") == "largest";
     const double transport = entry::transportVelocity(dict);
     const bool tangential = reading.choose(entry::shiftingAtSurface) == "tangential";
     const bool within = reading.choose(entry::shiftingAtInterface, settings.multiphase() ? "none" : "any") == "none";

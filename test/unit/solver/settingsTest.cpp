@@ -155,6 +155,14 @@ TEST(Settings, ShiftingKeepsPhasesApart)
     EXPECT_EQ(selected(drop("shifting 2; shiftingAtInterface any; shiftingAtSurface tangential;")),
               (Terms{"surfaceShifting", "concentrationGradient"}));
     EXPECT_EQ(selected(columnCase()), (Terms{"surfaceShifting", "concentrationGradient"}));
+    const auto alone = [](const std::string& words)
+    {
+        auto files = channelCase();
+        files["system/sphSchemes"] = "resolution { spacing 0.05; support 3; kernel wendlandC2; }\ngas none;\n" + words;
+        return files;
+    };
+    EXPECT_EQ(selected(alone("")), Terms{"interiorShifting"});
+    EXPECT_EQ(selected(alone("shifting 0;\n")), Terms{});
     expectError(edited(grainCase(), "system/sphSchemes", "shifting 2;", "shifting 2; shiftingAtInterface none;"),
                 "system/sphSchemes:2: is between phases");
 }
