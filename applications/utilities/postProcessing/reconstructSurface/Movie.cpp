@@ -64,7 +64,8 @@ Movie::Movie(const std::string& format) : format_(format)
 void Movie::write(const std::vector<fs::path>& pictures, double framesPerSecond, const fs::path& file) const
 {
     if (pictures.size() < 2) throw CaseError("-movie: one picture is no sequence; choose more times");
-    const Frames frames(file.parent_path() / ("." + file.stem().string() + ".frames"), pictures);
+    const auto folder = fs::absolute(file.parent_path()); // ffmpeg runs there
+    const Frames frames(folder / ("." + file.stem().string() + ".frames"), pictures);
     ProcessTask task;
     task.command = {ffmpeg_.string(),
                     "-nostdin",
@@ -75,9 +76,9 @@ void Movie::write(const std::vector<fs::path>& pictures, double framesPerSecond,
                     frames.pattern(),
                     "-vf",
                     filterOf(format_),
-                    fs::absolute(file).string()};
-    task.folder = file.parent_path();
-    task.log = file.parent_path() / "log.ffmpeg";
+                    file.filename().string()};
+    task.folder = folder;
+    task.log = folder / "log.ffmpeg";
     if (const auto outcome = runProcess(task); !outcome.well())
         throw CaseError(fmt::format("ffmpeg could not write {}: {}; read {}", file.string(), outcome.inWords(), task.log.string()));
     fs::remove(task.log);
