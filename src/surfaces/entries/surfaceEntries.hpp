@@ -52,8 +52,7 @@ const VectorParameter position{"position", units::m, byScene("so that the whole 
     up{"up", units::none, byScene("against gravity"), "what is up in the picture"},
     point{"point", units::m, byScene("the middle of the domain"), "a point of the cut"};
 const Scalar zoom{"zoom", units::none, 1, positive, "enlargement"},
-    wallOpacity{"wallOpacity", units::none, 1, positiveUpTo(1),
-                "of walls: below 1 what is behind them shines through"},
+    wallOpacity{"wallOpacity", units::none, 1, positiveUpTo(1), "of walls: below 1 what is behind them shines through"},
     framesPerSecond{"framesPerSecond", units::none / units::s, 10, positive, "pictures a second, of a sequence by -movie"};
 const Word colourBy{"colourBy", byScene("phase of the particles where there are several, else U; the surface's own colour"),
                     "what colours the particles or, where they are not shown, the surface: a field, or phase of particles"};

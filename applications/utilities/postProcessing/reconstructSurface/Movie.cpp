@@ -36,8 +36,8 @@ public:
     std::string pattern() const { return (folder_ / "%06d.png").string(); }
 };
 
-/// Of mp4, whose colours are stored for two by two pixels: even numbers of them, and a kind that every player knows. Of gif, whose colours are 256: the
-/// best ones for all pictures.
+/// Filter of ffmpeg: an mp4 stores colours for two by two pixels, so that it needs even numbers of them, and yuv420p is what every player knows; a gif has 256 colours,
+/// the best ones of all pictures.
 const char* filterOf(const std::string& format)
 {
     return format == "mp4" ? "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p" : "split[a][b];[a]palettegen[p];[b][p]paletteuse";
