@@ -108,9 +108,8 @@ Mesh cutFaces(const RegularGrid& grid, const std::vector<double>& inside, const 
     return clippedByBoth(mesh, first, second);
 }
 
-Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& geometry)
+Mesh sectionOn(const CutPlane& plane, const RegularGrid& grid, const std::function<double(const Vector<3>&)>& inside)
 {
-    if (geometry.patches.empty()) return Mesh::New();
     // A square around the domain's centre that covers the domain in any direction.
     const double half = 0.5 * mag(grid.high() - grid.low);
     const int n = 2 * int(std::ceil(half / grid.smallestStep())) + 1;
@@ -119,7 +118,7 @@ Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& ge
     const auto [e1, e2] = crossSection(plane.normal);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    vtkNew<vtkDoubleArray> inDomain, inSolid;
+    vtkNew<vtkDoubleArray> inDomain, inBody;
     for (int b = 0; b < n; ++b)
         for (int a = 0; a < n; ++a)
         {
@@ -127,15 +126,20 @@ Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& ge
             points->InsertNextPoint(x.x, x.y, x.z);
             const auto low = x - grid.low, high = grid.high() - x;
             inDomain->InsertNextValue(std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
-            inSolid->InsertNextValue(inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2 * grid.largestStep() ? -geometry.distance(x)
-                                                                                                                     : -1);
+            inBody->InsertNextValue(inDomain->GetValue(inDomain->GetNumberOfValues() - 1) > -2 * grid.largestStep() ? inside(x) : -1);
         }
     vtkNew<vtkCellArray> triangles;
     addTriangles(triangles, 0, n, n, false);
     vtkNew<vtkPolyData> mesh;
     mesh->SetPoints(points);
     mesh->SetPolys(triangles);
-    return clippedByBoth(mesh, inDomain, inSolid);
+    return clippedByBoth(mesh, inDomain, inBody);
+}
+
+Mesh solidsOn(const CutPlane& plane, const RegularGrid& grid, const Geometry& geometry)
+{
+    if (geometry.patches.empty()) return Mesh::New();
+    return sectionOn(plane, grid, [&](const Vector<3>& x) { return -geometry.distance(x); });
 }
 
 Mesh joined(vtkPolyData* a, vtkPolyData* b)

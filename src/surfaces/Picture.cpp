@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <numbers>
 #include <vtkActor.h>
+#include <vtkActor2D.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDoubleArray.h>
 #include <vtkDualDepthPeelingPass.h>
@@ -21,7 +25,9 @@
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
+#include <vtkProperty2D.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
@@ -56,7 +62,9 @@ constexpr Colour scale[] = {{0.267, 0.005, 0.329}, {0.283, 0.141, 0.458}, {0.230
 /// Drawn this many times larger in each direction and averaged, for smooth edges.
 constexpr int oversampling = 2;
 
-bool drawable(const Mesh& mesh) { return mesh && mesh->GetNumberOfCells() > 0; }
+constexpr std::size_t manyBalls = 20000;
+
+bool drawable(vtkPolyData* mesh) { return mesh && mesh->GetNumberOfCells() > 0; }
 
 vtkSmartPointer<vtkActor> actorOf(vtkPolyData* mesh, const Colour& colour)
 {
@@ -81,6 +89,7 @@ void addSolids(vtkRenderer* renderer, const Scene& scene)
         actor->GetProperty()->SetDiffuse(0.82);
         actor->GetProperty()->SetSpecular(0.12);
         actor->GetProperty()->SetSpecularPower(20);
+        actor->GetProperty()->SetOpacity(scene.wallOpacity);
         renderer->AddActor(actor);
     }
     if (drawable(scene.wallCuts))
@@ -90,12 +99,98 @@ void addSolids(vtkRenderer* renderer, const Scene& scene)
         actor->GetProperty()->SetInterpolationToFlat();
         actor->GetProperty()->SetAmbient(0.55);
         actor->GetProperty()->SetDiffuse(0.45);
+        actor->GetProperty()->SetOpacity(scene.wallOpacity);
         renderer->AddActor(actor);
     }
 }
 
+/// The scale from the least to the largest value, or over a range that is given.
+vtkSmartPointer<vtkScalarsToColors> scaleOf(double least, double most, const std::optional<std::array<double, 2>>& given)
+{
+    const auto [low, high] = given.value_or(std::array{least, most});
+    const double range = high > low ? high - low : std::max(1.0, std::fabs(low));
+    auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
+    for (std::size_t k = 0; k < std::size(scale); ++k)
+        colours->AddRGBPoint(low + range * double(k) / (std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
+    return colours;
+}
+
+vtkSmartPointer<vtkScalarsToColors> coloursOf(const Points& points)
+{
+    if (!points.phases.empty())
+    {
+        auto table = vtkSmartPointer<vtkLookupTable>::New();
+        const int count = int(points.phases.size());
+        table->SetNumberOfTableValues(count);
+        table->SetTableRange(-0.5, count - 0.5);
+        for (int k = 0; k < count; ++k)
+        {
+            const auto& c = phaseColours[k % std::size(phaseColours)];
+            table->SetTableValue(k, c[0], c[1], c[2]);
+        }
+        return table;
+    }
+    const auto [least, most] = std::minmax_element(points.value.begin(), points.value.end());
+    return scaleOf(*least, *most, points.range);
+}
+
+void addColourBar(vtkRenderer* renderer, const std::string& title, vtkScalarsToColors* colours)
+{
+    vtkNew<vtkScalarBarActor> bar;
+    bar->SetLookupTable(colours);
+    bar->SetTitle((title + "\n ").c_str());
+    bar->SetNumberOfLabels(5);
+    bar->SetLabelFormat("%.3g");
+    bar->SetPosition(0.9, 0.2);
+    bar->SetWidth(0.09);
+    bar->SetHeight(0.6);
+    bar->SetBarRatio(0.25);
+    bar->UnconstrainedFontSizeOn();
+    for (auto* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+    {
+        text->SetColor(ink[0], ink[1], ink[2]);
+        text->SetFontFamilyToArial();
+        text->SetFontSize(16 * oversampling);
+        text->ItalicOff();
+        text->BoldOff();
+        text->ShadowOff();
+    }
+    renderer->AddActor2D(bar);
+}
+
+/// Surface and cuts in the colours of the values at their points, opaque, so that a colour is what the bar says.
+void addColouredLiquid(vtkRenderer* renderer, const Scene& scene)
+{
+    double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
+    std::vector<vtkPolyData*> meshes;
+    for (vtkPolyData* mesh : {scene.liquid.Get(), scene.liquidCuts.Get()})
+        if (drawable(mesh))
+        {
+            const auto* range = mesh->GetPointData()->GetScalars()->GetRange();
+            least = std::min(least, range[0]);
+            most = std::max(most, range[1]);
+            meshes.push_back(mesh);
+        }
+    if (meshes.empty()) return;
+    const auto colours = scaleOf(least, most, scene.liquidColours->range);
+    for (auto* mesh : meshes)
+    {
+        auto actor = actorOf(mesh, white);
+        actor->GetMapper()->ScalarVisibilityOn();
+        actor->GetMapper()->SetLookupTable(colours);
+        actor->GetMapper()->UseLookupTableScalarRangeOn();
+        actor->GetMapper()->InterpolateScalarsBeforeMappingOn();
+        if (mesh == scene.liquidCuts) actor->GetProperty()->SetInterpolationToFlat();
+        actor->GetProperty()->SetAmbient(0.35);
+        actor->GetProperty()->SetDiffuse(0.7);
+        renderer->AddActor(actor);
+    }
+    addColourBar(renderer, scene.liquidColours->title, colours);
+}
+
 void addLiquid(vtkRenderer* renderer, const Scene& scene)
 {
+    if (scene.liquidColours) return addColouredLiquid(renderer, scene);
     if (drawable(scene.liquid))
     {
         auto actor = actorOf(scene.liquid, water);
@@ -138,54 +233,6 @@ void addContour(vtkRenderer* renderer, const Scene& scene)
     // The lines lie in front of the discs, which are in the plane z = 0.
     actor->SetPosition(0, 0, 1e-3 * mag(scene.high - scene.low));
     renderer->AddActor(actor);
-}
-
-vtkSmartPointer<vtkScalarsToColors> coloursOf(const Points& points)
-{
-    if (!points.phases.empty())
-    {
-        auto table = vtkSmartPointer<vtkLookupTable>::New();
-        const int count = int(points.phases.size());
-        table->SetNumberOfTableValues(count);
-        table->SetTableRange(-0.5, count - 0.5);
-        for (int k = 0; k < count; ++k)
-        {
-            const auto& c = phaseColours[k % std::size(phaseColours)];
-            table->SetTableValue(k, c[0], c[1], c[2]);
-        }
-        return table;
-    }
-    const auto [least, most] = std::minmax_element(points.value.begin(), points.value.end());
-    const auto [low, high] = points.range.value_or(std::array{*least, *most});
-    const double range = high > low ? high - low : std::max(1.0, std::fabs(low));
-    auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
-    for (std::size_t k = 0; k < std::size(scale); ++k)
-        colours->AddRGBPoint(low + range * double(k) / (std::size(scale) - 1), scale[k][0], scale[k][1], scale[k][2]);
-    return colours;
-}
-
-void addColourBar(vtkRenderer* renderer, const Points& points, vtkScalarsToColors* colours)
-{
-    vtkNew<vtkScalarBarActor> bar;
-    bar->SetLookupTable(colours);
-    bar->SetTitle((points.title + "\n ").c_str());
-    bar->SetNumberOfLabels(5);
-    bar->SetLabelFormat("%.3g");
-    bar->SetPosition(0.9, 0.2);
-    bar->SetWidth(0.09);
-    bar->SetHeight(0.6);
-    bar->SetBarRatio(0.25);
-    bar->UnconstrainedFontSizeOn();
-    for (auto* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
-    {
-        text->SetColor(ink[0], ink[1], ink[2]);
-        text->SetFontFamilyToArial();
-        text->SetFontSize(16 * oversampling);
-        text->ItalicOff();
-        text->BoldOff();
-        text->ShadowOff();
-    }
-    renderer->AddActor2D(bar);
 }
 
 /// Names of the phases in their colours, one below the other.
@@ -249,8 +296,10 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     else
     {
         auto ball = vtkSmartPointer<vtkSphereSource>::New();
-        ball->SetThetaResolution(20);
-        ball->SetPhiResolution(14);
+        // Of many, each is a few pixels wide.
+        const bool many = points.position.size() > manyBalls;
+        ball->SetThetaResolution(many ? 10 : 20);
+        ball->SetPhiResolution(many ? 8 : 14);
         ball->SetRadius(points.diameter / 2);
         shape = ball;
     }
@@ -264,7 +313,7 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     actor->SetMapper(mapper);
     if (scene.dimension == 2) flat(actor);
     renderer->AddActor(actor);
-    if (points.phases.empty()) addColourBar(renderer, points, colours);
+    if (points.phases.empty()) addColourBar(renderer, points.title, colours);
     else addLegend(renderer, scene);
 }
 
@@ -308,7 +357,7 @@ Vector<3> viewDirection(const Camera& wish)
     {
         const auto& n = *wish.facing;
         const auto side = cross(up, n);
-        return n + 0.3 * (mag(side) > 0 ? side / mag(side) : Vector<3>{}) + 0.25 * up;
+        return n + 0.3 * (mag(side) > 0 ? side / mag(side) : crossSection(up)[0]) + 0.25 * up;
     }
     const auto right = crossSection(up)[0];
     return 1.75 * cross(right, up) + 0.85 * right + 0.75 * up;
@@ -318,7 +367,7 @@ Vector<3> viewDirection(const Camera& wish)
 void setPlaneCamera(vtkCamera* camera, const Scene& scene)
 {
     const auto extent = scene.high - scene.low;
-    const bool bar = !scene.points.position.empty() && scene.points.phases.empty();
+    const bool bar = scene.liquidColours || (!scene.points.position.empty() && scene.points.phases.empty());
     const double aspect = double(scene.size[0]) / scene.size[1];
     const double height = std::max(1.16 * extent.y, (bar ? 1.3 : 1.08) * extent.x / aspect) / scene.camera.zoom;
     auto centre = scene.camera.focalPoint.value_or(0.5 * (scene.low + scene.high));
@@ -355,6 +404,54 @@ void setCamera(vtkRenderer* renderer, const Scene& scene)
     renderer->ResetCameraClippingRange();
 }
 
+std::string lengthInWords(double length)
+{
+    if (length >= 1) return fmt::format("{:g} m", length);
+    if (length >= 1e-3) return fmt::format("{:g} mm", 1e3 * length);
+    return fmt::format("{:g} um", 1e6 * length);
+}
+
+/// A bar at the lower left, about a fifth of the picture long, and its length. Its place is in pixels, so that the camera must be set.
+void addScaleBar(vtkRenderer* renderer, const Scene& scene)
+{
+    auto* camera = renderer->GetActiveCamera();
+    const double degree = std::numbers::pi / 180;
+    const double heightSeen = camera->GetParallelProjection() ? 2 * camera->GetParallelScale()
+                                                              : 2 * camera->GetDistance() * std::tan(0.5 * degree * camera->GetViewAngle());
+    const double pixel = heightSeen / (oversampling * scene.size[1]);
+    const double length = roundLength(0.25 * oversampling * scene.size[0] * pixel);
+    const double left = 24 * oversampling, bottom = 16 * oversampling, thickness = 5 * oversampling, right = left + length / pixel;
+    vtkNew<vtkPoints> corners;
+    corners->InsertNextPoint(left, bottom, 0);
+    corners->InsertNextPoint(right, bottom, 0);
+    corners->InsertNextPoint(right, bottom + thickness, 0);
+    corners->InsertNextPoint(left, bottom + thickness, 0);
+    vtkNew<vtkCellArray> bar;
+    bar->InsertNextCell({0, 1, 2, 3});
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(corners);
+    mesh->SetPolys(bar);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(mesh);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
+    renderer->AddActor2D(actor);
+    vtkNew<vtkTextActor> text;
+    text->SetInput(lengthInWords(length).c_str());
+    text->SetPosition(left, bottom + 2 * thickness);
+    text->GetTextProperty()->SetFontFamilyToArial();
+    text->GetTextProperty()->SetFontSize(16 * oversampling);
+    text->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
+    renderer->AddActor2D(text);
+}
+
+}
+
+double roundLength(double most)
+{
+    const double decade = std::pow(10, std::floor(std::log10(most)));
+    return (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1) * decade;
 }
 
 void drawPicture(const Scene& scene, const std::filesystem::path& png)
@@ -381,6 +478,7 @@ void drawPicture(const Scene& scene, const std::filesystem::path& png)
     lights->SetKeyToHeadRatio(2.6);
     lights->AddLightsToRenderer(renderer);
     setCamera(renderer, scene);
+    if (scene.scaleBar) addScaleBar(renderer, scene);
     if (scene.dimension == 3) setPasses(renderer, scene);
     window->Render();
 

@@ -29,19 +29,32 @@ struct Points
     std::vector<std::string> phases; ///< names where `value` is the number of a phase; else a continuous scale
 };
 
+/// Colours of the values that the points of a surface have as their scalars.
+struct SurfaceColours
+{
+    std::string title; ///< of the colour bar
+    std::optional<std::array<double, 2>> range;
+};
+
 /// Contents of a picture; an empty mesh or list is left out.
 struct Scene
 {
     int dimension = 3;
-    Vector<3> low, high;     ///< the domain, whose outline is drawn
-    Mesh liquid, liquidCuts; ///< surface, and where the domain's faces cut through it
+    Vector<3> low, high;                         ///< the domain, whose outline is drawn
+    Mesh liquid, liquidCuts;                     ///< surface, and where the domain's faces cut through it
+    std::optional<SurfaceColours> liquidColours; ///< of both; none: that of water, translucent
     Mesh walls, wallCuts;
+    double wallOpacity = 1;
     Mesh contour; ///< 2-D surface line
     Points points;
     Camera camera;
     std::array<int, 2> size{1200, 900}; ///< pixels
     std::string title;
+    bool scaleBar = false; ///< a length to measure by
 };
+
+/// The largest of 1, 2 and 5 times a power of ten up to `most`.
+double roundLength(double most);
 
 /// Throws CaseError where the file cannot be written.
 void drawPicture(const Scene&, const std::filesystem::path& png);

@@ -164,4 +164,31 @@ std::vector<double> wallDistances(const RegularGrid& grid, const Geometry& geome
     return distance;
 }
 
+double interpolated(const RegularGrid& grid, const std::vector<double>& values, const Vector<3>& x)
+{
+    const std::array<double, 3> at{x.x - grid.low.x, x.y - grid.low.y, x.z - grid.low.z}, step{grid.step.x, grid.step.y, grid.step.z};
+    std::array<int, 3> first{};
+    std::array<double, 3> share{};
+    for (int d = 0; d < grid.dimension; ++d)
+    {
+        const double steps = std::clamp(at[d] / step[d], 0.0, double(grid.nodes[d] - 1));
+        first[d] = std::min(int(steps), grid.nodes[d] - 2);
+        share[d] = steps - first[d];
+    }
+    double sum = 0;
+    for (int corner = 0; corner < (1 << grid.dimension); ++corner)
+    {
+        double weight = 1;
+        std::array<int, 3> node = first;
+        for (int d = 0; d < grid.dimension; ++d)
+        {
+            const bool far = corner >> d & 1;
+            node[d] += far;
+            weight *= far ? share[d] : 1 - share[d];
+        }
+        sum += weight * values[grid.index(node[0], node[1], node[2])];
+    }
+    return sum;
+}
+
 }

@@ -36,6 +36,9 @@ struct RegularGrid
     }
 };
 
+/// Linear interpolation of values at the nodes in each direction; outside the grid the value at the nearest point of its faces.
+double interpolated(const RegularGrid&, const std::vector<double>& values, const Vector<3>& x);
+
 /// The grid of the domain of `geometry`, whose step in each direction is `spacing` or a little less, so that whole steps fit.
 RegularGrid gridOfDomain(const Geometry& geometry, double spacing);
 

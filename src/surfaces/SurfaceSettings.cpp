@@ -33,6 +33,11 @@ Camera readCamera(const Dictionary& dict, const SurfaceCase& scene)
     return camera;
 }
 
+CutPlane readPlane(const Dictionary& dict, const Geometry& geometry)
+{
+    return {entry::point(dict, 0.5 * (geometry.low + geometry.high)), entry::normal(dict)};
+}
+
 PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, const Geometry& geometry)
 {
     PictureSettings picture;
@@ -60,9 +65,18 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
         else entry::range.error(dict, "must be the least and the largest value, as in (0 1)");
     }
     picture.smoothing = entry::pictureSmoothing(dict);
-    const auto plane = entry::plane(dict);
-    picture.plane.point = entry::point(plane, 0.5 * (geometry.low + geometry.high));
-    picture.plane.normal = entry::normal(plane);
+    picture.plane = readPlane(entry::plane(dict), geometry);
+    picture.allParticles = entry::shownParticles(dict) == "all";
+    const auto cut = entry::cut(dict);
+    if (entry::cut.given(dict)) picture.cut = readPlane(cut, geometry);
+    picture.wallOpacity = entry::wallOpacity(dict);
+    picture.scaleBar = entry::scaleBar(dict);
+    picture.framesPerSecond = entry::framesPerSecond(dict);
+    if (picture.surface && picture.surfaceField() == "phase")
+        entry::colourBy.error(dict, "the surface is that of one phase: name a field, or show the particles");
+    if (picture.cut && geometry.dimension == 2) entry::cut.error(dict, "a plane scene is not cut");
+    if (picture.cut && picture.particlesOnPlane())
+        entry::cut.error(dict, "the particles lie on a cut, `plane`, already: give that alone, or say `particles all;`");
     picture.title = entry::title(dict);
     picture.showTime = entry::showTime(dict);
     return picture;

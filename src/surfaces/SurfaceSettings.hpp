@@ -30,8 +30,16 @@ struct PictureSettings
     std::optional<std::array<double, 2>> range; ///< of the colours; that of the values unless given
     int smoothing = 20;
     CutPlane plane{{}, {0, 0, 1}};
+    bool allParticles = false;   ///< in 3-D; else those on the plane
+    std::optional<CutPlane> cut; ///< before which nothing is shown
+    double wallOpacity = 1;
     std::string title;
-    bool showTime = true;
+    bool showTime = true, scaleBar = false;
+    double framesPerSecond = 10; ///< [1/s] of a sequence
+
+    bool particlesOnPlane() const { return particles && !allParticles; }
+    /// The field that colours the surface, empty for its own colour.
+    std::string surfaceField() const { return particles ? "" : colourBy; }
 };
 
 struct SurfaceSettings

@@ -217,4 +217,17 @@ SweepPlan readSweepPlan(const Case& c)
     return plan;
 }
 
+void select(SweepPlan& plan, const SweepSelection& selection)
+{
+    for (const auto& name : selection.variants)
+        if (std::ranges::find(plan.variants, name) == plan.variants.end())
+            throw CaseError(fmt::format("-variants: \"{}\" is unknown. {}", name, suggestion(name, "variants", plan.variants)));
+    const auto among = [](const auto& all, const auto& one) { return std::ranges::find(all, one) != all.end(); };
+    if (!selection.variants.empty())
+        std::erase_if(plan.variants, [&](const std::string& name) { return !among(selection.variants, name); });
+    if (const auto count = std::size_t(selection.coarsest); count > 0 && count < plan.resolutions.size()) plan.resolutions.resize(count);
+    std::erase_if(plan.runs,
+                  [&](const PlannedRun& run) { return !among(plan.variants, run.variant) || !among(plan.resolutions, run.resolution); });
+}
+
 }

@@ -88,6 +88,16 @@ inline const std::string sweepDictionary = "system/workPrecisionDict";
 
 /// Every mistake goes to the case's Diagnostics.
 SweepPlan readSweepPlan(const Case&);
+
+/// A part of a sweep, as the command line chooses it.
+struct SweepSelection
+{
+    std::vector<std::string> variants; ///< by name; empty: all
+    int coarsest = 0;                  ///< as many resolutions, the coarsest ones; 0: all
+};
+
+/// Leaves the runs of the selection in the plan. Throws CaseError where the plan has no variant of that name.
+void select(SweepPlan&, const SweepSelection&);
 EntryList sweepEntries();
 
 }

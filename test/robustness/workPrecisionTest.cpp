@@ -166,6 +166,25 @@ TEST(WorkPrecision, DryRunWritesNothing)
     EXPECT_FALSE(c.has("run"));
 }
 
+// A part of the ladder is run by itself; the table of what has been run goes to standard output with the peers' rows behind it, and nothing else does.
+TEST(WorkPrecision, RunsAPartAndPrintsItsTable)
+{
+    const TestCase c(sweepCase());
+    c.replace(dict, "base { }", "base { }\n    leapfrog { \"system/sphSchemes\" { integration { scheme leapfrog; } } }");
+    c.replace(dict, "plots no;", "plots no;\npeers (\"peer.csv\");");
+    c.write("peer.csv", "variant,spacing,cpuSeconds,field,norm,error\nother,0.1,1,U.x,L2,0.25\n");
+    expectWords(c.run("workPrecision", "-csv").err, {"postProcessing/workPrecision/results.csv is not there: run workPrecision first"});
+    expectWords(c.run("workPrecision", "-variants base,leapfrg").err, {"-variants: \"leapfrg\" is unknown. Did you mean \"leapfrog\"?"});
+    EXPECT_EQ(c.run("workPrecision", "-coarsest 0").code, 1);
+    EXPECT_FALSE(c.has("run"));
+
+    c.runWell("workPrecision", "-coarsest 1 -variants leapfrog");
+    EXPECT_EQ(c.runWell("workPrecision", "-csv"), c.read(table) + "other,,0.1,,,1,,,,U.x,L2,0.25,,ok,\n");
+    const auto rows = rowsOf(c);
+    EXPECT_EQ(rows.size(), 1u);
+    EXPECT_TRUE(rows.contains("leapfrog,6"));
+}
+
 TEST(WorkPrecision, SaysBeforeTheFirstRunThatGnuplotIsMissing)
 {
     const TestCase c(sweepCase());

@@ -10,12 +10,17 @@ EntryList surfaceEntries()
                               {camera, {position, focalPoint, up, zoom}},
                               show,
                               shownWalls,
+                              wallOpacity,
+                              shownParticles,
                               colourBy,
                               range,
                               {plane, {point, normal}},
+                              {cut, {point, normal}},
                               pictureSmoothing,
                               title,
-                              showTime};
+                              showTime,
+                              scaleBar,
+                              framesPerSecond};
     return {entry::cloud, phases, gridSpacing, entry::support, entry::kernel,       iso,
             normalise,    closed, smoothing,   formats,        {picture, ofPicture}};
 }

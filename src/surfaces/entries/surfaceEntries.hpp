@@ -32,21 +32,30 @@ const Choice kernel{"kernel", kernelNames(), "wendlandC2", "of the colour functi
                {"walls", "by the part of the kernel that lies in the fluid"},
                {"particles", "by the sum over the particles of all phases"}},
               byScene("particles where there are several phases, else walls"),
-              "how the kernel sum is normalised"};
-const Switch closed{"closed", false, "cap the surface along walls and domain faces"};
+              "how the kernel sum is normalised"},
+    shownParticles{"particles",
+                   {{"onPlane", "those on `plane`"}, {"all", "as balls"}},
+                   "onPlane",
+                   "in 3-D, which particles the picture shows, where it shows them"};
+const Switch closed{"closed", false, "cap the surface along walls and domain faces"},
+    scaleBar{"scaleBar", false, "draw a length to measure by: in 3-D that of what is as far away as the camera's focal point"};
 const Count smoothing{"smoothing", 0, nonNegative.saying("must not be negative"), "passes of the windowed-sinc filter"},
     pictureSmoothing{"smoothing", 20, nonNegative.saying("must not be negative"), "the same of the surface in the picture"};
 
 const SubDictionary picture{"picture", byScene("all defaults"), "the picture of a time"},
     camera{"camera", byScene("sees the whole domain"), "the camera"},
-    plane{"plane", byScene("through the middle, across z"), "in 3-D particles are shown on this cut"};
+    plane{"plane", byScene("through the middle, across z"), "in 3-D particles are shown on this cut"},
+    cut{"cut", byScene("nothing is cut"), "in 3-D, what lies before this plane, on the side that its normal points to, is left out"};
 const ListOf<int> size{"size", std::vector<int>{1200, 900}, "width and height in pixels, each from 16 to 8000"};
 const VectorParameter position{"position", units::m, byScene("so that the whole domain is seen"), "where the camera is"},
     focalPoint{"focalPoint", units::m, byScene("the middle of the domain"), "what it looks at"},
     up{"up", units::none, byScene("against gravity"), "what is up in the picture"},
     point{"point", units::m, byScene("the middle of the domain"), "a point of the cut"};
-const Scalar zoom{"zoom", units::none, 1, positive, "enlargement"};
-const Word colourBy{"colourBy", byScene("phase where there are several, else U"), "what colours the particles: a field, or phase"};
+const Scalar zoom{"zoom", units::none, 1, positive, "enlargement"},
+    wallOpacity{"wallOpacity", units::none, 1, positiveUpTo(1), "of walls: below 1 what is behind them shines through"},
+    framesPerSecond{"framesPerSecond", units::none / units::s, 10, positive, "pictures a second, of a sequence by -movie"};
+const Word colourBy{"colourBy", byScene("phase of the particles where there are several, else U; the surface's own colour"),
+                    "what colours the particles or, where they are not shown, the surface: a field, or phase of particles"};
 const ListOf<double> range{"range", byScene("each picture's own"), "least and largest value of the colours"};
 const Direction normal{"normal", Vector<3>{0, 0, 1}, "of the cut"};
 const Text title{"title", "", "above the picture"};

@@ -1,5 +1,6 @@
 #include "case/Cloud.hpp"
 #include "particles.hpp"
+#include "pixels.hpp"
 #include "temporaryFolder.hpp"
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -121,7 +122,7 @@ TEST_F(DiscCase, MistakesHaveFileAndLine)
 // -picture -noSurface draws the particles and writes nothing else.
 TEST_F(DiscCase, DrawsPictures)
 {
-    if (std::system("command -v Xvfb > /dev/null 2>&1") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    if (!isInstalled("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
     folder.write("system/reconstructSurfaceDict", "picture { size (320 240); colourBy phase; }\n");
     ASSERT_EQ(run("-latestTime -picture -noSurface"), 0) << output;
     EXPECT_TRUE(has("0.2/water.png"));
@@ -135,7 +136,7 @@ TEST_F(DiscCase, DrawsPictures)
 // A picture shows the walls that it names: without the box around it the same, with another wall not.
 TEST_F(DiscCase, ShowsTheWallsThatAreNamed)
 {
-    if (std::system("command -v Xvfb > /dev/null 2>&1") != 0) GTEST_SKIP() << "Xvfb is not installed";
+    if (!isInstalled("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
     const std::string ball = "post { type sphere; centre (0.004 0.002 0); radius 2e-3; fluid outside; }\n",
                       space = "dimension 2;\ndomain { min (-0.012 -0.012 0); max (0.012 0.012 0); }\n";
     const auto picture = [&](const std::string& walls, const std::string& shown)
@@ -152,6 +153,41 @@ TEST_F(DiscCase, ShowsTheWallsThatAreNamed)
     folder.write("system/reconstructSurfaceDict", "picture\n{\n    walls (pots);\n}\n");
     EXPECT_EQ(run("-latestTime -picture"), 1);
     EXPECT_NE(output.find("system/reconstructSurfaceDict:3: \"pots\" is unknown. Did you mean \"post\"?"), std::string::npos) << output;
+}
+
+// Pictures of all times are joined in their order; no format, no ffmpeg and a single picture are said before anything is drawn.
+TEST_F(DiscCase, JoinsPicturesToASequence)
+{
+    EXPECT_EQ(run("-movie avi"), 1);
+    EXPECT_NE(output.find("-movie: \"avi\" is unknown. Known formats: mp4, gif"), std::string::npos) << output;
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", folder.path().c_str(), 1);
+    EXPECT_EQ(run("-movie gif"), 1);
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_NE(output.find("-movie: ffmpeg is not installed (Debian: apt install ffmpeg)"), std::string::npos) << output;
+    EXPECT_FALSE(has("0/water.png"));
+    if (!isInstalled("Xvfb") || !isInstalled("ffmpeg")) GTEST_SKIP() << "Xvfb or ffmpeg is not installed";
+    EXPECT_EQ(run("-movie gif -latestTime"), 1);
+    EXPECT_NE(output.find("-movie: one picture is no sequence"), std::string::npos) << output;
+    folder.write("system/reconstructSurfaceDict", "picture { size (161 121); framesPerSecond 5; }\n");
+    ASSERT_EQ(run("-movie gif -noSurface"), 0) << output;
+    const auto gif = contents(folder / "postProcessing/reconstructSurface/water.gif");
+    EXPECT_TRUE(gif.starts_with("GIF89a"));
+    // A block of graphic control stands before each picture: 0.2 s, in hundredths.
+    std::size_t pictures = 0;
+    for (auto at = gif.find("\x21\xf9\x04"); at != gif.npos; at = gif.find("\x21\xf9\x04", at + 1))
+    {
+        EXPECT_EQ(gif[at + 4], 20);
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 3u);
+    // An odd number of pixels, and a case by a relative path.
+    ASSERT_EQ(std::system(fmt::format("cd {} && {} -movie mp4 -noSurface > log 2>&1", folder.path().string(), RECONSTRUCT_SURFACE).c_str()),
+              0)
+        << contents(folder / "log");
+    EXPECT_EQ(contents(folder / "postProcessing/reconstructSurface/water.mp4").substr(4, 4), "ftyp");
+    EXPECT_FALSE(has(".water.frames"));
+    EXPECT_FALSE(has("log.ffmpeg"));
 }
 
 }

@@ -1,47 +1,18 @@
 #include "surfaces/Picture.hpp"
 #include "base/CaseError.hpp"
 #include "particles.hpp"
+#include "pixels.hpp"
 #include "surfaces/Cuts.hpp"
 #include "surfaces/VirtualDisplay.hpp"
 #include "temporaryFolder.hpp"
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 namespace sph::test
 {
 
 namespace
 {
-
-/// Parts of a picture's pixels that are white, blue (of liquid) and grey.
-struct Colours
-{
-    int width = 0, height = 0;
-    double white = 0, blue = 0, grey = 0;
-};
-
-Colours coloursOf(const std::filesystem::path& png)
-{
-    vtkNew<vtkPNGReader> reader;
-    reader->SetFileName(png.c_str());
-    reader->Update();
-    auto* image = reader->GetOutput();
-    const auto* d = image->GetDimensions();
-    Colours c{d[0], d[1]};
-    const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer());
-    const int n = d[0] * d[1];
-    for (int k = 0; k < n; ++k, pixel += 3)
-    {
-        const int r = pixel[0], g = pixel[1], b = pixel[2];
-        if (r == 255 && g == 255 && b == 255) c.white += 1.0 / n;
-        else if (b > r + 40) c.blue += 1.0 / n;
-        else if (std::abs(r - b) < 40 && r > 60 && r < 235) c.grey += 1.0 / n;
-    }
-    return c;
-}
 
 /// The test's environment without a display, put back at its end.
 class WithoutDisplay
@@ -61,15 +32,13 @@ public:
     }
 };
 
-bool xvfbIsInstalled() { return std::system("command -v Xvfb > /dev/null 2>&1") == 0; }
-
 }
 
 // Without DISPLAY a server is started, a picture of a blue ball on a grey floor drawn, and the server ended: no child is left.
 // The colours are counted: a blank picture has one only.
 TEST(Picture, IsDrawnWithoutDisplay)
 {
-    if (!xvfbIsInstalled()) GTEST_SKIP() << "Xvfb is not installed";
+    if (!isInstalled("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
     const WithoutDisplay none;
     const TemporaryFolder folder;
     auto geometry = space(3, {-8, 0, -8}, {8, 12, 8});
@@ -93,18 +62,18 @@ TEST(Picture, IsDrawnWithoutDisplay)
     }
     EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "no child process is left";
-    const auto c = coloursOf(folder / "ball.png");
-    EXPECT_EQ(c.width, 300);
-    EXPECT_EQ(c.height, 200);
-    EXPECT_GT(c.white, 0.3);
-    EXPECT_GT(c.blue, 0.02);
-    EXPECT_GT(c.grey, 0.03);
+    const Pixels pixels(folder / "ball.png");
+    EXPECT_EQ(pixels.width(), 300);
+    EXPECT_EQ(pixels.height(), 200);
+    EXPECT_GT(pixels.share(isWhite), 0.3);
+    EXPECT_GT(pixels.share(isBlue), 0.02);
+    EXPECT_GT(pixels.share(isGrey), 0.03);
 }
 
 // A plane scene shows its particles in the colours of their phases.
 TEST(Picture, ShowsParticlesOfAPlaneScene)
 {
-    if (!xvfbIsInstalled()) GTEST_SKIP() << "Xvfb is not installed";
+    if (!isInstalled("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
     const WithoutDisplay none;
     const TemporaryFolder folder;
     const auto geometry = space(2, {-10, -10, 0}, {10, 10, 0});
@@ -122,7 +91,7 @@ TEST(Picture, ShowsParticlesOfAPlaneScene)
     drawPicture(scene, folder / "disc.png");
     const double drawn = sqr(300 / 1.12) / (400.0 * 300),
                  disc = drawn * 3.14 * 64 / 400; // parts of the picture: the domain, the water
-    EXPECT_NEAR(coloursOf(folder / "disc.png").blue, disc, 0.35 * disc);
+    EXPECT_NEAR(Pixels(folder / "disc.png").share(isBlue), disc, 0.35 * disc);
 }
 
 // Where Xvfb is not to be found the error says what to install.

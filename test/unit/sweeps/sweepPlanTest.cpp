@@ -129,6 +129,25 @@ TEST(CaseCopy, HasAStampOfItsInputs)
     EXPECT_NE(stamp, inputsStamp(b.folder(), {}, {"x"}));
 }
 
+// The coarsest resolutions and the named variants are left, in the plan's order.
+TEST(SweepPlan, ASelectionLeavesItsRuns)
+{
+    const auto folder = caseWith(dictionary);
+    const auto left = [&](const SweepSelection& selection)
+    {
+        auto plan = readSweepPlan(Case(folder.folder()));
+        select(plan, selection);
+        std::string names;
+        for (const auto& run : plan.runs) names += run.name() + " ";
+        return names;
+    };
+    EXPECT_EQ(left({}), "plain/8 fast/8 plain/16 fast/16 ");
+    EXPECT_EQ(left({{"fast"}, 0}), "fast/8 fast/16 ");
+    EXPECT_EQ(left({{"fast", "plain"}, 1}), "plain/8 fast/8 ");
+    EXPECT_EQ(left({{}, 7}), "plain/8 fast/8 plain/16 fast/16 ");
+    EXPECT_THROW(left({{"fats"}, 1}), CaseError);
+}
+
 TEST(SweepPlan, NamesMistakes)
 {
     const std::string rest = "setResolution { }\nerrors ( { field U; } );\n";

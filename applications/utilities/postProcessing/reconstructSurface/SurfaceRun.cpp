@@ -4,6 +4,7 @@
 #include "surfaces/Cuts.hpp"
 #include "surfaces/EnclosedVolume.hpp"
 #include "surfaces/PhaseCloud.hpp"
+#include "surfaces/SmoothedField.hpp"
 #include "surfaces/SurfaceWriter.hpp"
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,13 @@ template<class Parts, class Of> Mesh inOne(const Parts& parts, const Of& of)
         all = all ? joined(all, mesh) : mesh;
     }
     return all ? all : Mesh::New();
+}
+
+/// A field's name on a colour bar: what has a direction is shown by its magnitude.
+std::string titleOf(const Cloud& cloud, const std::string& field)
+{
+    const auto found = cloud.fields.find(field);
+    return found != cloud.fields.end() && found->second.type == FieldClass::vector ? "|" + field + "|" : field;
 }
 
 SurfaceCase describe(const Case& folder, double spacing, int dimension)
@@ -219,11 +227,21 @@ Scene SurfaceRun::emptyScene(const std::string& time) const
     scene.low = geometry_.low;
     scene.high = geometry_.high;
     scene.camera = picture.camera;
-    if (picture.particles) scene.camera.facing = picture.plane.normal;
+    if (picture.particlesOnPlane()) scene.camera.facing = picture.plane.normal;
+    else if (picture.cut) scene.camera.facing = picture.cut->normal;
     scene.size = picture.size;
     const auto shownTime = picture.showTime ? fmt::format("Time = {} s", time) : "";
+    scene.scaleBar = picture.scaleBar;
+    scene.wallOpacity = picture.wallOpacity;
     scene.title = picture.title + (picture.title.empty() || shownTime.empty() ? "" : "      ") + shownTime;
     return scene;
+}
+
+double SurfaceRun::insideOf(const Part& part, const std::vector<double>& excess, const Vector<3>& x) const
+{
+    const auto& distance = part.space.sceneDistance();
+    const double inside = interpolated(part.space.grid, excess, x);
+    return distance.empty() ? inside : std::min(inside, interpolated(part.space.grid, distance, x) / settings_.support);
 }
 
 void SurfaceRun::showWalls(Scene& scene) const
@@ -236,29 +254,56 @@ void SurfaceRun::showWalls(Scene& scene) const
     scene.wallCuts = cutFaces(space_.grid, solid, {});
     if (geometry_.dimension == 2) return;
     scene.walls = wallSurface(space_.grid, distance, geometry);
-    if (!settings_.picture.particles) return;
     // Walls before the plane of the particles would hide them.
-    const auto& plane = settings_.picture.plane;
-    scene.walls = behind(plane, scene.walls);
-    scene.wallCuts = joined(behind(plane, scene.wallCuts), solidsOn(plane, space_.grid, geometry));
+    const auto& picture = settings_.picture;
+    const auto plane = picture.particlesOnPlane() ? std::optional(picture.plane) : picture.cut;
+    if (!plane) return;
+    scene.walls = behind(*plane, scene.walls);
+    scene.wallCuts = joined(behind(*plane, scene.wallCuts), solidsOn(*plane, space_.grid, geometry));
 }
 
-void SurfaceRun::showSurface(Scene& scene, const std::vector<Part>& parts, double level) const
+void SurfaceRun::showSurface(Scene& scene, const std::vector<Part>& parts, double level, const Cloud& cloud,
+                             const PhaseParticles& particles) const
 {
-    const auto surface = inOne(parts, [&](const Part& part) { return freeSurfaceIn(part, level, settings_.picture.smoothing); });
+    const auto& picture = settings_.picture;
+    const auto surfaceIn = [&](const Part& part) { return freeSurfaceIn(part, level, picture.smoothing); };
     if (geometry_.dimension == 2)
     {
-        scene.contour = surface;
+        scene.contour = inOne(parts, surfaceIn);
         return;
     }
-    scene.liquid = surface;
-    scene.liquidCuts = inOne(parts,
-                             [&](const Part& part)
-                             {
-                                 auto excess = part.colour;
-                                 for (auto& c : excess) c -= level;
-                                 return cutFaces(part.space.grid, excess, part.space.sceneDistance());
-                             });
+    std::vector<double> values;
+    if (const auto field = picture.surfaceField(); !field.empty())
+    {
+        values = colouringValues(cloud, field, picture.whereColourBy, case_.diagnostics());
+        case_.diagnostics().throwIfAny();
+        scene.liquidColours = SurfaceColours{titleOf(cloud, field), picture.range};
+    }
+    std::vector<Mesh> surfaces, cuts;
+    for (const auto& part : parts)
+    {
+        const auto& grid = part.space.grid;
+        auto excess = part.colour;
+        for (auto& c : excess) c -= level;
+        auto surface = surfaceIn(part), cut = cutFaces(grid, excess, part.space.sceneDistance());
+        if (picture.cut)
+        {
+            surface = behind(*picture.cut, surface);
+            cut = joined(behind(*picture.cut, cut),
+                         sectionOn(*picture.cut, grid, [&](const Vector<3>& x) { return insideOf(part, excess, x); }));
+        }
+        if (!values.empty())
+        {
+            const SmoothedField field(grid, particles, values, settings_.kernel, settings_.support);
+            field.colour(surface);
+            field.colour(cut);
+        }
+        surfaces.push_back(surface);
+        cuts.push_back(cut);
+    }
+    const auto itself = [](const Mesh& mesh) { return mesh; };
+    scene.liquid = inOne(surfaces, itself);
+    scene.liquidCuts = inOne(cuts, itself);
 }
 
 void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
@@ -274,14 +319,14 @@ void SurfaceRun::showParticles(Scene& scene, const Cloud& cloud) const
     case_.diagnostics().throwIfAny();
     if (byPhase) points.phases = scene_.phases;
     points.range = picture.range;
-    const auto type = cloud.fields.contains(field) ? cloud.fields.at(field).type : FieldClass::scalar;
-    points.title = type == FieldClass::vector ? "|" + field + "|" : field;
+    points.title = titleOf(cloud, field);
     // Discs of the particles' own area, balls that touch.
     points.diameter = scene_.spacing * (geometry_.dimension == 2 ? std::sqrt(4 / std::numbers::pi) : 1);
     for (std::size_t p = 0; p < cloud.size(); ++p)
     {
         const Vector<3> x{cloud.x[p], cloud.y[p], geometry_.dimension == 2 ? 0 : cloud.z[p]};
-        if (geometry_.dimension == 3 && std::fabs(picture.plane.height(x)) > 0.5 * scene_.spacing) continue;
+        if (geometry_.dimension == 3 && picture.particlesOnPlane() && std::fabs(picture.plane.height(x)) > 0.5 * scene_.spacing) continue;
+        if (picture.cut && picture.cut->height(x) > 0) continue;
         if (beyond(x)) continue;
         points.position.push_back(x);
         points.value.push_back(values[p]);
@@ -301,16 +346,17 @@ TimeResult SurfaceRun::process(const std::string& time, bool surfaces, bool pict
     for (const int phase : settings_.phases)
     {
         std::vector<Part> parts;
+        PhaseParticles particles;
         if (surfaces || (pictures && picture.surface))
         {
-            const auto particles = phaseParticles(cloud, phase, scene_.phases.size(), uniformVolume);
+            particles = phaseParticles(cloud, phase, scene_.phases.size(), uniformVolume);
             parts = partsAround(particles);
             result.surfaces.push_back(reconstruct(parts, particles, phase, time, surfaces, result.written));
         }
         if (!pictures) continue;
         auto scene = emptyScene(time);
         if (picture.walls) showWalls(scene);
-        if (picture.surface) showSurface(scene, parts, result.surfaces.back().level);
+        if (picture.surface) showSurface(scene, parts, result.surfaces.back().level, cloud, particles);
         if (picture.particles) showParticles(scene, cloud);
         result.written.push_back(output(time, scene_.phases[phase] + ".png"));
         drawPicture(scene, case_.folder() / result.written.back());

@@ -70,7 +70,9 @@ class SurfaceRun
                               std::vector<std::string>& written) const;
     Scene emptyScene(const std::string& time) const;
     void showWalls(Scene&) const;
-    void showSurface(Scene&, const std::vector<Part>&, double level) const;
+    /// > 0 within the surface and before walls: the excess of colour over its level, or where less the distance over the support.
+    double insideOf(const Part&, const std::vector<double>& excess, const Vector<3>& x) const;
+    void showSurface(Scene&, const std::vector<Part>&, double level, const Cloud&, const PhaseParticles&) const;
     void showParticles(Scene&, const Cloud&) const;
 
 public:

@@ -1,4 +1,5 @@
 /// The surface of a phase from its particles: meshes, their area and volume, and pictures.
+#include "Movie.hpp"
 #include "SurfaceRun.hpp"
 #include "base/CommandLine.hpp"
 #include "base/words.hpp"
@@ -8,6 +9,7 @@
 #include "surfaces/entries/surfaceTable.hpp"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <map>
 #include <optional>
 
 namespace
@@ -15,7 +17,7 @@ namespace
 
 struct Options
 {
-    std::string times, phase;
+    std::string times, phase, movie;
     bool latestTime = false, pictures = false, noSurface = false;
 };
 
@@ -63,8 +65,12 @@ int run(const std::filesystem::path& path, const Options& options)
     fmt::print("{}; kernel {} of radius {:.4g} m\n\n", surfaceRun.gridInWords(), surfaceRun.settings().kernel,
                surfaceRun.settings().support);
 
+    std::optional<sph::Movie> movie;
+    if (!options.movie.empty()) movie.emplace(options.movie);
+    const bool pictures = options.pictures || movie;
     std::optional<sph::VirtualDisplay> display;
-    if (options.pictures) display.emplace();
+    if (pictures) display.emplace();
+    std::map<std::string, std::vector<std::filesystem::path>> sequences; // pictures in the order of times, by their file's name
     std::optional<sph::OutputTable> table;
     const auto words = wordsOf(surfaceRun.geometry().dimension);
     if (!options.noSurface)
@@ -77,16 +83,27 @@ int run(const std::filesystem::path& path, const Options& options)
     for (const auto& time : times)
     {
         fmt::print("Time = {}\n", time);
-        const auto result = surfaceRun.process(time, !options.noSurface, options.pictures);
+        const auto result = surfaceRun.process(time, !options.noSurface, pictures);
         for (const auto& s : result.surfaces)
             fmt::print("    {}: {} particles{}, {} {:.5g}, {} {:.5g} ({:+.2f} % of the particles' {:.5g}), {} piece{}{}\n", s.phase,
                        s.particles, s.held > 0 ? fmt::format(" ({} more held beyond openings)", s.held) : "", words.area, s.area,
                        words.volume, s.volume, s.differencePercent(), s.particleVolume, s.pieces, s.pieces == 1 ? "" : "s",
                        surfaceRun.settings().iso ? "" : fmt::format(", level {:.3f}", s.level));
-        for (const auto& file : result.written) fmt::print("    {}\n", file);
+        for (const std::filesystem::path file : result.written)
+        {
+            fmt::print("    {}\n", file.string());
+            if (file.extension() == ".png") sequences[file.stem().string()].push_back(folder.folder() / file);
+        }
         if (table) table->row(std::stod(time), row(result.surfaces));
         std::fflush(stdout);
     }
+    for (const auto& [phase, drawn] : sequences)
+        if (movie)
+        {
+            const auto file = fmt::format("postProcessing/reconstructSurface/{}.{}", phase, movie->format());
+            movie->write(drawn, surfaceRun.settings().picture.framesPerSecond, folder.folder() / file);
+            fmt::print("\n{}: {} pictures\n", file, drawn.size());
+        }
     fmt::print("\nEnd\n");
     return 0;
 }
@@ -107,6 +124,8 @@ int main(int argc, char** argv)
             app.add_flag("--latestTime", options.latestTime, "The last time only")->excludes(time);
             app.add_option("--phase", options.phase, "This phase only")->type_name("<name>");
             app.add_flag("--picture", options.pictures, "Draw <time>/<phase>.png");
+            app.add_option("--movie", options.movie, "Draw all times and join them to <phase>.mp4 or .gif, by ffmpeg")
+                ->type_name("<mp4|gif>");
             app.add_flag("--noSurface", options.noSurface, "Write no surface: pictures only");
         },
         [&](const std::filesystem::path& folder) { return run(folder, options); });

@@ -73,18 +73,19 @@ std::pair<Location, std::string> placeAndText(const std::string& mistake)
 
 bool sameTime(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)); }
 
-CaseSweep::CaseSweep(const fs::path& caseFolder)
+CaseSweep::CaseSweep(const fs::path& caseFolder, const SweepSelection& selection)
     : case_(fs::weakly_canonical(fs::absolute(caseFolder))),
       plan_(readSweepPlan(case_)),
       runFolder_(case_.folder() / "run" / "workPrecision"),
       outputFolder_(case_.folder() / "postProcessing" / "workPrecision")
 {
+    if (case_.diagnostics().ok()) select(plan_, selection);
     findPrograms();
-    readPeers();
+    peers_ = readPeers(case_, plan_);
     for (const auto& plan : plan_.runs) runs_.push_back({plan, 0, 0, {}, {}});
     // Even where there are mistakes already: they are to be reported together.
     if (!plan_.resolutions.empty() && fs::is_directory(plan_.baseCase)) checkRuns();
-    if (case_.diagnostics().ok() && case_.has("postProcessing/workPrecision/results.csv")) takeOldRows();
+    if (case_.diagnostics().ok() && case_.has(resultFile)) takeOldRows();
     case_.diagnostics().throwIfAny();
 }
 
@@ -132,14 +133,16 @@ void CaseSweep::findPrograms()
                           "does), or say `plots no;`");
 }
 
-void CaseSweep::readPeers()
+std::vector<ResultRow> readPeers(const Case& c, const SweepPlan& plan)
 {
-    for (const auto& file : plan_.peers)
+    std::vector<ResultRow> peers;
+    for (const auto& file : plan.peers)
     {
-        const auto before = case_.diagnostics().errors();
-        auto rows = readResultTable(case_.folder(), file, Completeness::wholeRows, case_.diagnostics());
-        if (case_.diagnostics().errors() == before) peers_.insert(peers_.end(), rows.begin(), rows.end());
+        const auto before = c.diagnostics().errors();
+        auto rows = readResultTable(c.folder(), file, Completeness::wholeRows, c.diagnostics());
+        if (c.diagnostics().errors() == before) peers.insert(peers.end(), rows.begin(), rows.end());
     }
+    return peers;
 }
 
 void CaseSweep::checkRuns()
@@ -251,8 +254,7 @@ bool CaseSweep::isFinal(const ResultRow& row) const
 
 void CaseSweep::takeOldRows()
 {
-    const auto old =
-        readResultTable(case_.folder(), "postProcessing/workPrecision/results.csv", Completeness::ownRows, case_.diagnostics());
+    const auto old = readResultTable(case_.folder(), resultFile, Completeness::ownRows, case_.diagnostics());
     std::size_t used = 0;
     for (auto& run : runs_)
     {

@@ -12,11 +12,16 @@ namespace sph
 /// Times of a table and of a dictionary are the same where they differ by less than the digits that either is written with.
 bool sameTime(double a, double b);
 
+inline const std::string resultFile = "postProcessing/workPrecision/results.csv";
+
+/// Rows of other codes, from the files that the plan names; mistakes in a file go to the case's Diagnostics.
+std::vector<ResultRow> readPeers(const Case&, const SweepPlan&);
+
 class CaseSweep
 {
 public:
     /// Reads and checks everything, each variant at each resolution included; throws CaseError with all mistakes at once.
-    explicit CaseSweep(const std::filesystem::path& caseFolder);
+    explicit CaseSweep(const std::filesystem::path& caseFolder, const SweepSelection& = {});
 
     void printPlan() const;
 
@@ -55,7 +60,6 @@ private:
     void checkOverrides(const Run&);
     void checkErrors(const Run&, const std::filesystem::path& copy, bool endIsKnown);
     void reportMistakes(const Run&, const std::filesystem::path& copy, const std::vector<std::string>& mistakes);
-    void readPeers();
     void takeOldRows();
 
     std::filesystem::path folderOf(const Run&) const;
@@ -82,5 +86,8 @@ private:
     void printTable(std::size_t error) const;
     void draw() const;
 };
+
+/// The rows of a sweep and, behind them, those of its peers, as comma-separated values. Throws CaseError where nothing has been run.
+std::string sweepTable(const std::filesystem::path& caseFolder);
 
 }

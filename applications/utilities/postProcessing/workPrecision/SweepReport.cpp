@@ -161,4 +161,16 @@ void CaseSweep::draw() const
     }
 }
 
+std::string sweepTable(const fs::path& caseFolder)
+{
+    const Case c(caseFolder);
+    const auto plan = readSweepPlan(c);
+    c.diagnostics().throwIfAny();
+    if (!c.has(resultFile)) throw CaseError(fmt::format("{} is not there: run workPrecision first", resultFile));
+    auto rows = readResultTable(c.folder(), resultFile, Completeness::ownRows, c.diagnostics());
+    std::ranges::move(readPeers(c, plan), std::back_inserter(rows));
+    c.diagnostics().throwIfAny();
+    return resultTableText(rows);
+}
+
 }

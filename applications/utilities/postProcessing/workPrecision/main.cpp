@@ -1,21 +1,43 @@
 /// Runs a case over resolutions and variants and draws its error against its cost.
 #include "CaseSweep.hpp"
 #include "base/CommandLine.hpp"
+#include "base/version.hpp"
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 int main(int argc, char** argv)
 {
-    bool dryRun = false;
+    bool dryRun = false, csv = false;
+    sph::SweepSelection selection;
     return sph::runApplication(
         "workPrecision", argc, argv,
         "Runs variants of a case over a ladder of resolutions, as told by system/workPrecisionDict, and writes errors, costs, "
         "observed\n"
         "orders and plots into postProcessing/workPrecision. Goes on where it was interrupted.",
-        [&](CLI::App& app) { app.add_flag("--dry-run", dryRun, "Check everything, print what would run, and stop"); },
+        [&](CLI::App& app)
+        {
+            auto* print = app.add_flag("--csv", csv, "Print the table of what has been run, and of the peers, and stop");
+            app.add_flag("--dry-run", dryRun, "Check everything, print what would run, and stop")->excludes(print);
+            app.add_option("--variants", selection.variants, "These variants alone: suite,paper (default: all)")
+                ->delimiter(',')
+                ->type_name("<names>")
+                ->excludes(print);
+            app.add_option("--coarsest", selection.coarsest, "As many resolutions alone, the coarsest ones (default: all)")
+                ->type_name("<number>")
+                ->check(CLI::PositiveNumber)
+                ->excludes(print);
+        },
         [&](const std::filesystem::path& caseFolder)
         {
-            sph::CaseSweep sweep(caseFolder);
+            if (csv)
+            {
+                fmt::print("{}", sph::sweepTable(caseFolder));
+                return 0;
+            }
+            fmt::print("{}", sph::banner("workPrecision", caseFolder));
+            sph::CaseSweep sweep(caseFolder, selection);
             sweep.printPlan();
             return dryRun ? 0 : sweep.run();
-        });
+        },
+        sph::Banner::none);
 }
