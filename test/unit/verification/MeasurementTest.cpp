@@ -3,7 +3,7 @@
 #include "geometry/Cylinder.hpp"
 #include "geometry/Plane.hpp"
 #include "geometry/Sphere.hpp"
-#include "verification/SphereFit.hpp"
+#include "sampling/SphereFit.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
