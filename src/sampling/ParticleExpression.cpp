@@ -143,6 +143,7 @@ class ParticleExpression::Names
             const auto& around = interpolator(Mirrored::atSymmetryPlanes);
             return each(row([&](std::size_t i) { return around.sums(position(view_, i), view_.volume).coverage; }));
         }
+        if (name == "distance") return each(row([&](std::size_t i) { return nearestThatHolds(*view_.geometry, position(view_, i)); }));
         if (const auto of = argumentOf("distance", name))
             return each(
                 row([&, k = wall(*of)](std::size_t i) { return nearestOfWall(*view_.geometry, k, position(view_, i)).foot.distance; }));
@@ -192,8 +193,8 @@ class ParticleExpression::Names
             if (f.type == FieldClass::vector) all.push_back(f.name);
             for (const auto& column : columnNames(SampledField(view_, f.name, {}))) all.push_back(column);
         }
-        for (const char* name : {"x", "y", "z", "t", "mass", "volume", "coverage", "restDensity", "soundSpeed", "viscosity", "spacing",
-                                 "support", "deltaT", "g"})
+        for (const char* name : {"x", "y", "z", "t", "mass", "volume", "coverage", "distance", "restDensity", "soundSpeed", "viscosity",
+                                 "spacing", "support", "deltaT", "g"})
             all.emplace_back(name);
         all.insert(all.end(), view_.phases.begin(), view_.phases.end());
         if (surfaceTensionOf(view_) > 0) all.emplace_back("surfaceTension");

@@ -29,7 +29,7 @@ using NamedNumbers = std::vector<NamedNumber>;
 /// | `$water` | a phase by its name: 1 at its particles, 0 at others |
 /// | `grad($p)` | gradient of a field or component, a vector (Interpolator::gradient) |
 /// | `smooth($p)`, `$coverage` | sum_j V_j W_j f_j/sum_j V_j W_j, and sum_j V_j W_j, with what is mirrored in planes of symmetry |
-/// | `${distance(floor)}` | from a wall [m] |
+/// | `${distance(floor)}`, `$distance` | from a wall, and from the nearest that is no plane of symmetry [m] |
 /// | `${contactAngle(floor)}` | of a wall, through the phase that the scene names first [degrees] |
 /// | `$restDensity $soundSpeed $viscosity` | of the particle's phase [kg/m^3], [m/s], [Pa s] |
 /// | `$spacing $support $deltaT` | of the scene [m], [m], [s] |

@@ -56,6 +56,7 @@ struct All
     AddedMeasure capillaryRise{measureType<CapillaryRise>("capillaryRise")};
     AddedMeasure bridgeNeck{measureType<BridgeNeck>("bridgeNeck")};
     AddedMeasure bridgePressure{measureType<BridgePressure>("bridgePressure")};
+    AddedMeasure bridgeForce{measureType<BridgeForce>("bridgeForce")};
     AddedMeasure lensAngle{measureType<LensAngle>("lensAngle")};
     AddedMeasure lensRadius{measureType<LensRadius>("lensRadius")};
     AddedMeasure earthPressure{measureType<EarthPressure>("earthPressure")};
