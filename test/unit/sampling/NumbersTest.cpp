@@ -341,9 +341,9 @@ TEST(Numbers, mistakesNameTheirLine)
         "system/controlDict:4: value \"$p + \": a value is missing at the end\n"
         "system/controlDict:5: phase \"watr\" is unknown. Did you mean \"water\"? Known phase: water, air.\n"
         "system/controlDict:6: value \"vector(1, 2, 3)\": it gives a vector: take a component, or mag() of it\n"
-        "system/controlDict:7: operation \"median\" is unknown. Did you mean \"mean\"? Known operation: formula, sum, mean, min, max, percentile, timeMean, arrival, fit.\n"
+        "system/controlDict:7: operation \"median\" is unknown. Did you mean \"mean\"? Known operation: formula, sum, mean, min, max, percentile, timeMean, arrival, fit, contour.\n"
         "system/controlDict:8: f must be a dictionary: f { operation mean; value \"$p\"; }\n"
-        "system/controlDict:9: value \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: dot, mag, vector, abs, acos, asin, atan, atan2, cbrt, ceil, "
+        "system/controlDict:9: value \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: dot, mag, vector, grad, smooth, abs, acos, asin, atan, atan2, cbrt, ceil, "
         "cos, cosh, degToRad, e, erf, erfc, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, sin, sinh, sqr, sqrt, tan, tanh.\n"
         "system/controlDict:9: entry \"wall\" is not used here. Known entries: operation, value.\n7 errors");
 }
@@ -353,8 +353,8 @@ TEST(Numbers, unknownNamesAreExplainedWhenTheyAreFirstSeen)
 {
     Observed<Reduction> object;
     EXPECT_EQ(object.refusalOf(square(), "numbers\n{\n    a { operation max; value \"$pp\"; }\n}"),
-              "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, restDensity, "
-              "soundSpeed, viscosity, spacing, support, deltaT, g.");
+              "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, coverage, distance, restDensity, "
+              "soundSpeed, viscosity, spacing, support, deltaT, g, water, air.");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { value \"2*$b\"; } b { value 1; } }"),
               "system/controlDict:1: \"2*$b\": $b stands behind it: numbers are found in the order in which they are given");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { operation max; value \"2*$U\"; } }"),
