@@ -125,7 +125,7 @@ void cut(const Simplex& s, const std::array<bool, 4>& isPositive, const Between&
     paths(paths, 0, 0, Simplex{}, [&](const Simplex& f) { face(f, s.corner[positive[0]].x); });
 }
 
-/// Where f falls to 0 between two places, as a share of the way, by the rule of false position (Illinois).
+/// The place between two others at which f falls to 0, as a share of the way, by the rule of false position (Illinois).
 template<class F> double crossingOf(const F& f, double atStart, double atEnd)
 {
     double low = 0, high = 1, share = 0.5;

@@ -228,8 +228,8 @@ class ParticleExpression::Bound
     Names names_;
 
 public:
+    std::vector<Values> values; // in the order of the names, filled while the program is read
     const ExpressionProgram& program;
-    std::vector<Values> values;
 
     Bound(const ParticleExpression& own, const ParticleView& view, const NamedNumbers& numbers)
         : names_(view, numbers, own.later_), program(read(own))

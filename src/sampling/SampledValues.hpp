@@ -30,7 +30,7 @@ public:
 
     static EntryList entries();
     explicit SampledValues(const Dictionary&);
-    /// In the order in which they stand, fields first.
+    /// The names in the order in which they stand, those of fields first.
     std::vector<std::string> names() const;
     /// Throws CaseError where the view has no such field, or an expression has a name that there is not.
     std::vector<Value> operator()(const ParticleView&) const;

@@ -14,7 +14,7 @@ namespace sph
 ///
 ///   r = R sin b/sin(b + theta),   V = r^3 C(b + theta) - R^3 C(b),   C(x) = pi (2 + cos x)(1 - cos x)^2/3
 ///
-/// (de Gennes, Brochard-Wyart and Quere, Capillarity and Wetting Phenomena, 2004). The axis goes through `origin`, along the wall's normal there.
+/// (de Gennes et al. 2004, Capillarity and Wetting Phenomena). The axis goes through `origin`, along the wall's normal there.
 class CapAngle
 {
     std::size_t phase_;

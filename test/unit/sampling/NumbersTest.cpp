@@ -352,9 +352,10 @@ TEST(Numbers, mistakesNameTheirLine)
 TEST(Numbers, unknownNamesAreExplainedWhenTheyAreFirstSeen)
 {
     Observed<Reduction> object;
-    EXPECT_EQ(object.refusalOf(square(), "numbers\n{\n    a { operation max; value \"$pp\"; }\n}"),
-              "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, coverage, distance, restDensity, "
-              "soundSpeed, viscosity, spacing, support, deltaT, g, water, air.");
+    EXPECT_EQ(
+        object.refusalOf(square(), "numbers\n{\n    a { operation max; value \"$pp\"; }\n}"),
+        "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, coverage, distance, restDensity, "
+        "soundSpeed, viscosity, spacing, support, deltaT, g, water, air.");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { value \"2*$b\"; } b { value 1; } }"),
               "system/controlDict:1: \"2*$b\": $b stands behind it: numbers are found in the order in which they are given");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { operation max; value \"2*$U\"; } }"),
