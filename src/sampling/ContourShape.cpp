@@ -28,6 +28,7 @@ const VectorParameter cutPoint{"point", units::m, required, "in the plane"};
 const Direction cutNormal{"normal", required, "of the plane"};
 const Word contourWall{"wall", notGiven, "wall with which the angle is measured"};
 const Scalar contourAbove{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "of `wall`: what lies nearer to it is not fitted"};
+const Switch endsAtWalls{"endsAtWalls", true, "whether the contour ends at walls, or goes on into them as far as the kernel's mean does"};
 const Direction contourDirection{"direction", Vector<3>{1, 0, 0}, "along which front and rear are found"};
 const VectorParameter contourCentre{"centre", units::m, byScene("the best one"),
                                     "of the circle or sphere; the radius is then the mean distance from it"};
@@ -91,13 +92,18 @@ EntryList ContourShape::entries()
             {entry::cut, {entry::cutPoint, entry::cutNormal}},
             entry::contourWall,
             entry::contourAbove,
+            entry::endsAtWalls,
             entry::contourDirection,
             entry::contourCentre};
 }
 
 ContourShape::ContourShape(const Dictionary& d, const FunctionContext& context, const std::vector<std::string>& numbers,
                            const std::vector<std::string>& later)
-    : level_(0.5), above_(entry::contourAbove(d)), direction_(entry::contourDirection(d)), centre_(entry::contourCentre.ifGiven(d))
+    : level_(0.5),
+      above_(entry::contourAbove(d)),
+      endsAtWalls_(entry::endsAtWalls(d)),
+      direction_(entry::contourDirection(d)),
+      centre_(entry::contourCentre.ifGiven(d))
 {
     if (entry::contourValue.given(d))
     {
@@ -213,7 +219,7 @@ public:
     {
         const auto& g = *view_.geometry;
         const auto x = wrapped(at);
-        double distance = g.patches.empty() ? view_.support : std::min(view_.support, g.distance(x));
+        double distance = g.patches.empty() || !own_.endsAtWalls_ ? view_.support : std::min(view_.support, g.distance(x));
         if (own_.cut_)
             for (int k = 0; k < g.dimension; ++k)
                 distance = std::min({distance, at.*component(k) - box_.low.*component(k), box_.high.*component(k) - at.*component(k)});

@@ -45,6 +45,7 @@ const std::vector<ContourFigure>& contourFigures();
 ///     wall    floor; above 2.5;                       // the angle with a wall
 ///     direction (1 0 0);                              // along which `front` and `rear` lie
 ///     centre  (0 0 0);                                // of the circle or sphere, where it is known
+///     endsAtWalls no;                                 // the kernel's mean goes on into the wall
 ///
 /// The volume fraction is C(x) = sum_j V_j W_j C_j/sum_j V_j W_j with C_j = 1 in the phase, of a scene with one phase sum_j V_j W_j/D (FluidPart); particles are mirrored in planes of symmetry. An
 /// expression is carried to x by weights that are exact for linear fields (Interpolator), and its level set ends where the fluid ends. f is found at the nodes of a lattice of one spacing; the level set is
@@ -71,6 +72,7 @@ class ContourShape
     std::optional<Cut> cut_;
     std::optional<std::size_t> wall_;
     double above_; ///< [spacings]
+    bool endsAtWalls_;
     Vector<3> direction_;
     std::optional<Vector<3>> centre_;
 

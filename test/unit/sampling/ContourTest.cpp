@@ -4,6 +4,7 @@
 #include "geometry/Plane.hpp"
 #include "geometry/Sphere.hpp"
 #include "sampling/Errors.hpp"
+#include "sampling/Reduction.hpp"
 #include "sampling/SphereFit.hpp"
 #include <gtest/gtest.h>
 #include <limits>
@@ -282,9 +283,9 @@ TEST(Contour, goesOnBeyondPlanesOfSymmetry)
     {
         auto a = contourOf(alone ? withoutAir(quarter) : quarter, "phase water; centre (0 0 0);"),
              b = contourOf(alone ? withoutAir(whole) : whole, "phase water; centre (0 0 0);");
-        EXPECT_NEAR(a["area"], b["area"] / 4, 1e-6);
-        EXPECT_NEAR(a["volume"], b["volume"] / 4, 1e-6);
-        EXPECT_NEAR(a["radius"], b["radius"], 1e-6);
+        EXPECT_NEAR(a["area"], b["area"] / 4, 1e-3);
+        EXPECT_NEAR(a["volume"], b["volume"] / 4, 1e-3);
+        EXPECT_NEAR(a["radius"], b["radius"], 1e-3);
     }
 }
 
@@ -375,18 +376,28 @@ TEST(Contour, mistakesNameTheirLine)
 {
     Particles particles(3, {0, 0, 0}, {1, 1, 1}, 0.25);
     addFloor(particles);
+    const auto expectIn = [](const std::string& text, const std::vector<std::string>& parts)
+    {
+        for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+    };
     Observed<Contour> object;
-    EXPECT_EQ(object.mistakesIn(
-                  particles,
-                  "value \"$p\";\nphase watr;\nwall flor;\nregion { min (0 0 0); max (0 1 1); }\ncut { point (0 0 2); normal (0 0 1); }\n"),
-              "system/controlDict: entry \"level\" is missing\n"
-              "system/controlDict:2: phase \"watr\" is unknown. Known phase: water.\n"
-              "system/controlDict:4: max must be greater than min; in x it is 0 against 0\n"
-              "system/controlDict:3: wall \"flor\" is unknown. Did you mean \"floor\"? Known wall: floor.\n"
-              "");
-    Observed<Contour> fields;
-    EXPECT_EQ(fields.refusalOf(particles, "value \"$T\"; level 300;"), "");
-    EXPECT_EQ(fields.refusalOf(particles, "value \"2*$U\"; level 300;"), "");
+    expectIn(object.mistakesIn(particles, "value \"$p\";\nphase watr;\nwall flor;\nregion { min (0 0 0); max (0 1 1); }\n"),
+             {"level", "system/controlDict:2: phase \"watr\" is unknown. Known phase: water.",
+              "system/controlDict:3: wall \"flor\" is unknown. Did you mean \"floor\"? Known wall: floor.",
+              "system/controlDict:4: max must be greater than min; in x it is 0 against 0"});
+    Observed<Contour> cuts;
+    expectIn(cuts.mistakesIn(particles, "wall floor;\ncut { point (0 0 2); normal (0 0 1); }\n"),
+             {"system/controlDict:1: goes without `cut` alone",
+              "system/controlDict:2: the plane through (0 0 2) does not meet the box from (0 0 0) to (1 1 1)"});
     Observed<Contour> vectors;
-    EXPECT_EQ(vectors.mistakesIn(particles, "value \"vector(1, 2, 3)\"; level 3; wall floor; centre (0 0 0);"), "");
+    expectIn(vectors.mistakesIn(particles, "value \"vector(1, 2, 3)\"; level 3; wall floor;\ncentre (0 0 0);"),
+             {"system/controlDict:1: value \"vector(1, 2, 3)\": it gives a vector: take a component, or mag() of it",
+              "system/controlDict:2: goes without `wall` alone"});
+    Observed<Contour> fields;
+    expectIn(fields.refusalOf(particles, "value \"$T\"; level 300;"),
+             {"system/controlDict:1: \"$T\": \"$T\" is unknown. Known names: U, "});
+    expectIn(fields.refusalOf(particles, "value \"2*$U\"; level 300;"), {"it gives a vector"});
+    Observed<Reduction> numbers;
+    expectIn(numbers.mistakesIn(particles, "numbers { a { operation contour; gives angle; } b { operation contour; gives angel; } }"),
+             {"the angle is that with a wall: name it, `wall floor;`", "gives \"angel\" is unknown. Did you mean \"angle\"?"});
 }

@@ -142,7 +142,7 @@ TEST(Numbers, gradientsConverge)
                 particles,
                 "e { operation max; value \"abs(dot(grad($p), vector(1, 0, 0)) - 3*$x^2)\"; region { min (0.4 0.4 0); max (0.6 0.6 0); } }")
                 .at(0);
-        if (before > 0) EXPECT_NEAR(before / error, 4, 0.4);
+        if (before > 0) { EXPECT_NEAR(before / error, 4, 0.4); }
         before = error;
     }
 }
