@@ -104,8 +104,8 @@ TEST(Numbers, knowGradientsPhasesAndWalls)
     const auto n = numbersOf(particles, R"n(
         steepest    { operation max; value "mag(grad($p) - vector(0, 10, 0))"; }
         divergence  { operation mean; value "dot(grad($U_x), vector(1, 0, 0)) + dot(grad($U_y), vector(0, 1, 0))"; }
-        water       { operation sum; value "$water*$volume"; }
-        air         { operation sum; value "$air*$volume"; }
+        ofWater     { operation sum; value "$water*$volume"; }
+        ofAir       { operation sum; value "$air*$volume"; }
         alone       { operation sum; value "$volume"; phase water; where "smooth($water) > 1 - 1e-12"; }
         near        { operation max; value "$y"; where "${distance(floor)} < 0.12"; }
         angle       { value "${contactAngle(floor)}"; }
