@@ -50,7 +50,7 @@ TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
     EXPECT_EQ(
         f.mistakes(),
         "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-        "bedHydrodynamics, errors, filling, reduction, surfaceIntegral, volFieldValue, forces.\n"
+        "bedHydrodynamics, errors, filling, reduction, contour, surfaceIntegral, volFieldValue, forces.\n"
         "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: libs, type, "
         "executeControl, executeInterval, angularMomentum, origin.\n"
         "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
